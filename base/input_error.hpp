@@ -4,7 +4,8 @@
 
 namespace fpkcheck {
 
-/// Input that cannot be used. The text reads: problem (why) what to do, on one line.
+/// Invalid input. The message is one line, "problem: cause; action". A value outside its range
+/// reads "NAME = VALUE (must be RANGE)".
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

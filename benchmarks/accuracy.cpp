@@ -1,20 +1,20 @@
 #include <benchmark/benchmark.h>
 
+#include "case_on_grid.hpp"
 #include "elastic_white_noise.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {
 
-// White noise and an elastic impact, where the density is known: case range(0) on range(1) x
-// range(2) cells, transport of order range(3), in a box of 5.5 deviations.
+// White noise and an elastic impact, where the density is known exactly. Case range(0) on range(1)
+// x range(2) cells, transport of order range(3), in a box of 5.5 standard deviations.
 void white_noise_against_exact(benchmark::State& state) {
   const auto problem =
       problem::load_case("case" + std::to_string(state.range(0)), {"system.restitution=1"});
-  const auto options = tests::elastic_white_noise(problem, static_cast<int>(state.range(3)),
-                                                  static_cast<int>(state.range(1)),
-                                                  static_cast<int>(state.range(2)));
+  const auto options = tests::elastic_white_noise_exponent(
+      problem, static_cast<int>(state.range(3)), static_cast<int>(state.range(1)),
+      static_cast<int>(state.range(2)));
   fd_fpk::Result result;
   for (auto _ : state) result = fd_fpk::solve(problem, options);
   if (!result.solution.density) {

@@ -10,7 +10,8 @@ namespace {
 
 using epc::Equation;
 
-// The paper's case `range(0)` at order `range(1)`: search, judging and the distance from n-2.
+// The paper's case `range(0)` at order `range(1)`: root search, assessment of the density, and the
+// distance from order n-2.
 void solve_gaussian(benchmark::State& state, Equation equation) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
   const epc::Options options{.order = static_cast<int>(state.range(1)), .equation = equation};
@@ -25,7 +26,7 @@ BENCHMARK_CAPTURE(solve_gaussian, kf, Equation::kf)
     ->ArgsProduct({{1, 2, 3, 4}, {4, 6, 8}})
     ->Unit(benchmark::kMillisecond);
 
-// From a cold start: all orders from 2 on.
+// Without an initial guess: solves all orders from 2 on.
 void solve_moment(benchmark::State& state) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
   const epc::Options options{.order = static_cast<int>(state.range(1)),

@@ -8,46 +8,48 @@
 #include <string>
 #include <vector>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/linear/klu.hpp"
 #include "fd_fpk/linear/null_vector.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "setting.hpp"
 
-/// Orders of unknowns and sparse LU codes on the preconditioner's matrix.
+/// Fill-reducing orderings and sparse LU libraries on the matrix of the preconditioner.
 namespace fpkcheck::benchmarks {
 namespace {
 
 using namespace fd_fpk;
 using Integer = std::int64_t;
 
-/// I - M/10 with M much like what the preconditioner factors, and of the same pattern.
-SparseColumns low_order_matrix(const Setting& setting) {
-  const auto& impulses = setting.problem.impulses;
+/// I - M/10, with M similar to the matrix that the preconditioner factorises, and of the same
+/// sparsity pattern.
+SparseColumns low_order_matrix(const CaseOnGrid& problem_on_grid) {
+  const auto& impulses = problem_on_grid.problem.impulses;
   const Excitation weak{.drift = 0, .diffusion = impulses.rate_moment(2) / 8, .exchange = {}};
-  SparseColumns unit(setting.grid().size(), setting.grid().size());
+  SparseColumns unit(problem_on_grid.grid().size(), problem_on_grid.grid().size());
   unit.setIdentity();
-  return unit - 0.1 * fokker_planck_operator(setting.problem.system, weak, setting.options.impact,
-                                             setting.grid(), 3, Weighting::lumped)
+  return unit - 0.1 * fokker_planck_operator(problem_on_grid.problem.system, weak,
+                                             problem_on_grid.options.impact, problem_on_grid.grid(),
+                                             3, Weighting::lumped)
                           .local;
 }
 
-struct Arrays {
+struct CompressedColumns {
   Integer n;
   Integer* columns;
   Integer* rows;
   double* values;
-  explicit Arrays(SparseColumns& a)
+  explicit CompressedColumns(SparseColumns& a)
       : n(a.cols()),
         columns(reinterpret_cast<Integer*>(a.outerIndexPtr())),
         rows(reinterpret_cast<Integer*>(a.innerIndexPtr())),
         values(a.valuePtr()) {}
 };
 
-enum class Order { amd, colamd, metis, nested_dissection };
+enum class Ordering { amd, colamd, metis, nested_dissection };
 
-std::vector<Integer> dissection(SparseColumns& matrix, Order order) {
+std::vector<Integer> nested_dissection_ordering(SparseColumns& matrix, Ordering order) {
   SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
-  const Arrays arrays(symmetric);
+  const CompressedColumns arrays(symmetric);
   cholmod_common common;
   cholmod_l_start(&common);
   cholmod_sparse graph{};
@@ -60,7 +62,7 @@ std::vector<Integer> dissection(SparseColumns& matrix, Order order) {
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   std::vector<Integer> found(arrays.n), parents(arrays.n), members(arrays.n);
-  if (order == Order::metis) {
+  if (order == Ordering::metis) {
     cholmod_l_metis(&graph, nullptr, 0, 1, found.data(), &common);
   } else {
     cholmod_l_nested_dissection(&graph, nullptr, 0, found.data(), parents.data(), members.data(),
@@ -72,14 +74,14 @@ std::vector<Integer> dissection(SparseColumns& matrix, Order order) {
 
 class Klu {
  public:
-  Klu(SparseColumns& matrix, Order order) : a_(matrix) {
+  Klu(SparseColumns& matrix, Ordering order) : a_(matrix) {
     klu_l_defaults(&common_);
-    if (order == Order::amd || order == Order::colamd) {
-      common_.ordering = order == Order::amd ? 0 : 1;
+    if (order == Ordering::amd || order == Ordering::colamd) {
+      common_.ordering = order == Ordering::amd ? 0 : 1;
       symbolic_ = klu_l_analyze(a_.n, a_.columns, a_.rows, &common_);
     } else {
       common_.btf = 0;
-      auto found = dissection(matrix, order);
+      auto found = nested_dissection_ordering(matrix, order);
       symbolic_ =
           klu_l_analyze_given(a_.n, a_.columns, a_.rows, found.data(), found.data(), &common_);
     }
@@ -99,7 +101,7 @@ class Klu {
   double entries() const { return static_cast<double>(numeric_->lnz + numeric_->unz); }
 
  private:
-  Arrays a_;
+  CompressedColumns a_;
   klu_l_common common_{};
   klu_l_symbolic* symbolic_ = nullptr;
   klu_l_numeric* numeric_ = nullptr;
@@ -107,11 +109,11 @@ class Klu {
 
 class Umfpack {
  public:
-  Umfpack(SparseColumns& matrix, Order order) : a_(matrix) {
+  Umfpack(SparseColumns& matrix, Ordering order) : a_(matrix) {
     umfpack_dl_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     control_[UMFPACK_ORDERING] =
-        order == Order::amd ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
+        order == Ordering::amd ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
     control_[UMFPACK_IRSTEP] = 0;
     umfpack_dl_symbolic(a_.n, a_.n, a_.columns, a_.rows, a_.values, &symbolic_, control_, info_);
   }
@@ -135,32 +137,32 @@ class Umfpack {
   double entries() const { return entries_; }
 
  private:
-  Arrays a_;
+  CompressedColumns a_;
   double control_[UMFPACK_CONTROL], info_[UMFPACK_INFO], entries_ = 0;
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
 };
 
 template <class Code>
-void analyse(benchmark::State& state, Order order) {
-  const Setting setting(state.range(0));
-  SparseColumns matrix = low_order_matrix(setting);
+void analyse(benchmark::State& state, Ordering order) {
+  const CaseOnGrid problem_on_grid(state.range(0));
+  SparseColumns matrix = low_order_matrix(problem_on_grid);
   for (auto _ : state) Code code(matrix, order);
 }
 
 template <class Code>
-void factor(benchmark::State& state, Order order) {
-  const Setting setting(state.range(0));
-  SparseColumns matrix = low_order_matrix(setting);
+void factor(benchmark::State& state, Ordering order) {
+  const CaseOnGrid problem_on_grid(state.range(0));
+  SparseColumns matrix = low_order_matrix(problem_on_grid);
   Code code(matrix, order);
   for (auto _ : state) code.factor();
   state.counters["factor_entries"] = code.entries();
 }
 
 template <class Code>
-void solve(benchmark::State& state, Order order) {
-  const Setting setting(state.range(0));
-  SparseColumns matrix = low_order_matrix(setting);
+void solve(benchmark::State& state, Ordering order) {
+  const CaseOnGrid problem_on_grid(state.range(0));
+  SparseColumns matrix = low_order_matrix(problem_on_grid);
   Code code(matrix, order);
   code.factor();
   Eigen::VectorXd b = Eigen::VectorXd::Ones(matrix.cols());
@@ -170,15 +172,16 @@ void solve(benchmark::State& state, Order order) {
   }
 }
 
-void refactor(benchmark::State& state, Order order) {
-  const Setting setting(state.range(0));
-  SparseColumns matrix = low_order_matrix(setting);
+void refactor(benchmark::State& state, Ordering order) {
+  const CaseOnGrid problem_on_grid(state.range(0));
+  SparseColumns matrix = low_order_matrix(problem_on_grid);
   Klu klu(matrix, order);
   klu.factor();
   for (auto _ : state) klu.refactor();
 }
 
-void on_grids(const std::string& name, void (*measure)(benchmark::State&, Order), Order order) {
+void register_on_grids(const std::string& name, void (*measure)(benchmark::State&, Ordering),
+                       Ordering order) {
   benchmark::RegisterBenchmark(name.c_str(), measure, order)
       ->Arg(4000)
       ->Arg(16000)
@@ -187,30 +190,30 @@ void on_grids(const std::string& name, void (*measure)(benchmark::State&, Order)
 }
 
 template <class Code>
-void register_code(const std::string& name, Order order) {
-  on_grids("analyse/" + name, analyse<Code>, order);
-  on_grids("factor/" + name, factor<Code>, order);
-  on_grids("triangular_solve/" + name, solve<Code>, order);
+void register_code(const std::string& name, Ordering order) {
+  register_on_grids("analyse/" + name, analyse<Code>, order);
+  register_on_grids("factor/" + name, factor<Code>, order);
+  register_on_grids("triangular_solve/" + name, solve<Code>, order);
 }
 
 const bool kRegistered = [] {
-  register_code<Klu>("klu_amd", Order::amd);
-  register_code<Klu>("klu_colamd", Order::colamd);
-  register_code<Klu>("klu_metis", Order::metis);
-  register_code<Klu>("klu_nested_dissection", Order::nested_dissection);
-  register_code<Umfpack>("umfpack_amd", Order::amd);
-  register_code<Umfpack>("umfpack_metis", Order::metis);
-  on_grids("refactor/klu_nested_dissection", refactor, Order::nested_dissection);
+  register_code<Klu>("klu_amd", Ordering::amd);
+  register_code<Klu>("klu_colamd", Ordering::colamd);
+  register_code<Klu>("klu_metis", Ordering::metis);
+  register_code<Klu>("klu_nested_dissection", Ordering::nested_dissection);
+  register_code<Umfpack>("umfpack_amd", Ordering::amd);
+  register_code<Umfpack>("umfpack_metis", Ordering::metis);
+  register_on_grids("refactor/klu_nested_dissection", refactor, Ordering::nested_dissection);
   return true;
 }();
 
-// The null vector with one factorisation of the preconditioner and GMRES.
+// The null vector by GMRES with one factorisation of the preconditioner.
 void null_vector_by_gmres(benchmark::State& state) {
-  const Setting setting(state.range(0));
-  const FokkerPlanckOperator op = setting.op();
-  const Eigen::VectorXd start = gaussian_start(setting.grid(), setting.problem);
+  const CaseOnGrid problem_on_grid(state.range(0));
+  const FokkerPlanckOperator op = problem_on_grid.op();
+  const Eigen::VectorXd start = gaussian_start(problem_on_grid.grid(), problem_on_grid.problem);
   for (auto _ : state) {
-    Preconditioner preconditioner = setting.preconditioner();
+    Preconditioner preconditioner = problem_on_grid.preconditioner();
     const NullVector null = null_vector(op, preconditioner, start);
     state.counters["krylov_iterations"] = static_cast<double>(null.iterations);
     state.counters["factor_entries"] = static_cast<double>(preconditioner.entries());
@@ -218,14 +221,16 @@ void null_vector_by_gmres(benchmark::State& state) {
 }
 BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond);
 
-// The same with the whole operator, jumps and all, in KLU, by inverse iteration.
+// The null vector by inverse iteration, with a KLU factorisation of the whole operator including
+// jumps.
 void null_vector_by_whole_factors(benchmark::State& state) {
-  const Setting setting(state.range(0));
-  const FokkerPlanckOperator op = setting.op();
-  const Eigen::VectorXd start = gaussian_start(setting.grid(), setting.problem);
-  const double frequency = std::sqrt(problem::equivalent_linearisation(setting.problem).stiffness);
+  const CaseOnGrid problem_on_grid(state.range(0));
+  const FokkerPlanckOperator op = problem_on_grid.op();
+  const Eigen::VectorXd start = gaussian_start(problem_on_grid.grid(), problem_on_grid.problem);
+  const double frequency =
+      std::sqrt(problem::equivalent_linearisation(problem_on_grid.problem).stiffness);
   for (auto _ : state) {
-    const NullVector null = factored_null_vector(op, start, frequency);
+    const NullVector null = null_vector_by_inverse_iteration(op, start, frequency);
     if (!null.averages) state.SkipWithError(null.failure.c_str());
   }
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {
@@ -14,8 +14,9 @@ using namespace fd_fpk;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// kf, case 1, direct, on about range(0) cells. The peak of memory is the process's so far: run this
-// benchmark alone. `exponent` is d log(time) / d log(unknowns) from the grid before.
+// Scaling of time and memory with the number of unknowns: kf, case 1, direct, on about range(0)
+// cells. Peak memory is that of the process since its start: run this benchmark alone. `exponent`
+// is d log(time) / d log(unknowns) relative to the previous grid.
 void growth(benchmark::State& state) {
   static double unknowns_before = 0, seconds_before = 0;
   const auto problem = paper_case(1);

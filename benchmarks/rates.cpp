@@ -16,12 +16,13 @@
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "scan_of_rates.hpp"
+#include "rate_scan.hpp"
 #include "transform/solution.hpp"
 
-// Case 1 with impulses of one intensity at all rates, of all laws, with several restitutions: which
-// methods say `ok`, whether each of these states an error, and whether the error is within it. The
-// judge is fd-kf on cells narrower by two; with r = 1 E[y'^2] is known exactly.
+// Case 1 with impulses of one intensity, at all rates, of all laws, with several restitution
+// coefficients. For each method: the number of `ok` solutions, whether they have error estimates,
+// and whether the errors are within the estimates. The reference is fd-kf with cells half as wide;
+// for r = 1, E[y'^2] is also known exactly.
 //
 //   fpkcheck_rates [--rates 1e-4,..] [--laws gaussian,..] [--restitutions 0.5,..] [--methods fd]
 //                  [--max-seconds 20] [--verbose]
@@ -32,26 +33,26 @@ using transform::Solution;
 using transform::Variable;
 
 struct Settings {
-  tests::ScanOfRates scan = {};
+  tests::RateScan scan = {};
   std::string methods = "fd,epc";
   double max_seconds = 20;
   bool verbose = false;
 };
 
-// What a method's answers of all problems came to.
-struct Tally {
-  int ok = 0, silent = 0, judged = 0, beyond = 0;
+// Statistics of a method's solutions over all problems.
+struct MethodStatistics {
+  int ok = 0, without_estimate = 0, judged = 0, beyond_estimate = 0;
   double worst = 0, worst_ratio = 0;
 };
 
-// Of the full problem: other equations are not judged by it.
-bool solves_the_problem(const Solution& solution) {
+// Whether a solution approximates the full problem; other equations are not compared with it.
+bool solves_the_full_problem(const Solution& solution) {
   return solution.identity.role != transform::Role::equation ||
          (solution.identity.equation == problem::Equation::kf &&
           solution.identity.impact == problem::Impact::map);
 }
 
-std::optional<Solution> judge(const problem::Problem& problem) {
+std::optional<Solution> reference_solution(const problem::Problem& problem) {
   constexpr double kFiner = 2, kSeconds = 300;
   for (const auto transport :
        {std::optional<fd_fpk::Transport>(), std::optional(fd_fpk::Transport::characteristics)}) {
@@ -62,25 +63,25 @@ std::optional<Solution> judge(const problem::Problem& problem) {
                                               .max_seconds = kSeconds})
                           .solution;
       if (solution.is_ok()) return solution;
-    } catch (const std::exception&) {  // the other transport is not for this problem
+    } catch (const std::exception&) {  // this transport does not support the problem
     }
   }
   return std::nullopt;
 }
 
-// The largest of the errors of p(y) and p(y'), and of E[y'^2] where it is known, over what is
-// stated. What the judge states of itself is taken off.
-struct Judged {
+// The largest L1 error of p(y) and p(y'), and the largest ratio of an error to its estimate, also
+// for E[y'^2] where it is known. The reference's own error estimate is subtracted.
+struct Comparison {
   double l1 = 0, ratio = 0;
 };
-Judged judged(const problem::Problem& problem, const Solution& solution, const Solution& judge,
-              const compare::ComparisonAxes& axes) {
-  Judged result;
+Comparison judged(const problem::Problem& problem, const Solution& solution,
+                  const Solution& reference_solution, const compare::ComparisonAxes& axes) {
+  Comparison result;
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::edges(axes, variable);
     const double l1 = transform::l1(transform::marginal(solution, variable, edges),
-                                    transform::marginal(judge, variable, edges));
-    const double own = transform::l1(*judge.error, variable);
+                                    transform::marginal(reference_solution, variable, edges));
+    const double own = transform::l1(*reference_solution.error, variable);
     result.l1 = std::max(result.l1, l1);
     result.ratio = std::max(result.ratio, (l1 - own) / transform::l1(*solution.error, variable));
   }
@@ -94,25 +95,26 @@ Judged judged(const problem::Problem& problem, const Solution& solution, const S
 }
 
 void add(const problem::Problem& problem, const Solution& solution,
-         const std::optional<Solution>& judge, const compare::ComparisonAxes& axes,
-         const Settings& settings, Tally& tally) {
-  constexpr double kAllowed = 2;
+         const std::optional<Solution>& reference_solution, const compare::ComparisonAxes& axes,
+         const Settings& settings, MethodStatistics& tally) {
+  constexpr double kSafetyFactor = 2;
   std::string text;
-  const bool states = transform::states_error(solution);
+  const bool states = transform::has_error_estimate(solution);
   if (solution.is_ok()) {
     ++tally.ok;
-    if (!states) ++tally.silent;
+    if (!states) ++tally.without_estimate;
   }
   if (solution.error) {
     text = fmt::format("{:.1e} {:.1e}", solution.error->y_l1, solution.error->ydot_l1);
   }
-  if (solution.is_ok() && states && judge && solution.error && solves_the_problem(solution)) {
-    const Judged found = judged(problem, solution, *judge, axes);
+  if (solution.is_ok() && states && reference_solution && solution.error &&
+      solves_the_full_problem(solution)) {
+    const Comparison found = judged(problem, solution, *reference_solution, axes);
     ++tally.judged;
     tally.worst = std::max(tally.worst, found.l1);
     tally.worst_ratio = std::max(tally.worst_ratio, found.ratio);
-    if (found.ratio > kAllowed) ++tally.beyond;
-    text += fmt::format("  L1 {:.1e}, {:.2g} of what is stated", found.l1, found.ratio);
+    if (found.ratio > kSafetyFactor) ++tally.beyond_estimate;
+    text += fmt::format("  L1 {:.1e}, {:.2g} of the estimate", found.l1, found.ratio);
   }
   if (!settings.verbose) return;
   fmt::print("  {:18} {:>13} {:.1f} s  {}  {}\n", solution.id(), name(solution.status),
@@ -121,44 +123,45 @@ void add(const problem::Problem& problem, const Solution& solution,
 }
 
 int run(const Settings& settings) {
-  const auto registry = methods::builtin();
+  const auto registry = methods::builtin_registry();
   const auto methods = registry.select(settings.methods, {{"max_seconds", settings.max_seconds}});
-  std::vector<Tally> tallies(methods.size());
+  std::vector<MethodStatistics> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {
-    const auto axes = compare::even_axes(compare::comparison_axes(problem));
-    const auto judging = judge(problem);
+    const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
+    const auto reference = reference_solution(problem);
     if (settings.verbose) {
-      fmt::print("{} ({})\n", problem.name, judging ? "judged" : "no judge");
+      fmt::print("{} ({})\n", problem.name, reference ? "with reference" : "no reference");
     }
     const auto solved = methods::run_cases({problem}, methods, 1, {}).front();
     ++problems;
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      add(problem, solved.solutions[m], judging, axes, settings, tallies[m]);
+      add(problem, solved.solutions[m], reference, axes, settings, tallies[m]);
     }
   }
   fmt::print("\n{:18} {:>8} {:>5} {:>13} {:>7} {:>9} {:>12} {:>18}\n", "method", "problems", "ok",
-             "no statement", "judged", "worst L1", "> stated x 2", "worst over stated");
-  int silent = 0;
+             "no estimate", "judged", "worst L1", "> 2 estimate", "worst / estimate");
+  int without_estimate = 0;
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    const Tally& t = tallies[m];
-    silent += t.silent;
+    const MethodStatistics& t = tallies[m];
+    without_estimate += t.without_estimate;
     fmt::print("{:18} {:>8} {:>5} {:>13} {:>7} {:>9.1e} {:>12} {:>18.2g}\n", methods[m].id(),
-               problems, t.ok, t.silent, t.judged, t.worst, t.beyond, t.worst_ratio);
+               problems, t.ok, t.without_estimate, t.judged, t.worst, t.beyond_estimate,
+               t.worst_ratio);
   }
-  return silent == 0 ? 0 : 1;
+  return without_estimate == 0 ? 0 : 1;
 }
 
-std::vector<std::string> words(const std::string& list) {
+std::vector<std::string> split_list(const std::string& list) {
   std::vector<std::string> all;
   std::istringstream in(list);
   for (std::string word; std::getline(in, word, ',');) all.push_back(word);
   return all;
 }
 
-std::vector<double> numbers(const std::string& list) {
+std::vector<double> parse_numbers(const std::string& list) {
   std::vector<double> all;
-  for (const auto& word : words(list)) all.push_back(std::stod(word));
+  for (const auto& word : split_list(list)) all.push_back(std::stod(word));
   return all;
 }
 
@@ -167,15 +170,17 @@ std::vector<double> numbers(const std::string& list) {
 
 int main(int argc, char** argv) {
   namespace po = boost::program_options;
-  using fpkcheck::benchmarks::numbers, fpkcheck::benchmarks::words;
+  using fpkcheck::benchmarks::parse_numbers, fpkcheck::benchmarks::split_list;
   fpkcheck::benchmarks::Settings settings;
   std::string rates, laws, restitutions;
   po::options_description options("fpkcheck_rates: case 1 with impulses at all rates");
-  options.add_options()("help", "this text")("rates", po::value(&rates), "by commas")(
-      "laws", po::value(&laws), "by commas")("restitutions", po::value(&restitutions), "by commas")(
-      "methods", po::value(&settings.methods), "as `fpkcheck run --methods` takes them")(
-      "max-seconds", po::value(&settings.max_seconds), "of an answer")(
-      "verbose", po::bool_switch(&settings.verbose), "every answer");
+  options.add_options()("help", "print this text")(
+      "rates", po::value(&rates), "list, separated by commas")("laws", po::value(&laws),
+                                                               "list, separated by commas")(
+      "restitutions", po::value(&restitutions), "list, separated by commas")(
+      "methods", po::value(&settings.methods), "as for `fpkcheck run --methods`")(
+      "max-seconds", po::value(&settings.max_seconds), "time limit of a solution")(
+      "verbose", po::bool_switch(&settings.verbose), "print every solution");
   try {
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
@@ -184,9 +189,9 @@ int main(int argc, char** argv) {
       std::cout << options;
       return 0;
     }
-    if (!rates.empty()) settings.scan.rates = numbers(rates);
-    if (!laws.empty()) settings.scan.laws = words(laws);
-    if (!restitutions.empty()) settings.scan.restitutions = numbers(restitutions);
+    if (!rates.empty()) settings.scan.rates = parse_numbers(rates);
+    if (!laws.empty()) settings.scan.laws = split_list(laws);
+    if (!restitutions.empty()) settings.scan.restitutions = parse_numbers(restitutions);
     return fpkcheck::benchmarks::run(settings);
   } catch (const std::exception& error) {
     std::cerr << "fpkcheck_rates: " << error.what() << '\n';

@@ -1,14 +1,14 @@
 #include <benchmark/benchmark.h>
 
+#include "case_on_grid.hpp"
 #include "fd_fpk/solve.hpp"
-#include "setting.hpp"
 
 namespace fpkcheck::benchmarks {
 namespace {
 
 using namespace fd_fpk;
 
-// The paper's case `range(0)` under kf with default options: what `fpkcheck fd` does.
+// The paper's case `range(0)` for the equation kf with default options, as in `fpkcheck fd`.
 void solve_case(benchmark::State& state, Stepper stepper) {
   const auto problem = paper_case(state.range(0));
   Summary last;

@@ -13,17 +13,17 @@
 #include "mcs/motion/flight.hpp"
 #include "problem/case_file.hpp"
 
-// Trajectories of the paper's cases per second: the simulation against a plain loop of the
-// classical Runge-Kutta method with step 0.05, side by side on the same threads, and what either
-// errs per unit time.
+// Simulation performance for the paper's cases: the program's SIMD simulation against a scalar loop
+// of the classical Runge-Kutta method with step 0.05, on the same number of threads. Also the error
+// per unit time of both.
 //
 //   fpkcheck_trajectories [THREADS] [TIME OF EACH THREAD]
 namespace fpkcheck::benchmarks {
 namespace {
 
 constexpr double kRungeKuttaStep = 0.05;
-constexpr double kStep = 0.9;  // of the simulation, radians
-constexpr int kStreams = 8;    // of a thread
+constexpr double kStep = 0.9;  // longest flight of the simulation, in radians
+constexpr int kStreams = 8;    // number of streams per thread
 
 using mcs::State;
 
@@ -40,8 +40,8 @@ State runge_kutta(const problem::System& s, const State& x, double h) {
           x.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
-/// As one would write it: whole steps, cut at impulses and impacts.
-/// @return the mean of v^2 over the steps
+/// The simplest implementation: fixed steps, shortened at impulses and impacts.
+/// @return the time average of v^2
 double runge_kutta_loop(const problem::Problem& problem, double time, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::exponential_distribution<double> waiting(problem.impulses.arrival_rate());
@@ -75,23 +75,23 @@ double runge_kutta_loop(const problem::Problem& problem, double time, unsigned s
   return sum / time;
 }
 
-std::vector<double> even(double from, double to) {
+std::vector<double> uniform_edges(double from, double to) {
   std::vector<double> edges;
   for (int k = 0; k <= 140; ++k) edges.push_back(from + (to - from) * k / 140);
   return edges;
 }
 
-struct Lanes {
+struct SimulationResult {
   double flights;
   double mean_square;
 };
 
-Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
-                 const simd::LaneSet& lanes, bool records) {
-  const mcs::BinFinder y(even(0, 5)), v(even(-5, 5));
+SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
+                                 const simd::CodeVariant& lanes, bool records) {
+  const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
   const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
                            .step = kStep,
-                           .sampling_interval = 0.23,  // 25 samples a period
+                           .sampling_interval = 0.23,  // about 25 samples per period
                            .y_bins = &y,
                            .v_bins = &v,
                            .records = records};
@@ -111,7 +111,7 @@ Lanes lanes_loop(const problem::Problem& problem, double time, unsigned seed,
     pointers.push_back(&streams.back());
   }
   mcs::advance(motion, pointers, time / kStreams, lanes);
-  Lanes result{0, 0};
+  SimulationResult result{0, 0};
   double samples = 0;
   for (const mcs::Stream& stream : streams) {
     result.flights += static_cast<double>(stream.record.flights);
@@ -128,9 +128,10 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Simulated time per second of the threads together, the best of three. Each thread is timed by
-/// its own processor time, so that other work on the machine counts as little as possible.
-double speed(int threads, double time, const std::function<void(unsigned)>& work) {
+/// Simulated time per second of all threads together, the best of three runs. Each thread measures
+/// its own processor time, to reduce the influence of other load.
+double simulated_time_per_second(int threads, double time,
+                                 const std::function<void(unsigned)>& work) {
   double best = 0;
   for (int repetition = 0; repetition < 3; ++repetition) {
     std::vector<double> rates(static_cast<std::size_t>(threads));
@@ -151,8 +152,8 @@ double speed(int threads, double time, const std::function<void(unsigned)>& work
   return best;
 }
 
-/// Root mean square and largest error of a step from stationary states, relative to the amplitude
-/// sqrt(2 E), per unit time.
+/// Root mean square and maximum of the error of a step from stationary states, relative to the
+/// amplitude sqrt(2 E), per unit time.
 template <class Advance>
 std::pair<double, double> error_per_time(const problem::System& system, const State& deviation,
                                          const Advance& advance) {
@@ -180,11 +181,11 @@ void errors(const char* name, const problem::System& system, const State& deviat
   const auto [rms, largest] = error_per_time(system, deviation, [&](const State& x) {
     return std::pair{runge_kutta(system, x, kRungeKuttaStep), kRungeKuttaStep};
   });
-  // Of the longest flights; impulses and impacts cut most of them short.
+  // For flights of maximum length; impulses and impacts shorten most flights.
   const mcs::Oscillator oscillator(system);
   const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
     const mcs::Flight flight(oscillator, x);
-    const double time = flight.reach(kStep);
+    const double time = flight.max_step(kStep);
     return std::pair{flight.at(time), time};
   });
   fmt::print(
@@ -220,23 +221,23 @@ int main(int argc, char** argv) {
   }
   const auto problem = problem::load_case("case1");
   std::vector<double> found(static_cast<std::size_t>(threads));
-  const double plain = speed(
+  const double plain = simulated_time_per_second(
       threads, time / 10, [&](unsigned t) { found[t] = runge_kutta_loop(problem, time / 10, t); });
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
-  for (const auto& lanes : simd::available_lanes()) {
+  for (const auto& lanes : simd::available_variants()) {
     for (const bool records : {false, true}) {
-      std::vector<Lanes> seen(static_cast<std::size_t>(threads));
-      const double rate = speed(threads, time, [&](unsigned t) {
-        seen[t] = lanes_loop(problem, time, t, lanes, records);
+      std::vector<SimulationResult> results(static_cast<std::size_t>(threads));
+      const double rate = simulated_time_per_second(threads, time, [&](unsigned t) {
+        results[t] = simulation_loop(problem, time, t, lanes, records);
       });
       fmt::print("{:8} {} lanes, {:16} {:.2e} steps/s, {:5.2f} of RK4", name(lanes.instructions),
                  lanes.width, records ? "with histogram" : "motion alone", rate / kRungeKuttaStep,
                  rate / plain);
       if (records) {
-        fmt::print("   E[v^2] {:.4f}, {:.2e} flights/s", seen[0].mean_square,
-                   rate * seen[0].flights / time);
+        fmt::print("   E[v^2] {:.4f}, {:.2e} flights/s", results[0].mean_square,
+                   rate * results[0].flights / time);
       }
       fmt::print("\n");
     }

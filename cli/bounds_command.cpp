@@ -5,15 +5,15 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
-#include "base/text/shown.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/bounds.hpp"
@@ -26,21 +26,21 @@ namespace {
 
 constexpr const char* kBoundsUsage = R"(usage: fpkcheck bounds CASE ... [options]
 
-Guaranteed lower and upper bounds of stationary expectations of the oscillator under the impulses
-themselves (equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of
-the impacts w1 = int u^2 p(0,-u) du. They trust no solver: an approximate solution of the backward
-equation is checked by outward-rounded interval arithmetic. docs/bounds.md has theorem and proof.
-Exit code 0 when all are as narrow as asked for, 1 when they are not (the last line names the limit:
---seconds, or the finest grid) or there are none.
+Guaranteed lower and upper bounds of stationary expectations of the oscillator under impulses
+(equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of the impacts
+w1 = int u^2 p(0,-u) du. The bounds depend on no solver: outward-rounded interval arithmetic checks
+an approximate solution of the backward equation. Theorem and proof: docs/bounds.md.
+Exit code 0 when all bounds have the requested width. Exit code 1 when there are none, or when some
+are wider; the last line then names the limit: --seconds or the finest grid.
 
 examples:
   fpkcheck bounds case1
   fpkcheck bounds case1 --width 5e-6 --seconds 60
-  fpkcheck bounds case1 --bin ydot:0.5:0.3          an average of p(y') about 0.5
+  fpkcheck bounds case1 --bin ydot:0.5:0.3          average of p(y') around 0.5
 )";
 
 // VARIABLE:CENTRE:SPACING
-backward::Functional bin_from(const std::string& text) {
+backward::Functional parse_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
@@ -51,7 +51,7 @@ backward::Functional bin_from(const std::string& text) {
   const std::string variable = text.substr(0, first);
   if (variable != "y" && variable != "ydot") refuse();
   const auto number = [&](const std::string& part) {
-    const auto found = base::Parameter{.name = "bin", .help = {}}.parsed(part);
+    const auto found = base::Parameter{.name = "bin", .help = {}}.parse(part);
     if (!found) refuse();
     return std::get<double>(*found);
   };
@@ -68,18 +68,19 @@ int bounds_command(const Call& call) {
   const auto& description = backward::description();
   base::Values values = description.values(backward::Options{});
   std::vector<std::string> bins;
-  po::options_description own = options_for(description, values);
+  po::options_description own = make_options(description, values);
   own.add_options()(
       "bin", po::value(&bins)->value_name("V:X:H")->composing(),
-      "also the average of p(y) or p(y') with a cubic B-spline about X, knots H apart; "
-      "V is y or ydot; may be repeated");
+      "also bound the average of p(y) or p(y') weighted by a cubic B-spline with centre X and knot "
+      "spacing H; V is y or ydot; may be repeated");
   if (!parse(call.arguments, kBoundsUsage,
-             with_common_options(own, common, "write summary.json there"), common.cases)) {
-    return kDone;
+             with_common_options(own, common, "write summary.json to DIR (default: no file)"),
+             common.cases)) {
+    return kSuccess;
   }
-  if (common.cases.empty()) throw InputError("no case (give one, e.g. case1)");
+  if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
   backward::Options options = description.read(values, "options");
-  for (const auto& bin : bins) options.functionals.push_back(bin_from(bin));
+  for (const auto& bin : bins) options.functionals.push_back(parse_bin(bin));
   backward::validate(options);
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
@@ -99,21 +100,21 @@ int bounds_command(const Call& call) {
     const auto& bounds = *run.cases.back().bounds;
     const bool found = bounds.reason.empty() && !bounds.each.empty();
     reached = reached && found;
-    if (common.quiet && !found) complain(fmt::format("{}: {}", problem.name, bounds.reason));
+    if (common.quiet && !found) print_message(fmt::format("{}: {}", problem.name, bounds.reason));
     if (common.json || common.quiet) continue;
-    put_out(fmt::format("{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()),
-                        bounds.seconds));
+    print_output(fmt::format(
+        "{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()), bounds.seconds));
   }
-  if (common.json) put_out(results::summary_text(run) + '\n');
+  if (common.json) print_output(results::summary_text(run) + '\n');
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     base::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');
     files.commit();
-    note_kept("all was written");
+    set_exit_message("all files were written");
   }
-  return reached ? kDone : kNotReached;
+  return reached ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

@@ -4,13 +4,13 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "results/saved_run.hpp"
@@ -22,18 +22,18 @@ namespace {
 
 constexpr const char* kCheckUsage = R"(usage: fpkcheck check BASELINE.json [options]
 
-Solves again what a summary.json describes and compares: statuses, moments, mass, balance of power,
-coefficients of closures, distances, and the curves of the marginals.csv beside it. Any run's
-directory is a baseline: keep the one whose results you trust.
-Deterministic methods are held to --tolerance, the simulation to its standard errors, though the
-same seed normally gives the same numbers. Prints what moved and by how much, and how near the rest
-came to what is allowed.
-Exit code 0 when everything agrees, 1 when something moved, 2 for a baseline that cannot be used.
+Regression test: repeats the run of a summary.json and compares statuses, moments, mass, balance of
+power, coefficients of closures, distances, and the densities of marginals.csv in its directory.
+The directory of any run can be the baseline: keep one whose results you trust.
+The tolerance is --tolerance for deterministic methods and --standard-errors for the simulation;
+with the same seed the simulation normally reproduces all its numbers. Prints all changes beyond
+the tolerance, and the largest change of each kind.
+Exit code 0 when all quantities agree, 1 when one has changed, 2 when the baseline is unusable.
 
 examples:
-  fpkcheck run mine.ini --out baseline                      make one
-  fpkcheck check baseline/summary.json                      use it
-  fpkcheck check baseline/summary.json --out changed        and keep the new run beside it
+  fpkcheck run mine.ini --out baseline                      (make a baseline)
+  fpkcheck check baseline/summary.json                      (compare with the baseline)
+  fpkcheck check baseline/summary.json --out changed        (keep the new run, too)
 )";
 
 struct CheckArguments {
@@ -42,7 +42,7 @@ struct CheckArguments {
   int threads = 0;
 };
 
-boost::program_options::options_description options_of(CheckArguments& arguments) {
+boost::program_options::options_description make_check_options(CheckArguments& arguments) {
   namespace po = boost::program_options;
   auto& common = arguments.common;
   auto& tolerances = arguments.tolerances;
@@ -52,71 +52,73 @@ boost::program_options::options_description options_of(CheckArguments& arguments
        po::value(&tolerances.deterministic)
            ->value_name("T")
            ->default_value(tolerances.deterministic, "1e-08"),
-       "of moments, densities and distances of deterministic methods; coefficients are allowed 50 "
-       "times it, distances in tails 100 times")("standard-errors",
-                                                 po::value(&tolerances.standard_errors)
-                                                     ->value_name("N")
-                                                     ->default_value(tolerances.standard_errors),
-                                                 "of simulations: of the difference of both runs")(
-          "threads", po::value(&arguments.threads)->value_name("N"),
-          "threads to use (default: one per processor)")(
+       "tolerance for moments (relative), densities and distances of deterministic methods; 50 "
+       "times as large for coefficients, 100 times for distances in tails")(
+          "standard-errors",
+          po::value(&tolerances.standard_errors)
+              ->value_name("N")
+              ->default_value(tolerances.standard_errors),
+          "tolerance for simulations, in standard errors of "
+          "the difference of both runs")("threads", po::value(&arguments.threads)->value_name("N"),
+                                         "number of threads (default: one per processor)")(
           "out",
           po::value<std::string>()->value_name("DIR")->notifier(
               [&common](const std::string& value) { common.out = value; }),
-          "write check.json there, and summary.json and marginals.csv of the new run")(
-          "quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+          "write check.json, and summary.json and marginals.csv of the new run, to DIR (default: "
+          "no files)")("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
           "json", po::bool_switch(&common.json),
-          "print check.json on standard output, and nothing else there")("help,h", "this text");
+          "print check.json to standard output, and nothing else")("help,h", "print this text");
   return options;
 }
 
-void write(const std::filesystem::path& directory, const results::Run& run,
-           const std::string& json) {
-  const base::FilesInHand in_hand;
+void write_files(const std::filesystem::path& directory, const results::Run& run,
+                 const std::string& json) {
+  const base::WriteGuard in_hand;
   base::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
   files.commit();
-  note_kept("all was written");
+  set_exit_message("all files were written");
 }
 
 }  // namespace
 
 int check_command(const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
-  CheckArguments given;
-  std::vector<std::string> places;
-  if (!parse(call.arguments, kCheckUsage, options_of(given), places)) return kDone;
-  const auto& [common, tolerances, threads] = given;
-  if (places.size() != 1) {
-    throw InputError("check takes one baseline (the summary.json of a run, or its directory)");
+  CheckArguments check_arguments;
+  std::vector<std::string> paths;
+  if (!parse(call.arguments, kCheckUsage, make_check_options(check_arguments), paths))
+    return kSuccess;
+  const auto& [common, tolerances, threads] = check_arguments;
+  if (paths.size() != 1) {
+    throw InputError("check takes one baseline; name the summary.json of a run or its directory");
   }
   check::validate(tolerances);
   if (threads < 0) throw InputError(fmt::format("--threads {} (must not be negative)", threads));
   using base::Value;
   const auto baseline =
-      check::load_baseline(places.front(), call.registry,
+      check::load_baseline(paths.front(), call.registry,
                            {{"threads", threads > 0 ? Value(std::int64_t{threads}) : Value()}});
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
-  const auto run = check::run_again(baseline, call.command_line, threads,
-                                    [&](const methods::RunProgress& at) { progress.show(at); });
+  const auto run = check::repeat_run(baseline, call.command_line, threads,
+                                     [&](const methods::RunProgress& at) { progress.show(at); });
   throw_if_interrupted();
   progress.clear();
 
   auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
-  const auto json = check::check_json(result, call.command_line, places.front());
+  const auto json = check::check_json(result, call.command_line, paths.front());
   if (common.json) {
-    put_out(json + '\n');
+    print_output(json + '\n');
   } else if (!common.quiet) {
-    put_out(check::check_table(result, terminal_format()));
+    print_output(check::check_table(result, terminal_format()));
   }
-  if (common.out) write(*common.out, run, json);
+  if (common.out) write_files(*common.out, run, json);
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    put_out(fmt::format(
+    print_output(fmt::format(
         "{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote check.json, summary.json and marginals.csv to {} in ", *common.out)
@@ -124,9 +126,10 @@ int check_command(const Call& call) {
         elapsed.count()));
   }
   if (common.quiet && !result.agrees()) {
-    complain(fmt::format("{} of {} figures moved", result.moved().size(), result.figures.size()));
+    print_message(
+        fmt::format("{} of {} quantities changed", result.moved().size(), result.changes.size()));
   }
-  return result.agrees() ? kDone : kNotReached;
+  return result.agrees() ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

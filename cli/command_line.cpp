@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/help.hpp"
 #include "problem/case_file.hpp"
 #include "results/directory.hpp"
@@ -16,29 +16,29 @@ namespace fpkcheck::cli {
 namespace po = boost::program_options;
 
 po::options_description with_common_options(const po::options_description& own,
-                                            CommonArguments& common, const char* what_out_does) {
+                                            CommonArguments& common, const char* out_help) {
   po::options_description with_cases;
   for (const auto& option : own.options()) with_cases.add(option);
   with_cases.add_options()(
       "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
-  return with_output_options(with_cases, common, what_out_does);
+  return with_output_options(with_cases, common, out_help);
 }
 
 po::options_description with_output_options(const po::options_description& own,
-                                            CommonArguments& common, const char* what_out_does) {
+                                            CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // One by one: a nested group would be printed after the others, and in its own width.
+  // A nested group of options would be printed after the others, and in a width of its own.
   for (const auto& option : own.options()) all.add(option);
   all.add_options()  //
       ("out",
        po::value<std::string>()->value_name("DIR")->notifier(
            [&common](const std::string& value) { common.out = value; }),
-       what_out_does)("quiet,q", po::bool_switch(&common.quiet), "no table and no progress")(
+       out_help)("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
           "json", po::bool_switch(&common.json),
-          "print the summary as JSON on standard output, and nothing else there")("help,h",
-                                                                                  "this text");
+          "print the summary as JSON to standard output, and nothing else")("help,h",
+                                                                            "print this text");
   return all;
 }
 
@@ -54,12 +54,12 @@ bool parse(const std::vector<std::string>& arguments, const std::string& usage,
     po::store(po::command_line_parser(arguments).options(all).positional(rest).style(style).run(),
               values);
     if (values.count("help") > 0) {
-      answer_help(usage, options);
+      emit_help(usage, options);
       return false;
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{} (--help lists the options)", base::shown(error.what())));
+    throw InputError(fmt::format("{}; --help lists the options", base::sanitise(error.what())));
   }
   return true;
 }
@@ -68,29 +68,30 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   std::vector<problem::Problem> problems;
   std::set<std::string> names;
   for (const auto& name : common.cases) {
-    problems.push_back(problem::load_case(name, common.overrides, problem::Naming::of_changes));
+    problems.push_back(
+        problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
     // Pictures are filed under a plainer name, so that is what must not be shared.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice (name it once)", base::shown(name)));
+      throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
     if (!names.insert(results::file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
-          "two cases are called {} or alike (results are filed by that name: rename one)",
+          "two cases are called {} or similarly: their files would have the same name; rename one",
           base::in_quotes(problems.back().name)));
     }
   }
   for (const auto& name : names) {
-    // What pictures and variables of a case are called besides its name.
-    for (const char* addition : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
-      if (!names.contains(name + addition)) continue;
+    // Suffixes of a case's figures and netCDF variables.
+    for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
+      if (!names.contains(name + suffix)) continue;
       throw InputError(
-          fmt::format("cases {0} and {0}{1} (something of the former is filed under the latter's "
-                      "name: rename one)",
-                      base::shown(name), addition));
+          fmt::format("cases {0} and {0}{1}: a file or variable of the former would have the name "
+                      "of the latter; rename one",
+                      base::sanitise(name), suffix));
     }
   }
   if (problems.empty()) {
-    throw InputError("no case (name one: case1 .. case4, or an ini file)");
+    throw InputError("no case; name one: case1 .. case4, or an ini file");
   }
   return problems;
 }

@@ -10,40 +10,40 @@
 
 namespace fpkcheck::cli {
 
-/// What every command that solves something takes.
+/// The arguments that all solving commands have in common.
 struct CommonArguments {
   std::vector<std::string> cases;
   std::vector<std::string> overrides;  ///< --set key=value
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
-  report::FigureOptions figures = {};  ///< of commands that draw (cli/figure_options.hpp)
+  report::FigureOptions figures = {};  ///< for commands that draw (cli/figure_options.hpp)
 };
 
 /// Adds --set, --out, --quiet, --json and --help to a command's own options.
-/// @param what_out_does help text of --out
+/// @param out_help help text of --out
 boost::program_options::options_description with_common_options(
     const boost::program_options::options_description& own, CommonArguments& common,
-    const char* what_out_does =
-        "write summary.json, marginals.csv, smooth.csv, joint.nc and figures/ there (run: default "
-        "fpkcheck-out)");
+    const char* out_help =
+        "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
+        "(default: fpkcheck-out for run, else no files)");
 
-/// The same without --set, for cases that are what they are.
+/// As with_common_options, without --set: for commands whose cases are fixed.
 boost::program_options::options_description with_output_options(
     const boost::program_options::options_description& own, CommonArguments& common,
-    const char* what_out_does);
+    const char* out_help);
 
-/// Parses, with the positional arguments going to `positional`. Options are not guessed from
-/// prefixes.
+/// Parses the arguments into the variables of the options, and positional arguments into
+/// `positional`. Abbreviated option names are refused.
 /// @param usage first lines of the help text
-/// @return false when --help was given and has been printed
-/// @throws InputError on one line
+/// @return false when --help was given and the help was printed
+/// @throws InputError with a message of one line
 bool parse(const std::vector<std::string>& arguments, const std::string& usage,
            const boost::program_options::options_description& options,
            std::vector<std::string>& positional);
 
-/// The problems that the cases name, with the overrides applied.
-/// @throws InputError, also when two cases have the same name
+/// Loads the problems of the cases and applies the overrides.
+/// @throws InputError for an invalid case, and for two cases whose results would have the same name
 std::vector<problem::Problem> load_cases(const CommonArguments& common);
 
 }  // namespace fpkcheck::cli

@@ -7,14 +7,14 @@
 
 namespace fpkcheck::cli {
 
-/// How a command was called.
+/// The call of a command.
 struct Call {
-  std::vector<std::string> arguments;  ///< what follows the command's name
+  std::vector<std::string> arguments;  ///< arguments after the name of the command
   std::string command_line;            ///< the whole line, for summary.json
   const methods::Registry& registry;
 };
 
-/// One function per command, each in a file of its name.
+/// The commands; each function is in a file of its name.
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written
 int run_command(const Call& call);
@@ -28,11 +28,12 @@ int check_command(const Call& call);
 int report_command(const Call& call);
 int evaluate_command(const Call& call);
 
-/// The command of a solver: its cases by it alone, with the options that it describes.
+/// The command of a solver: solves the cases by this solver alone, with the options of its
+/// description.
 int solver_command(const Call& call, const methods::Solver& solver);
-/// The same for finite differences, which also have densities over time.
+/// The command `fd`, which also computes densities over time.
 int fd_command(const Call& call, const methods::Solver& solver);
-/// The same for the simulation, which can be interrupted and resumed.
+/// The command `mcs`, which can be interrupted and resumed and uses MPI.
 int mcs_command(const Call& call, const methods::Solver& solver);
 
 }  // namespace fpkcheck::cli

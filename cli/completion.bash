@@ -1,4 +1,4 @@
-# Completion of fpkcheck's command line in bash. The program itself says what may follow: see cli/completion.hpp.
+# Completion of the command line of fpkcheck in bash. The program computes the candidates (cli/completion.hpp).
 _fpkcheck() {
   local word=${COMP_WORDS[COMP_CWORD]} line
   COMPREPLY=()

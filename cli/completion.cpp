@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words methods_in(const methods::Registry& registry) {
+Words method_names(const methods::Registry& registry) {
   Words names;
   std::set<std::string> seen;
   const auto add = [&](const std::string& name) {
@@ -23,13 +23,13 @@ Words methods_in(const methods::Registry& registry) {
     add(solver.name);
     for (const auto& family : solver.families) {
       add(family.name);
-      for (const auto& id : family.usual) add(id);
+      for (const auto& id : family.default_ids) add(id);
     }
   }
   return names;
 }
 
-// "system.damping=", "impulse.rate=", ..
+// Keys of a case file: "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
   for (const auto* section : problem::case_descriptions()) {
@@ -40,14 +40,14 @@ Words case_keys() {
   return keys;
 }
 
-// What an option of this name takes: in the command's own solver, or in any.
-Words choices_of(const std::string& flag, const std::string& command,
-                 const methods::Registry& registry) {
+// Choices of an option: of the solver that the command names, else of all solvers.
+Words option_choices(const std::string& flag, const std::string& command,
+                     const methods::Registry& registry) {
   Words choices;
   const auto* const own = registry.find(command);
   for (const auto& solver : registry.solvers()) {
     if (own != nullptr && own != &solver) continue;
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       if ("--" + parameter.flag != flag) continue;
       for (const auto& choice : parameter.choices) {
         if (std::ranges::find(choices, choice) == choices.end()) choices.push_back(choice);
@@ -57,40 +57,40 @@ Words choices_of(const std::string& flag, const std::string& command,
   return choices;
 }
 
-// Items after those that stand before the last comma.
-Words items_after(const std::string& word, Words items) {
+// Prepends the part of the word up to its last comma to each item.
+Words append_to_list(const std::string& word, Words items) {
   const auto comma = word.rfind(',');
   if (comma == std::string::npos) return items;
   for (auto& item : items) item = word.substr(0, comma + 1) + item;
   return items;
 }
 
-Words values_of(const OptionHelp& option, const std::string& word, const CommandHelp& command,
-                const methods::Registry& registry) {
-  if (option.name == "--methods") return items_after(word, methods_in(registry));
-  if (option.name == "--formulations") return items_after(word, study::formulations(registry));
+Words option_values(const OptionHelp& option, const std::string& word, const CommandHelp& command,
+                    const methods::Registry& registry) {
+  if (option.name == "--methods") return append_to_list(word, method_names(registry));
+  if (option.name == "--formulations") return append_to_list(word, study::formulations(registry));
   if (option.name == "--set") return case_keys();
   if (option.placeholder.starts_with("FILE")) return {kFiles};
   if (option.placeholder == "DIR") return {kDirectories};
-  return choices_of(option.name, command.name, registry);
+  return option_choices(option.name, command.name, registry);
 }
 
-// What stands for itself: by the first line of the command's help.
-Words positionals_of(const CommandHelp& command) {
+// Candidates for a positional argument, from the first line of the command's help.
+Words positional_candidates(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
   if (takes("SUBJECT")) return {};
   if (takes("DIR")) return {kDirectories};
   if (!takes("CASE")) return {kFiles};
   Words cases;
-  for (const auto* named_cases : {&problem::named_cases(), &problem::shipped_systems()}) {
-    for (const auto& named : *named_cases) cases.push_back(named.name);
+  for (const auto* list : {&problem::paper_cases(), &problem::example_systems()}) {
+    for (const auto& named : *list) cases.push_back(named.name);
   }
   cases.emplace_back(kFiles);
   return cases;
 }
 
-Words beginning_with(const std::string& start, const Words& all) {
+Words filter_by_prefix(const std::string& start, const Words& all) {
   Words chosen;
   for (const auto& word : all) {
     if (word.starts_with(start) || word.starts_with(':')) chosen.push_back(word);
@@ -103,7 +103,7 @@ const CommandHelp* find(const std::vector<CommandHelp>& commands, const std::str
   return found == commands.end() ? nullptr : &*found;
 }
 
-// The next words of commands that begin with `before`: "grid" after "study ".
+// The word after `before` in the names of the commands: "grid" after "study ".
 Words next_words(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {
@@ -120,16 +120,16 @@ Words completions(const std::vector<CommandHelp>& commands, const methods::Regis
                   const Words& words) {
   if (words.empty()) return {};
   const auto& word = words.back();
-  const bool asks = words.front() == "help" && words.size() > 1;
-  const std::size_t first = asks ? 1 : 0;
+  const bool is_help = words.front() == "help" && words.size() > 1;
+  const std::size_t first = is_help ? 1 : 0;
   if (words.size() == first + 1) {
     auto names = next_words(commands, "");
-    if (!asks) names.insert(names.end(), {"help", "--help", "--version"});
-    return beginning_with(word, names);
+    if (!is_help) names.insert(names.end(), {"help", "--help", "--version"});
+    return filter_by_prefix(word, names);
   }
   const auto subjects = next_words(commands, words[first] + ' ');
-  if (words.size() == first + 2 && !subjects.empty()) return beginning_with(word, subjects);
-  if (asks) return {};
+  if (words.size() == first + 2 && !subjects.empty()) return filter_by_prefix(word, subjects);
+  if (is_help) return {};
   const auto* command = find(commands, words[0]);
   if (!subjects.empty()) command = find(commands, words[0] + ' ' + words[1]);
   if (command == nullptr) return {};
@@ -137,12 +137,12 @@ Words completions(const std::vector<CommandHelp>& commands, const methods::Regis
   const auto& options = command->help.options;
   const auto before = std::ranges::find(options, words[words.size() - 2], &OptionHelp::name);
   if (before != options.end() && !before->placeholder.empty()) {
-    return beginning_with(word, values_of(*before, word, *command, registry));
+    return filter_by_prefix(word, option_values(*before, word, *command, registry));
   }
-  if (!word.starts_with('-')) return beginning_with(word, positionals_of(*command));
+  if (!word.starts_with('-')) return filter_by_prefix(word, positional_candidates(*command));
   Words names;
   for (const auto& option : options) names.push_back(option.name);
-  return beginning_with(word, names);
+  return filter_by_prefix(word, names);
 }
 
 }  // namespace fpkcheck::cli

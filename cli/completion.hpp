@@ -8,13 +8,13 @@
 
 namespace fpkcheck::cli {
 
-/// What the shell is told instead of a word: names of files, or of directories, may stand here too.
+/// Candidates that the completion script replaces by all file names or all directory names.
 inline constexpr const char* kFiles = ":files";
 inline constexpr const char* kDirectories = ":directories";
 
-/// What the last of the words may become. Cases, commands, options, methods and the words that an
-/// option takes are those of the program's own tables.
-/// @param words what follows the program's name, up to the cursor; the last may be empty
+/// Candidates for the last of the words. Commands, options, cases, methods and choices come from
+/// the tables of the program.
+/// @param words words after the program's name, up to the cursor; the last may be empty
 std::vector<std::string> completions(const std::vector<CommandHelp>& commands,
                                      const methods::Registry& registry,
                                      const std::vector<std::string>& words);

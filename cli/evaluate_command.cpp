@@ -12,13 +12,13 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/standard_streams.hpp"
 #include "epc/density.hpp"
-#include "methods/external/form_file.hpp"
+#include "methods/external/closed_form_file.hpp"
 #include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
 #include "results/json_values.hpp"
@@ -30,9 +30,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEvaluateUsage = R"(usage: fpkcheck evaluate FILE [SOLUTION] [options]
 
-Prints p(y, y') of a closed form at points, as CSV: y,v,p. FILE is the summary.json of a run, or
-the directory with it, and SOLUTION a closure in it; or FILE is a closed form that was written down
-(docs/foreign.md). Solves nothing: p is C exp(Q_n) from the coefficients, as the solver had it.
+Evaluates the closed form of a density p(y, y') at points and prints CSV: y,v,p. FILE is the
+summary.json of a run, or its directory, and SOLUTION the id of a closure in it; or FILE is a
+closed form as JSON (docs/foreign.md). Solves nothing: p = C exp(Q_n) from the stored coefficients.
 
 examples:
   fpkcheck evaluate results/summary.json epc-moment-n8
@@ -44,59 +44,61 @@ struct Point {
   double y, v;
 };
 
-constexpr std::size_t kMostOfText = std::size_t{64} << 20;
+constexpr std::size_t kMaxTextBytes = std::size_t{64} << 20;
 
-std::string text_of(const fs::path& file, const char* what) {
-  auto text = base::read_input_file(file, kMostOfText);
+std::string read_text(const fs::path& file, const char* hint) {
+  auto text = base::read_input_file(file, kMaxTextBytes);
   if (!text) {
     throw InputError(
-        fmt::format("{} is not a readable file (give {})", base::in_quotes(file.string()), what));
+        fmt::format("{} is not a readable file; give {}", base::in_quotes(file.string()), hint));
   }
   return *std::move(text);
 }
 
-std::vector<Point> points_in(std::istream& in, const std::string& name) {
+std::vector<Point> read_points(std::istream& in, const std::string& name) {
   const auto table = methods::read_number_table(in, name);
-  if (table.columns() != 2) table.fail(0, "three columns (must be two: y and y')");
+  if (table.columns() != 2) table.fail(0, "three columns: must be two, y and y'");
   std::vector<Point> points;
   for (const auto& row : table.rows) points.push_back({row[0], row[1]});
   return points;
 }
 
-std::vector<Point> points_at(const std::string& name) {
-  if (name == "-") return points_in(std::cin, "standard input");
-  std::istringstream in(text_of(name, "one with the columns y and y'"));
-  return points_in(in, name);
+std::vector<Point> load_points(const std::string& name) {
+  if (name == "-") return read_points(std::cin, "standard input");
+  std::istringstream in(read_text(name, "a file with the columns y and y'"));
+  return read_points(in, name);
 }
 
-// Over the box around the support.
-std::vector<Point> points_over(const transform::SmoothDensity& density, const std::string& file) {
+// A regular grid over the bounding box of the support.
+std::vector<Point> make_grid_points(const transform::SmoothDensity& density,
+                                    const std::string& file) {
   if (!std::isfinite(density.y_max) || !std::isfinite(density.v_max)) {
-    throw InputError(fmt::format("{} has no support (name points by --at)", file));
+    throw InputError(fmt::format("{} has no bounded support; give points by --at", file));
   }
-  constexpr int kOfY = 40, kOfV = 80;
+  constexpr int kCellsY = 40, kCellsV = 80;
   std::vector<Point> points;
-  for (int i = 0; i <= kOfY; ++i) {
-    for (int j = 0; j <= kOfV; ++j) {
-      points.push_back({density.y_min + (density.y_max - density.y_min) * i / kOfY,
-                        density.v_max * (2.0 * j / kOfV - 1)});
+  for (int i = 0; i <= kCellsY; ++i) {
+    for (int j = 0; j <= kCellsV; ++j) {
+      points.push_back({density.y_min + (density.y_max - density.y_min) * i / kCellsY,
+                        density.v_max * (2.0 * j / kCellsV - 1)});
     }
   }
   return points;
 }
 
-methods::FormFile form_in(const std::string& text, const std::string& where,
-                          const std::optional<std::string>& solution,
-                          const std::optional<std::string>& case_name) {
+methods::ClosedFormFile read_closed_form(const std::string& text, const std::string& where,
+                                         const std::optional<std::string>& solution,
+                                         const std::optional<std::string>& case_name) {
   if (results::is_summary(text, where)) {
-    return methods::read_form(text, where, {.solution = solution, .case_name = case_name});
+    return methods::read_closed_form_file(text, where,
+                                          {.solution = solution, .case_name = case_name});
   }
-  auto file = methods::read_form(text, where, {.solution = solution});
+  auto file = methods::read_closed_form_file(text, where, {.solution = solution});
   if (case_name) file.problem = problem::load_case(*case_name, {});
   return file;
 }
 
-std::string csv_of(const std::vector<Point>& points, const std::vector<double>& values) {
+std::string format_csv(const std::vector<Point>& points, const std::vector<double>& values) {
   std::string text = "y,v,p\n";
   for (std::size_t k = 0; k < points.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "{},{},{}\n", points[k].y, points[k].v, values[k]);
@@ -104,8 +106,8 @@ std::string csv_of(const std::vector<Point>& points, const std::vector<double>& 
   return text;
 }
 
-std::string json_of(const std::vector<Point>& points, const std::vector<double>& values,
-                    const std::string& file, const methods::FormFile& form) {
+std::string format_json(const std::vector<Point>& points, const std::vector<double>& values,
+                        const std::string& file, const methods::ClosedFormFile& form) {
   nlohmann::ordered_json json{{"file", file}, {"case", nullptr}, {"solution", nullptr}};
   if (form.solution) {
     json["case"] = form.problem->name;
@@ -126,37 +128,36 @@ int evaluate_command(const Call& call) {
   namespace po = boost::program_options;
   std::vector<std::string> words;
   std::optional<std::string> at, case_name;
-  const auto into = [](std::optional<std::string>& place) {
+  const auto store_in = [](std::optional<std::string>& place) {
     return [&place](const std::string& value) { place = value; };
   };
   bool json = false, quiet = false;
   po::options_description options("options", 96);
   options.add_options()(
-      "at", po::value<std::string>()->value_name("FILE")->notifier(into(at)),
-      "points: two columns, y and y', as files of --against have them; - is standard input "
-      "(default: a grid of 41 x 81 over the support)")(
-      "case", po::value<std::string>()->value_name("CASE")->notifier(into(case_name)),
-      "of a summary with several cases: which one; of a written form: whose amplitudes or energies "
-      "it has")("json", po::bool_switch(&json), "JSON instead of CSV")(
-      "quiet,q", po::bool_switch(&quiet), "no word of a solution that is not ok")("help,h",
-                                                                                  "this text");
-  if (!parse(call.arguments, kEvaluateUsage, options, words)) return kDone;
+      "at", po::value<std::string>()->value_name("FILE")->notifier(store_in(at)),
+      "file with the points in two columns, y and y', in the format of --against; - is standard "
+      "input (default: a grid of 41 x 81 points over the support)")(
+      "case", po::value<std::string>()->value_name("CASE")->notifier(store_in(case_name)),
+      "case of the solution, for a summary with several cases; for a closed form in amplitude or "
+      "energy, the case that defines them")("json", po::bool_switch(&json),
+                                            "print JSON instead of CSV")(
+      "quiet,q", po::bool_switch(&quiet), "do not warn of a solution without status ok")(
+      "help,h", "print this text");
+  if (!parse(call.arguments, kEvaluateUsage, options, words)) return kSuccess;
   if (words.empty() || words.size() > 2) {
     throw InputError(
-        "evaluate takes a file and a solution in it (e.g. results/summary.json "
-        "epc-moment-n8)");
+        "evaluate takes a file and a solution in it; e.g. results/summary.json epc-moment-n8");
   }
   fs::path file = words[0];
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) file /= "summary.json";
-  const std::string where = base::shown(file.string());
-  const auto form = form_in(text_of(file, "the summary.json of a run, or a closed form"), where,
-                            words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
+  const std::string where = base::sanitise(file.string());
+  const auto form =
+      read_closed_form(read_text(file, "the summary.json of a run, or a closed form"), where,
+                       words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);
   if (!epc::is_normalised(form.form)) {
-    throw InputError(
-        fmt::format("{} has neither \"C\" nor \"support\" (say what its integral is 1 "
-                    "over)",
-                    where));
+    throw InputError(fmt::format(
+        "{} has neither \"C\" nor \"support\"; add \"support\" to normalise the form", where));
   }
   const auto density = [&] {
     try {
@@ -165,15 +166,16 @@ int evaluate_command(const Call& call) {
       throw InputError(fmt::format("{}: {}", where, error.what()));
     }
   }();
-  const auto points = at ? points_at(*at) : points_over(density, where);
+  const auto points = at ? load_points(*at) : make_grid_points(density, where);
   std::vector<double> values;
   for (const auto& [y, v] : points) values.push_back(y < density.y_min ? 0 : density.value(y, v));
-  put_out(json ? json_of(points, values, file.string(), form) : csv_of(points, values));
+  print_output(json ? format_json(points, values, file.string(), form)
+                    : format_csv(points, values));
   if (!quiet && form.solution && !form.solution->is_ok()) {
-    complain(fmt::format("{} is {}: {}", form.solution->id(), name(form.solution->status),
-                         form.solution->reason));
+    print_message(fmt::format("{} is {}: {}", form.solution->id(), name(form.solution->status),
+                              form.solution->reason));
   }
-  return kDone;
+  return kSuccess;
 }
 
 }  // namespace fpkcheck::cli

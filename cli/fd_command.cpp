@@ -5,10 +5,10 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
+#include "cli/integrate_and_report.hpp"
 #include "cli/parameter_options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "cli/transient_and_report.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/transient_options.hpp"
 
@@ -18,8 +18,8 @@ namespace {
 using base::Values;
 using fd_fpk::TransientOptions;
 
-/// --until and what belongs to it; what is not given is as usual.
-std::vector<std::string> names_with_flags() {
+/// Names of the options of a density over time: --until and its companions.
+std::vector<std::string> transient_option_names() {
   std::vector<std::string> names;
   for (const auto& parameter : fd_fpk::transient_description().all()) {
     if (!parameter.flag.empty()) names.push_back(parameter.name);
@@ -30,8 +30,8 @@ std::vector<std::string> names_with_flags() {
 TransientOptions transient_options(const Values& given) {
   if (!contains(given, "until")) {
     throw InputError(
-        "--snapshots, --time-tolerance or --start-.. without --until (they belong to a density over "
-        "time: give --until T)");
+        "--snapshots, --time-tolerance or --start-.. without --until: no density over time was "
+        "requested; give --until T");
   }
   TransientOptions options;
   for (const auto& [name, value] : given) {
@@ -45,22 +45,24 @@ TransientOptions transient_options(const Values& given) {
 
 int fd_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  Values values = solver.usual_options, over_time;
-  auto own = options_for(*solver.parameters, values);
-  own.add(options_for(fd_fpk::transient_description(), names_with_flags(), over_time));
+  Values values = solver.default_options, transient_values;
+  auto own = make_options(*solver.option_descriptions, values);
+  own.add(
+      make_options(fd_fpk::transient_description(), transient_option_names(), transient_values));
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
-    return kDone;
+    return kSuccess;
   }
-  if (over_time.empty()) {
+  if (transient_values.empty()) {
     return solve_and_report(common, {call.registry.method(solver, values)}, {}, call.command_line);
   }
   const auto options = fd_fpk::description().read(values, "options");
   if (options.stepper == fd_fpk::Stepper::direct) {
     throw InputError(
-        "--stepper direct with --until (a density over time is stepped: leave it out)");
+        "--stepper direct with --until: a density over time requires time steps; omit --stepper");
   }
-  return transient_and_report(common, options, transient_options(over_time), call.command_line);
+  return integrate_and_report(common, options, transient_options(transient_values),
+                              call.command_line);
 }
 
 }  // namespace fpkcheck::cli

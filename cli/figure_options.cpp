@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
-#include "cli/lists.hpp"
+#include "base/text/sanitise.hpp"
+#include "cli/parse_list.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -13,21 +13,21 @@ namespace po = boost::program_options;
 using report::FigureFormat;
 using report::FigureWidth;
 
-std::vector<FigureFormat> formats_in(const std::string& list) {
+std::vector<FigureFormat> parse_formats(const std::string& list) {
   std::vector<FigureFormat> formats;
-  for (const auto& item : items("--figures", list)) {
-    const auto format = base::value_named<FigureFormat>(item);
+  for (const auto& item : parse_list("--figures", list)) {
+    const auto format = base::enum_from_name<FigureFormat>(item);
     if (!format) {
-      throw InputError(fmt::format("--figures {} ({} is no format) use png, svg, pdf, tex",
-                                   base::shown(list), base::in_quotes(item)));
+      throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
+                                   base::sanitise(list), base::in_quotes(item)));
     }
     formats.push_back(*format);
   }
   return formats;
 }
 
-FigureWidth width_in(const std::string& text) {
-  const auto width = base::value_named<FigureWidth>(text);
+FigureWidth parse_width(const std::string& text) {
+  const auto width = base::enum_from_name<FigureWidth>(text);
   if (!width || *width == FigureWidth::screen) {
     throw InputError(
         fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));
@@ -42,12 +42,13 @@ po::options_description figure_options(report::FigureOptions& figures) {
   options.add_options()  //
       ("figures",
        po::value<std::string>()->value_name("LIST")->notifier(
-           [&figures](const std::string& list) { figures.formats = formats_in(list); }),
-       "formats of the pictures: png (default), svg, pdf, tex (for LaTeX)")  //
+           [&figures](const std::string& list) { figures.formats = parse_formats(list); }),
+       "formats of the figures, separated by commas: png (default), svg, pdf, tex (for LaTeX)")  //
       ("figure-width",
        po::value<std::string>()->value_name("MM")->notifier(
-           [&figures](const std::string& text) { figures.width = width_in(text); }),
-       "of pictures in print: 85 or 170 mm, one or both columns (default: for a screen)");
+           [&figures](const std::string& text) { figures.width = parse_width(text); }),
+       "width of the figures in mm: 85 or 170, one or two columns of a printed page (default: size "
+       "for a screen)");
   return options;
 }
 
@@ -56,10 +57,10 @@ po::options_description case_figure_options(report::FigureOptions& figures) {
   options.add_options()(
       "curves",
       po::value<std::string>()->value_name("LIST")->notifier(
-          [&figures](const std::string& list) { figures.curves = items("--curves", list); }),
-      "in the pictures of cases: ids, families or solvers, or all (default: what came from files, "
-      "and up to six with the reference, other solutions of the problem, and the closest closure of "
-      "each formulation)");
+          [&figures](const std::string& list) { figures.curves = parse_list("--curves", list); }),
+      "solutions in the figures of a case: ids, families or solvers separated by commas, or all "
+      "(default: densities from files, and up to six curves: the reference, other solutions of the "
+      "problem, and the closest closure of each formulation)");
   return options;
 }
 

@@ -7,11 +7,11 @@
 namespace fpkcheck::cli {
 
 /// --figures and --figure-width.
-/// @param figures gets what is given; kept by reference
-/// @throws InputError from parsing: the option, the text and what is allowed
+/// @param figures receives the parsed values; kept by reference
+/// @throws InputError while parsing: with the option, its text and the allowed values
 boost::program_options::options_description figure_options(report::FigureOptions& figures);
 
-/// The same, and --curves of the pictures of cases.
+/// --figures, --figure-width, and --curves for the figures of a case.
 boost::program_options::options_description case_figure_options(report::FigureOptions& figures);
 
 }  // namespace fpkcheck::cli

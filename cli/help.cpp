@@ -8,52 +8,52 @@
 #include <sstream>
 
 #include "cli/solve_and_report.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
 namespace po = boost::program_options;
 
-// Where help goes when it is not printed.
-thread_local Help* help_taker = nullptr;
+// Receives the help that capture_help() requests; null when help is to be printed.
+thread_local Help* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Where the text begins of "  name   text": after the first gap; 0 when there is none.
+// Column of the text in "  name   text", after the first gap of two or more blanks; 0 without gap.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Lines of a paragraph or of an item. Heads are filled to 96 columns or so: a line that ends long
-// before was meant to end.
-bool meant_to_end(const std::string& line, const std::string& next) {
-  constexpr std::size_t kFull = 84;
+// True if the line break between `line` and `next` is to be kept. Usage texts are wrapped at about
+// 96 columns: a line with room for the first word of the next line was broken on purpose.
+bool keeps_line_break(const std::string& line, const std::string& next) {
+  constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
   const auto word = std::min(next.find(' ', begin), next.size()) - begin;
-  return line.size() + 1 + word <= kFull;
+  return line.size() + 1 + word <= kFilledWidth;
 }
 
-// An example that is too long goes on as the shell allows it; its remark, if any, goes below.
-std::string filled_example(const std::string& line, std::size_t remark, std::size_t width) {
+// Wraps an example by backslashes, as a shell accepts; its remark goes to a line of its own.
+std::string wrap_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
-      report::wrapped(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
+      report::wrap_text(remark > 0 ? line.substr(0, remark) : line, width - 2, kIndent);
   result.pop_back();
   for (auto end = result.find('\n'); end != std::string::npos; end = result.find('\n', end + 3)) {
     result.insert(end, " \\");
   }
   result += '\n';
   if (remark > 0) {
-    result += report::wrapped(std::string(kIndent, ' ') + line.substr(remark), width, kIndent);
+    result += report::wrap_text(std::string(kIndent, ' ') + line.substr(remark), width, kIndent);
   }
   return result;
 }
 
-std::string filled(const std::vector<std::string>& lines, std::size_t width) {
+std::string wrap_block(const std::vector<std::string>& lines, std::size_t width) {
   const auto too_long = [&](const auto& line) { return line.size() > width; };
   std::string result;
   if (std::ranges::none_of(lines, too_long)) {
@@ -61,19 +61,19 @@ std::string filled(const std::vector<std::string>& lines, std::size_t width) {
     return result;
   }
   const std::size_t column = text_column(lines.front());
-  if (lines.front().starts_with("  fpkcheck ")) return filled_example(lines.front(), column, width);
+  if (lines.front().starts_with("  fpkcheck ")) return wrap_example(lines.front(), column, width);
   const std::size_t indent = column > 0 ? column : indentation(lines.front());
   for (std::size_t i = 0; i < lines.size();) {
     std::string text = lines[i];
-    for (++i; i < lines.size() && !meant_to_end(lines[i - 1], lines[i]); ++i) {
+    for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // with the gap that wrapped would close
+    std::string head;  // with the gap that wrap_text would close
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');
     }
-    auto block = report::wrapped(text, width, indent);
+    auto block = report::wrap_text(text, width, indent);
     block.replace(0, head.size(), head);
     result += block;
   }
@@ -84,34 +84,34 @@ std::string label(const OptionHelp& option) {
   std::string text = option.short_name.empty() ? "" : option.short_name + ", ";
   text += option.name;
   if (!option.placeholder.empty()) text += ' ' + option.placeholder;
-  if (!option.usual.empty()) text += " (=" + option.usual + ')';
+  if (!option.default_value.empty()) text += " (=" + option.default_value + ')';
   return text;
 }
 
-OptionHelp described(const po::option_description& option) {
+OptionHelp option_help(const po::option_description& option) {
   using po::command_line_style::allow_dash_for_short;
   using po::command_line_style::allow_long;
   OptionHelp help{.name = option.canonical_display_name(allow_long),
                   .short_name = option.canonical_display_name(allow_dash_for_short),
                   .text = option.description()};
-  // Without a letter of its own the name comes back, which may be as short.
+  // Boost returns the long name for an option without a short name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();  // "N (=6)"
-  const auto usual = parameter.find(" (=");
-  help.placeholder = parameter.substr(0, usual);
-  if (usual != std::string::npos) {
-    help.usual = parameter.substr(usual + 3, parameter.size() - usual - 4);
+  const auto default_begin = parameter.find(" (=");
+  help.placeholder = parameter.substr(0, default_begin);
+  if (default_begin != std::string::npos) {
+    help.default_value = parameter.substr(default_begin + 3, parameter.size() - default_begin - 4);
   }
   return help;
 }
 
 }  // namespace
 
-std::string usage_text(const std::string& usage, std::size_t width) {
+std::string wrap_usage(const std::string& usage, std::size_t width) {
   std::string result;
   std::vector<std::string> block;
   const auto put = [&] {
-    result += filled(block, width);
+    result += wrap_block(block, width);
     block.clear();
   };
   std::istringstream lines(usage);
@@ -128,13 +128,13 @@ std::string usage_text(const std::string& usage, std::size_t width) {
 }
 
 std::string help_text(const Help& help, std::size_t width) {
-  std::string text = usage_text(help.usage, width);
+  std::string text = wrap_usage(help.usage, width);
   if (help.options.empty()) return text;
-  constexpr std::size_t kIndent = 2, kGap = 2, kLongestLabel = 26;
+  constexpr std::size_t kIndent = 2, kGap = 2, kMaxLabelWidth = 26;
   std::size_t longest = 0;
   for (const auto& option : help.options) {
     const auto size = label(option).size();
-    if (size <= kLongestLabel) longest = std::max(longest, size);
+    if (size <= kMaxLabelWidth) longest = std::max(longest, size);
   }
   const std::size_t column = kIndent + longest + kGap;
   text += "\noptions:\n";
@@ -145,35 +145,35 @@ std::string help_text(const Help& help, std::size_t width) {
       line.clear();
     }
     line.resize(column, ' ');
-    auto block = report::wrapped(std::string(column, ' ') + option.text, width, column);
+    auto block = report::wrap_text(std::string(column, ' ') + option.text, width, column);
     block.replace(0, column, line);
     text += block;
   }
   return text;
 }
 
-void answer_help(const std::string& usage, const po::options_description& options) {
+void emit_help(const std::string& usage, const po::options_description& options) {
   Help help{usage, {}};
-  for (const auto& option : options.options()) help.options.push_back(described(*option));
-  if (help_taker != nullptr) {
-    *help_taker = std::move(help);
+  for (const auto& option : options.options()) help.options.push_back(option_help(*option));
+  if (captured_help != nullptr) {
+    *captured_help = std::move(help);
     return;
   }
-  constexpr std::size_t kWithoutTerminal = 80;
+  constexpr std::size_t kDefaultWidth = 80;
   std::cout << help_text(help,
-                         isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kWithoutTerminal);
+                         isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kDefaultWidth);
 }
 
-Help help_from(const std::function<void()>& call) {
+Help capture_help(const std::function<void()>& call) {
   Help help;
-  help_taker = &help;
+  captured_help = &help;
   try {
     call();
   } catch (...) {
-    help_taker = nullptr;
+    captured_help = nullptr;
     throw;
   }
-  help_taker = nullptr;
+  captured_help = nullptr;
   return help;
 }
 

@@ -7,40 +7,42 @@
 
 namespace fpkcheck::cli {
 
-/// An option, as help shows it.
+/// The help of an option.
 struct OptionHelp {
-  std::string name;              ///< "--order"
-  std::string short_name = {};   ///< "-q"; may be empty
-  std::string placeholder = {};  ///< "N"; empty for a switch
-  std::string usual = {};        ///< its value where it is not given; may be empty
+  std::string name;                ///< "--order"
+  std::string short_name = {};     ///< "-q"; may be empty
+  std::string placeholder = {};    ///< "N"; empty for a switch
+  std::string default_value = {};  ///< its default as text; may be empty
   std::string text = {};
 };
 
-/// What --help of a command shows.
+/// The help of a command, as --help prints it.
 struct Help {
-  std::string usage;  ///< the head: how to call it, what it does, examples
+  std::string usage;  ///< synopsis, description and examples
   std::vector<OptionHelp> options;
 };
 
 /// A command with its help.
 struct CommandHelp {
   std::string name;     ///< "run", "study grid"
-  std::string summary;  ///< a line
+  std::string summary;  ///< description in one line
   Help help;
 };
 
-/// The head alone: what is longer than the width is filled anew, and what is set out in columns
-/// stays in them. A word that is longer than a line stays whole.
-std::string usage_text(const std::string& usage, std::size_t width);
+/// Wraps a usage text to the width: paragraphs are refilled, items keep their columns, and blocks
+/// that fit are unchanged. A word longer than a line is not broken.
+std::string wrap_usage(const std::string& usage, std::size_t width);
 
+/// The help as text: the usage, then the options with their texts in a column.
 std::string help_text(const Help& help, std::size_t width);
 
-/// What a command calls when it is asked for help: prints it in the terminal's width (80 where
-/// there is no terminal), or hands it over to help_from.
-void answer_help(const std::string& usage,
-                 const boost::program_options::options_description& options);
+/// Prints the help of a command in the width of the terminal (80 columns without a terminal), or
+/// passes the help to capture_help(). Called by a command for --help.
+void emit_help(const std::string& usage,
+               const boost::program_options::options_description& options);
 
-/// The help that a call of a command answers with, instead of printing it.
-Help help_from(const std::function<void()>& call);
+/// The help that a call of a command would print.
+/// @param call calls a command with --help
+Help capture_help(const std::function<void()>& call);
 
 }  // namespace fpkcheck::cli

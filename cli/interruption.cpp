@@ -4,24 +4,24 @@
 #include <cerrno>
 
 #include "base/process/stop.hpp"
-#include "cli/ending.hpp"
+#include "cli/shutdown.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr int kStopping[] = {SIGINT, SIGTERM};
+constexpr int kStopSignals[] = {SIGINT, SIGTERM};
 
-std::atomic<OnInterruption> what_to_do = OnInterruption::give_up;
+std::atomic<InterruptionPolicy> current_policy = InterruptionPolicy::abort;
 
-extern "C" void note_interruption(int signal) {
+extern "C" void handle_stop_signal(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // The second: as if there were no handler. It is blocked until this returns.
+    // The second signal has the default action. The signal is blocked until this handler returns.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
     base::request_stop(signal);
-    wake_deadline();
+    notify_watchdog();
   }
   errno = error;
 }
@@ -30,30 +30,30 @@ extern "C" void note_interruption(int signal) {
 
 InterruptionGuard::InterruptionGuard() {
   base::request_stop(0);
-  what_to_do = OnInterruption::give_up;
-  for (const int signal : kStopping) {
-    struct sigaction before = {};
-    sigaction(signal, nullptr, &before);
-    if (before.sa_handler != SIG_DFL) continue;
+  current_policy = InterruptionPolicy::abort;
+  for (const int signal : kStopSignals) {
+    struct sigaction saved_action = {};
+    sigaction(signal, nullptr, &saved_action);
+    if (saved_action.sa_handler != SIG_DFL) continue;
     struct sigaction action = {};
-    action.sa_handler = note_interruption;
-    // System calls, as reading from gnuplot, are not broken.
+    action.sa_handler = handle_stop_signal;
+    // Restart interrupted system calls, e.g. reads from gnuplot.
     action.sa_flags = SA_RESTART;
-    if (sigaction(signal, &action, nullptr) == 0) before_.push_back({signal, before});
+    if (sigaction(signal, &action, nullptr) == 0) saved_actions_.push_back({signal, saved_action});
   }
 }
 
 InterruptionGuard::~InterruptionGuard() {
-  for (const auto& [signal, action] : before_) sigaction(signal, &action, nullptr);
+  for (const auto& [signal, action] : saved_actions_) sigaction(signal, &action, nullptr);
   base::request_stop(0);
 }
 
-void on_interruption(OnInterruption what) { what_to_do = what; }
+void set_interruption_policy(InterruptionPolicy policy) { current_policy = policy; }
 
-OnInterruption on_interruption() { return what_to_do; }
+InterruptionPolicy interruption_policy() { return current_policy; }
 
 void throw_if_interrupted() {
-  if (base::stop_requested() && what_to_do == OnInterruption::give_up) throw Interrupted();
+  if (base::stop_requested() && current_policy == InterruptionPolicy::abort) throw Interrupted();
 }
 
 }  // namespace fpkcheck::cli

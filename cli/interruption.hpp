@@ -6,20 +6,21 @@
 
 namespace fpkcheck::cli {
 
-/// Ctrl-C or SIGTERM, while something was solved. What the user is told says stop_notice()
-/// (ending.hpp).
+/// Thrown after SIGINT (Ctrl-C) or SIGTERM. The message for the user is exit_message()
+/// (shutdown.hpp).
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// What the first Ctrl-C or SIGTERM does.
-enum class OnInterruption {
-  give_up,      ///< throw_if_interrupted throws
-  finish_early  ///< what is solved asks base::stop_requested() and ends with what it has
+/// Reaction to the first SIGINT or SIGTERM.
+enum class InterruptionPolicy {
+  abort,        ///< throw_if_interrupted throws
+  finish_early  ///< the solver polls base::stop_requested() and returns its result so far
 };
 
-/// While this lives, the first Ctrl-C or SIGTERM is noted (base/process/stop.hpp); a second one ends the
-/// program at once. Leaves each alone where it is ignored (nohup).
+/// Installs signal handlers while this object lives. The first SIGINT or SIGTERM sets the stop
+/// request (base/process/stop.hpp); a second signal ends the program at once. Signals that are
+/// ignored (nohup) stay ignored.
 class InterruptionGuard {
  public:
   InterruptionGuard();
@@ -28,19 +29,19 @@ class InterruptionGuard {
   InterruptionGuard& operator=(const InterruptionGuard&) = delete;
 
  private:
-  struct Before {
+  struct SavedAction {
     int signal;
     struct sigaction action;
   };
-  std::vector<Before> before_;
+  std::vector<SavedAction> saved_actions_;
 };
 
-/// give_up until told otherwise.
-void on_interruption(OnInterruption what);
-OnInterruption on_interruption();
+/// The setter and the getter of the current policy. The default is `abort`.
+void set_interruption_policy(InterruptionPolicy policy);
+InterruptionPolicy interruption_policy();
 
-/// To be called from the progress of what takes long.
-/// @throws Interrupted after a Ctrl-C or SIGTERM that a guard noted, unless it is to finish early
+/// Called from the progress functions of long computations.
+/// @throws Interrupted after SIGINT or SIGTERM, unless the policy is finish_early
 void throw_if_interrupted();
 
 }  // namespace fpkcheck::cli

@@ -1,13 +1,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/ending.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 
 int main(int argc, char** argv) {
   using namespace fpkcheck::cli;
   prepare_standard_streams();
-  const Deadline deadline;
+  const ShutdownWatchdog watchdog;
   return run_program(std::vector<std::string>(argv + 1, argv + argc));
 }

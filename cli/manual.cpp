@@ -7,8 +7,9 @@
 namespace fpkcheck::cli {
 namespace {
 
-// As it is: a backslash, a hyphen that may be typed, a line that begins like a request.
-std::string literal(const std::string& text) {
+// Escapes text for troff: backslashes, hyphens (to be copied as ASCII), and lines that begin like a
+// request.
+std::string escape_troff(const std::string& text) {
   std::string result;
   bool line_begins = true;
   for (const char c : text) {
@@ -25,24 +26,24 @@ std::string literal(const std::string& text) {
   return result;
 }
 
-// What a command's help says, in its lines.
-std::string head(const std::string& usage) {
-  constexpr std::size_t kWidth = 72;  // man indents it by seven
-  return ".nf\n" + literal(usage_text(usage, kWidth)) + ".fi\n";
+// The usage text of a command, without filling.
+std::string usage_section(const std::string& usage) {
+  constexpr std::size_t kWidth = 72;  // man indents the text by seven columns
+  return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";
 }
 
-std::string entry(const OptionHelp& option) {
+std::string option_entry(const OptionHelp& option) {
   std::string text = ".TP\n";
-  if (!option.short_name.empty()) text += "\\fB" + literal(option.short_name) + "\\fR, ";
-  text += "\\fB" + literal(option.name) + "\\fR";
-  if (!option.placeholder.empty()) text += " \\fI" + literal(option.placeholder) + "\\fR";
-  if (!option.usual.empty()) text += " (=" + literal(option.usual) + ')';
-  return text + '\n' + literal(option.text) + '\n';
+  if (!option.short_name.empty()) text += "\\fB" + escape_troff(option.short_name) + "\\fR, ";
+  text += "\\fB" + escape_troff(option.name) + "\\fR";
+  if (!option.placeholder.empty()) text += " \\fI" + escape_troff(option.placeholder) + "\\fR";
+  if (!option.default_value.empty()) text += " (=" + escape_troff(option.default_value) + ')';
+  return text + '\n' + escape_troff(option.text) + '\n';
 }
 
 }  // namespace
 
-std::string manual(const std::vector<CommandHelp>& commands) {
+std::string manual_page(const std::vector<CommandHelp>& commands) {
   const auto program = results::this_program("");
   std::string page = fmt::format(".TH FPKCHECK 1 \"\" \"{} {}\" \"User Commands\"\n", program.name,
                                  program.version);
@@ -53,47 +54,51 @@ fpkcheck \- stationary density of an oscillator with or without impacts, under i
 .I COMMAND
 [\fICASE\fR ...] [\fIoptions\fR]
 .SH DESCRIPTION
-A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by
-random impulses:
+A particle on a hardening spring impacts a wall at its equilibrium position and is excited by random
+impulses:
 .PP
 .nf
     y'' + c y' + k y + mu y^3 = impulses  (y > 0)
     y'(+) = \-r y'(\-)                      at y = 0
 .fi
 .PP
-That is the paper's oscillator. Others have a force of fifth degree, damping that depends on y and y',
-walls anywhere or none, and white noise beside the impulses or alone: bistable, gap, van_der_pol, ...
-The stationary probability densities of y and y' are computed by methods that share nothing but the
-problem, and compared with one another.
-A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name or an ini file like
-cases/case1.ini.
+This is the oscillator of the paper. Other oscillators have a restoring force of fifth degree,
+damping that depends on y and y', walls at other positions or none, and white noise with or without
+impulses: bistable, gap, van_der_pol, ...
+The program computes the stationary probability densities of y and y' by independent methods, which
+share only the problem, and compares them.
+A CASE is case1 .. case4 (Table 1 of the paper), the name of another oscillator, or an ini file such
+as cases/case1.ini.
 .SH COMMANDS
 )";
   for (const auto& command : commands) {
-    page += ".SS " + literal("fpkcheck " + command.name) + '\n';
-    if (!command.summary.empty()) page += literal(command.summary) + "\n.PP\n";
-    page += head(command.help.usage);
+    page += ".SS " + escape_troff("fpkcheck " + command.name) + '\n';
+    if (!command.summary.empty()) page += escape_troff(command.summary) + "\n.PP\n";
+    page += usage_section(command.help.usage);
     if (command.help.options.empty()) continue;
     page += ".PP\nOptions:\n";
-    for (const auto& option : command.help.options) page += entry(option);
+    for (const auto& option : command.help.options) page += option_entry(option);
   }
   page += R"(.SH EXIT STATUS
 .TP
 0
-done
+success
 .TP
 1
-a solver did not reach what was asked, or a check failed
+a solver failed or did not reach the requested accuracy, or a check failed
 .TP
 2
-bad input, told in one line
+bad input, with a message of one line
 .TP
 130
-interrupted by Ctrl\-C
+interrupted by SIGINT (Ctrl\-C)
+.TP
+143
+terminated by SIGTERM
 .SH ENVIRONMENT
 .TP
 NO_COLOR
-no colours on a terminal, unless it is empty
+no colours on a terminal, if set to a value that is not empty
 )";
   return page;
 }

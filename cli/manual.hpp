@@ -7,7 +7,7 @@
 
 namespace fpkcheck::cli {
 
-/// The manual page fpkcheck(1), as troff with the macros of man(7): every command with its options.
-std::string manual(const std::vector<CommandHelp>& commands);
+/// The man page fpkcheck(1) of all commands and options, in troff with the macros of man(7).
+std::string manual_page(const std::vector<CommandHelp>& commands);
 
 }  // namespace fpkcheck::cli

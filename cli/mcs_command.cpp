@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 #include "base/process/stop.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -25,109 +25,110 @@
 namespace fpkcheck::cli {
 namespace {
 
-boost::program_options::options_description file_options(methods::SimulationControl& control) {
+boost::program_options::options_description checkpoint_options(
+    methods::SimulationControl& control) {
   namespace po = boost::program_options;
   po::options_description files;
   files.add_options()  //
       ("checkpoint", po::value(&control.checkpoint)->value_name("FILE"),
-       "write the state there every half minute and in the end")(
+       "write the state of the simulation to FILE every 30 s and at the end (default: no file)")(
           "resume", po::value(&control.resume)->value_name("FILE"),
-          "go on from a checkpoint: the result is that of a run without interruption");
+          "continue from the checkpoint in FILE; the result equals that of an uninterrupted run");
   return files;
 }
 
-/// The conversation of processes that share a simulation.
-class Gathering {
+/// Gathers messages at rank 0 from the processes that share a simulation.
+class MessageGatherer {
  public:
-  explicit Gathering(base::Ranks& ranks) : ranks_(ranks) {}
+  explicit MessageGatherer(base::Communicator& ranks) : ranks_(ranks) {}
 
-  // mcs::Team::gather
+  // Implements mcs::Team::gather.
   std::vector<std::string> operator()(const std::string& own) {
     if (!ranks_.is_first()) {
       ranks_.send(0, own);
       return {};
     }
     std::vector<std::string> others;
-    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_of(rank));
+    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_message(rank));
     return others;
   }
 
  private:
-  // A rank that is faster may be a case ahead.
-  std::string next_of(int rank) {
+  // Messages are queued by rank: a faster rank may already send those of the next case.
+  std::string next_message(int rank) {
     using namespace std::chrono_literals;
-    auto& waiting = waiting_[rank];
-    while (waiting.empty()) {
+    auto& pending = pending_[rank];
+    while (pending.empty()) {
       throw_if_interrupted();
       if (auto message = ranks_.receive()) {
-        waiting_[message->from].push_back(std::move(message->text));
+        pending_[message->from].push_back(std::move(message->text));
       } else {
         std::this_thread::sleep_for(1ms);
       }
     }
-    std::string text = std::move(waiting.front());
-    waiting.pop_front();
+    std::string text = std::move(pending.front());
+    pending.pop_front();
     return text;
   }
 
-  base::Ranks& ranks_;
-  std::map<int, std::deque<std::string>> waiting_;
+  base::Communicator& ranks_;
+  std::map<int, std::deque<std::string>> pending_;
 };
 
-void require_time_alone(const base::Values& values) {
+void refuse_control_variates(const base::Values& values) {
   const auto controlled = std::ranges::find(values, "controlled", &base::NamedValue::name);
   if (controlled == values.end() || controlled->value != base::Value(true)) return;
-  throw InputError("--controlled under mpirun (its noise goes by other means: leave one out)");
+  throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
-// What all ranks but the first do: their part of each case.
-int help(const CommonArguments& common, const methods::Method& simulation) {
+// Runs on all ranks except the first: simulates the share of this rank in each case.
+int simulate_share(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
-    methods::solve_by(simulation, problem, {compare::comparison_axes(problem), {}});
+    methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
   }
-  return kDone;
+  return kSuccess;
 }
 
 }  // namespace
 
 int mcs_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  base::Values values = solver.usual_options;
+  base::Values values = solver.default_options;
   methods::SimulationControl control{.stop = base::stop_requested,
-                                     .warn = [](const std::string& text) { complain(text); }};
-  auto own = options_for(*solver.parameters, values);
-  own.add(file_options(control));
+                                     .warn = [](const std::string& text) { print_message(text); }};
+  auto own = make_options(*solver.option_descriptions, values);
+  own.add(checkpoint_options(control));
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (common.cases.size() > 1 && !(control.checkpoint.empty() && control.resume.empty())) {
     throw InputError(
-        "--checkpoint and --resume with several cases (a file holds one: name one case)");
+        "--checkpoint or --resume with several cases: a file stores one case; name one case");
   }
   const auto solve = [&] {
-    const auto simulation = methods::under_control(call.registry.method(solver, values), control);
+    const auto simulation = methods::with_control(call.registry.method(solver, values), control);
     return control.team.part > 0
-               ? help(common, simulation)
-               : solve_and_report(
-                     common, {simulation},
-                     {.on_interruption = control.team.parts == 1 ? OnInterruption::finish_early
-                                                                 : OnInterruption::give_up},
-                     call.command_line);
+               ? simulate_share(common, simulation)
+               : solve_and_report(common, {simulation},
+                                  {.interruption_policy = control.team.parts == 1
+                                                              ? InterruptionPolicy::finish_early
+                                                              : InterruptionPolicy::abort},
+                                  call.command_line);
   };
-  if (!base::Ranks::started_together()) return solve();
+  if (!base::Communicator::launched_by_mpi()) return solve();
 
-  require_time_alone(values);
-  const auto ranks = base::Ranks::join();
-  Gathering gathering(*ranks);
-  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gathering)};
+  refuse_control_variates(values);
+  const auto ranks = base::Communicator::join();
+  MessageGatherer gatherer(*ranks);
+  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gatherer)};
   try {
     return solve();
   } catch (const std::exception& error) {
-    // The others would wait for this one.
-    complain(error.what());
-    ranks->abort(kNotReached);
-    return kNotReached;
+    // Without the abort, the other ranks would wait for this rank.
+    print_message(error.what());
+    ranks->abort(kFailure);
+    return kFailure;
   }
 }
 

@@ -9,31 +9,31 @@
 #include "cli/solve_and_report.hpp"
 #include "problem/named_cases.hpp"
 #include "workflows/paper/claims.hpp"
-#include "workflows/paper/files.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge.hpp"
 #include "workflows/paper/supplement.hpp"
-#include "workflows/paper/table.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
 constexpr const char* kPaperUsage = R"(usage: fpkcheck paper [options]
 
-The numerical part of the paper that this program checks (Stochastic response of a vibro-impact
-Duffing system under external Poisson impulses): solves its four cases by its closures of order 2,
-4, 6 and 8, by finite differences and by simulation as `run` does, and judges what its sections 3
-and 4 say of them: a row a claim, with the numbers that decide it, what the claim asks of them, and
-what came out. Draws its Figs. 2-5 too.
-  established       the run's numbers are as the claim states
-  established, but  they are, of a solution that is no probability density
-  not established   they are not as the claim states
-  unjudged          a number that decides it is missing
-Exit code 0 when every claim was judged, whatever came out, and finite differences and simulation
-reached their solutions; else 1.
+Tests the numerical claims of the paper "Stochastic response of a vibro-impact Duffing system under
+external Poisson impulses". Solves its four cases by its closures of order 2, 4, 6 and 8, by finite
+volumes and by simulation, as `run` does. Judges each claim of its sections 3 and 4: the table has
+a row for each claim with the deciding numbers, their required values and the outcome. Also draws
+Figs. 2-5 of the paper.
+  established       the numbers of the run meet the claim
+  established, but  they do, but the solution is not a probability density
+  not established   the numbers of the run do not meet the claim
+  unjudged          a deciding number is missing
+Exit code 0 when all claims were judged, whatever the outcome, and finite volumes and simulation
+have status ok; else 1.
 
-DIR gets what a run leaves, claims.csv, claims.json, and the paper's figures as
-figures/paper-fig-2.png .. -5; report.html has claims and figures too, and `report`
-makes all of it again. Of --json, `claims` has the table.
+DIR receives the files of `run`, claims.csv, claims.json, and the figures of the paper as
+figures/paper-fig-2.png .. -5. report.html includes claims and figures; `report` rebuilds it.
+With --json, the key `claims` has the table.
 
 examples:
   fpkcheck paper
@@ -41,16 +41,16 @@ examples:
 )";
 constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
-Supplement claims_of(const results::Run& run, report::FigureWidth width) {
+Supplement make_supplement(const results::Run& run, report::FigureWidth width) {
   const auto judgements = paper::judge(run);
   Supplement supplement{.report = paper::supplement(judgements, run, width, terminal_format()),
                         .json = paper::summary_with_claims(judgements, run),
                         .failures = {}};
-  for (const auto& one : judgements) {
-    if (one.outcome != paper::Outcome::unjudged) continue;
+  for (const auto& judgement : judgements) {
+    if (judgement.outcome != paper::Outcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
-                                              paper::cases_text(one.claim), words(one.claim),
-                                              one.note));
+                                              paper::cases_text(judgement.claim),
+                                              claim_text(judgement.claim), judgement.note));
   }
   return supplement;
 }
@@ -60,25 +60,26 @@ Supplement claims_of(const results::Run& run, report::FigureWidth width) {
 int paper_command(const Call& call) {
   CommonArguments common;
   base::Values given;
-  auto options = options_of_a_run(call.registry, given);
+  auto options = make_run_options(call.registry, given);
   options.add(figure_options(common.figures));
   if (!parse(
           call.arguments, kPaperUsage,
-          with_output_options(options, common, "write all files there (default: fpkcheck-paper)"),
+          with_output_options(options, common, "write all files to DIR (default: fpkcheck-paper)"),
           common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (!common.cases.empty()) {
-    throw InputError("paper takes no case (its cases are the paper's four)");
+    throw InputError("paper takes no case: it solves those of the paper; use run for other cases");
   }
-  for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+  for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;
   return solve_and_report(
-      common, call.registry.select(paper::kMethods, given),
-      {.required = Required::references,
-       .threads = threads_in(given),
-       .with_dual = true,
-       .supplement = [&](const results::Run& run) { return claims_of(run, common.figures.width); }},
+      common, call.registry.select(paper::kRequiredMethods, given),
+      {.required = RequiredSolutions::references,
+       .threads = thread_count(given),
+       .with_backward = true,
+       .supplement =
+           [&](const results::Run& run) { return make_supplement(run, common.figures.width); }},
       call.command_line);
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -17,7 +17,7 @@ using base::Type;
 using base::Value;
 using base::Values;
 
-void put(Values& values, const std::string& name, const Value& value) {
+void set_value(Values& values, const std::string& name, const Value& value) {
   const auto own = std::ranges::find(values, name, &NamedValue::name);
   if (own != values.end()) {
     own->value = value;
@@ -26,66 +26,66 @@ void put(Values& values, const std::string& name, const Value& value) {
   }
 }
 
-// As --help shows a default: without quotes.
+// The text of a default for --help, without quotes.
 std::string default_text(const Value& value) {
   const auto* word = std::get_if<std::string>(&value);
   return word != nullptr ? *word : base::text_of(value);
 }
 
-void add(const Parameter& parameter, const Value* usual, Values& values,
-         po::options_description& options) {
+void add_option(const Parameter& parameter, const Value* usual, Values& values,
+                po::options_description& options) {
   const std::string label = "--" + parameter.flag;
   if (parameter.type == Type::flag) {
     options.add_options()(parameter.flag.c_str(),
                           po::bool_switch()->notifier([&values, parameter](bool given) {
-                            if (given) put(values, parameter.name, true);
+                            if (given) set_value(values, parameter.name, true);
                           }),
                           parameter.help.c_str());
     return;
   }
   auto* semantic = po::value<std::string>()->value_name(parameter.placeholder);
-  if (usual != nullptr && !base::is_nothing(*usual)) {
+  if (usual != nullptr && !base::is_unset(*usual)) {
     semantic->default_value(default_text(*usual));
   }
   semantic->notifier([&values, parameter, label](const std::string& text) {
-    const Value value = base::value_from(parameter, text, label);
-    if (!parameter.in_range(value)) {
+    const Value value = base::parse_value(parameter, text, label);
+    if (!parameter.is_in_range(value)) {
       throw InputError(
-          fmt::format("{} {} (must be {})", label, base::shown(text), parameter.allowed()));
+          fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
     }
-    put(values, parameter.name, value);
+    set_value(values, parameter.name, value);
   });
   options.add_options()(parameter.flag.c_str(), semantic, parameter.help.c_str());
 }
 
 }  // namespace
 
-po::options_description options_for(const base::Descriptions& description, Values& values) {
+po::options_description make_options(const base::DescriptionBase& description, Values& values) {
   po::options_description options;
   for (const auto& parameter : description.all()) {
     if (parameter.flag.empty()) continue;
     const auto usual = std::ranges::find(values, parameter.name, &NamedValue::name);
-    add(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
+    add_option(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
   }
   return options;
 }
 
-po::options_description options_for(const base::Descriptions& description,
-                                    const std::vector<std::string>& names, Values& given) {
+po::options_description make_options(const base::DescriptionBase& description,
+                                     const std::vector<std::string>& names, Values& given) {
   po::options_description options;
-  for (const auto& name : names) add(*description.find(name), nullptr, given, options);
+  for (const auto& name : names) add_option(*description.find(name), nullptr, given, options);
   return options;
 }
 
-po::options_description options_of_a_run(const methods::Registry& registry, base::Values& given) {
+po::options_description make_run_options(const methods::Registry& registry, base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
-    shared.add(options_for(*solver.parameters, solver.set_by_a_run, given));
+    shared.add(make_options(*solver.option_descriptions, solver.run_options, given));
   }
   return shared;
 }
 
-int threads_in(const Values& given) {
+int thread_count(const Values& given) {
   const auto threads = std::ranges::find(given, "threads", &NamedValue::name);
   return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
 }

@@ -13,20 +13,20 @@
 
 #include "base/input_error.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
-#include "cli/ending.hpp"
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
 #include "cli/manual.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/studies.hpp"
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
-#include "problem/untreated.hpp"
-#include "report/text/wrapped.hpp"
+#include "problem/unsupported_features.hpp"
+#include "report/text/wrap_text.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -40,8 +40,8 @@ struct Command {
   std::function<int(const Call&)> run;
 };
 
-// A solver's command is its own where it can do more than solve.
-Command command_of(const methods::Solver& solver) {
+// The command of a solver. The solvers fd and mcs have commands of their own with more options.
+Command make_solver_command(const methods::Solver& solver) {
   const auto run = solver.name == "fd"    ? fd_command
                    : solver.name == "mcs" ? mcs_command
                                           : solver_command;
@@ -51,29 +51,29 @@ Command command_of(const methods::Solver& solver) {
 
 std::vector<Command> commands(const methods::Registry& registry) {
   std::vector<Command> all{
-      {"run", "all methods on all cases, compared: tables, report.html, pictures", run_command}};
-  all.push_back({"paper", "the paper's claims one by one, and its figures", paper_command});
-  for (const auto& solver : registry.solvers()) all.push_back(command_of(solver));
+      {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
+  all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
+  for (const auto& solver : registry.solvers()) all.push_back(make_solver_command(solver));
   all.push_back(
       {"bounds", "guaranteed bounds of moments, by the backward equation", bounds_command});
-  all.push_back({"study", "what order, step and regularisation do: convergence, cost, growth",
+  all.push_back({"study", "convergence in order and grid, cost, growth of the truncated series",
                  study_command});
-  all.push_back({"sweep", "many points of a case whose keys are varied: where which method holds",
+  all.push_back({"sweep", "solve a case for many parameter values: accuracy and cost of methods",
                  sweep_command});
-  all.push_back({"advise", "which method for a case: what kept an accuracy at problems like it",
+  all.push_back({"advise", "recommend a method for a case and an accuracy, from solved problems",
                  advise_command});
-  all.push_back({"reference", "reference values, agreed on by two discretisations and a simulation",
+  all.push_back({"reference", "reference values confirmed by two discretisations and a simulation",
                  reference_command});
-  all.push_back({"check", "a saved run again, compared with what it was: the regression test",
+  all.push_back({"check", "regression test: repeat a saved run and compare all its quantities",
                  check_command});
   all.push_back(
-      {"report", "table, report.html and pictures again from a saved run", report_command});
-  all.push_back({"evaluate", "p(y, y') of a closed form at points: of a saved run, or written down",
+      {"report", "rebuild table, report.html and figures of a saved run", report_command});
+  all.push_back({"evaluate", "evaluate p(y, y') of a closed form at points, from a run or a file",
                  evaluate_command});
   return all;
 }
 
-std::string names_of(const std::vector<Command>& all) {
+std::string join_names(const std::vector<Command>& all) {
   std::vector<std::string> names;
   for (const auto& command : all) names.push_back(command.name);
   return fmt::format("{}", fmt::join(names, ", "));
@@ -81,12 +81,12 @@ std::string names_of(const std::vector<Command>& all) {
 
 void print_overview(const std::vector<Command>& all) {
   fmt::print(
-      R"(fpkcheck - stationary density of an oscillator with or without impacts, under
-           impulses or white noise or both, by independent methods
+      R"(fpkcheck - stationary densities of oscillators with or without impacts, under
+           random impulses, white noise or both, by independent methods
 
     y'' + f(y, y') + g(y) = impulses + noise,    y'(+) = -r y'(-)  at walls
 
-The paper's:  y'' + c y' + k y + mu y^3 = impulses  (y > 0),  a wall at y = 0.
+Oscillator of the paper:  y'' + c y' + k y + mu y^3 = impulses,  wall at y = 0.
 
 usage: fpkcheck COMMAND [CASE ...] [options]
 
@@ -95,30 +95,32 @@ commands:
   std::size_t column = 0;
   for (const auto& command : all) column = std::max(column, command.name.size() + 4);
   for (const auto& command : all) {
-    auto lines = report::wrapped(std::string(column, ' ') + command.summary, 80, column);
+    auto lines = report::wrap_text(std::string(column, ' ') + command.summary, 80, column);
     fmt::print("{}", lines.replace(2, command.name.size(), command.name));
   }
   fmt::print(R"(
-A CASE is case1 .. case4 (the paper's Table 1), another oscillator by its name
-(bistable, gap, van_der_pol, ..: docs/systems.md) or an ini file like
-cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain a
-command's options; start with `fpkcheck run`.
-Exit codes: 0 done; 1 a solver did not reach what was asked, or a check failed;
-2 bad input; 130 Ctrl-C, 143 SIGTERM.
+A CASE is case1 .. case4 (Table 1 of the paper), the name of another oscillator
+(bistable, gap, van_der_pol, ..: docs/systems.md), or an ini file such as
+cases/case1.ini. `fpkcheck COMMAND --help` and `fpkcheck help COMMAND` explain
+the options of a command. Start with `fpkcheck run`.
+Exit codes: 0 success; 1 a solver failed or did not reach the requested
+accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
 
 )");
   std::vector<std::string_view> subjects;
-  for (const auto& untreated : problem::untreated()) subjects.push_back(untreated.subject);
-  fmt::print("{}", report::wrapped(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
+  for (const auto& feature : problem::unsupported_features()) subjects.push_back(feature.subject);
+  fmt::print("{}",
+             report::wrap_text(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
 }
 
-// Every command with its help, and the subjects of `study` as commands of their own.
-std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::Registry& registry) {
+// The help of all commands; each subject of `study` is listed as a command.
+std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
+                                      const methods::Registry& registry) {
   std::vector<CommandHelp> result;
   const auto add = [&](const Command& command, const std::string& subject) {
-    Arguments asked{"--help"};
-    if (!subject.empty()) asked.insert(asked.begin(), subject);
-    const auto help = help_from([&] { command.run({asked, "", registry}); });
+    Arguments help_arguments{"--help"};
+    if (!subject.empty()) help_arguments.insert(help_arguments.begin(), subject);
+    const auto help = capture_help([&] { command.run({help_arguments, "", registry}); });
     result.push_back(subject.empty() ? CommandHelp{command.name, command.summary, help}
                                      : CommandHelp{command.name + ' ' + subject, "", help});
   };
@@ -133,41 +135,42 @@ std::vector<CommandHelp> guide(const std::vector<Command>& all, const methods::R
 int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   const auto all = commands(registry);
   if (arguments.empty()) {
-    throw InputError(fmt::format("no command (use one of {}; --help explains)", names_of(all)));
+    throw InputError(
+        fmt::format("no command; use one of {} (--help explains them)", join_names(all)));
   }
   const std::string& name = arguments.front();
   if (name == "help" && arguments.size() > 1) {
-    Arguments asked{arguments.begin() + 1, arguments.end()};
-    asked.emplace_back("--help");
-    return dispatch(asked, registry);
+    Arguments help_arguments{arguments.begin() + 1, arguments.end()};
+    help_arguments.emplace_back("--help");
+    return dispatch(help_arguments, registry);
   }
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview(all);
-    return kDone;
+    return kSuccess;
   }
   if (name == "--version") {
     fmt::print("{}", version_text());
-    return kDone;
+    return kSuccess;
   }
-  // For the shell and for the build; neither is typed.
+  // Options for the completion script and the build; undocumented.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
-    for (const auto& word : completions(guide(all, registry), registry, words)) {
+    for (const auto& word : completions(collect_help(all, registry), registry, words)) {
       fmt::print("{}\n", word);
     }
-    return kDone;
+    return kSuccess;
   }
   if (name == "--manual") {
-    fmt::print("{}", manual(guide(all, registry)));
-    return kDone;
+    fmt::print("{}", manual_page(collect_help(all, registry)));
+    return kSuccess;
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
-    if (const std::string text = problem::untreated_text(name); !text.empty()) {
+    if (const std::string text = problem::unsupported_feature_text(name); !text.empty()) {
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
-    throw InputError(fmt::format("{} is no command (use one of {}; --help explains)",
-                                 base::in_quotes(name), names_of(all)));
+    throw InputError(fmt::format("{} is not a command; use one of {} (--help explains them)",
+                                 base::in_quotes(name), join_names(all)));
   }
   std::string command_line = "fpkcheck";
   for (const auto& argument : arguments) command_line += " " + argument;
@@ -176,14 +179,16 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
 
 }  // namespace
 
-int run_program(const Arguments& arguments) { return run_program(arguments, methods::builtin()); }
+int run_program(const Arguments& arguments) {
+  return run_program(arguments, methods::builtin_registry());
+}
 
 int run_program(const Arguments& arguments, const methods::Registry& registry) {
   const InterruptionGuard guard;
-  note_kept("nothing was written");
+  set_exit_message("nothing was written");
   try {
     const int exit_code = dispatch(arguments, registry);
-    // A full disk or a closed pipe shows only when the buffers go out.
+    // A full disk or a closed pipe is detected only when the buffers are flushed.
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::runtime_error("standard output could not be written");
@@ -191,19 +196,19 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
     if (!base::stop_requested()) return exit_code;
   } catch (const Interrupted&) {
   } catch (const InputError& error) {
-    complain(error.what());
+    print_message(error.what());
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    complain(fmt::format("stopped: {}", methods::kOutOfMemory));
-    return kNotReached;
+    print_message(fmt::format("stopped: {}", methods::kOutOfMemory));
+    return kFailure;
   } catch (const std::exception& error) {
-    // A broken environment: a full disk, or a library that fails.
-    complain(fmt::format("stopped: {}", error.what()));
-    return kNotReached;
+    // Errors of the environment: a full disk, a failing library.
+    print_message(fmt::format("stopped: {}", error.what()));
+    return kFailure;
   }
-  claim_the_end();
-  complain(stop_notice());
-  return stopped_exit_code(base::stop_signal());
+  claim_shutdown();
+  print_message(exit_message());
+  return signal_exit_code(base::stop_signal());
 }
 
 }  // namespace fpkcheck::cli

@@ -9,21 +9,21 @@ namespace fpkcheck::cli {
 
 /// Exit codes of every command.
 enum ExitCode {
-  kDone = 0,
-  kNotReached = 1,     ///< ran, but a solver did not reach what was asked, or a check failed
+  kSuccess = 0,
+  kFailure = 1,        ///< a solver failed or missed the requested accuracy, or a check failed
   kBadInput = 2,       ///< bad input or usage; nothing was solved
-  kInterrupted = 130,  ///< by Ctrl-C
-  kTerminated = 143    ///< by SIGTERM
+  kInterrupted = 130,  ///< after SIGINT (Ctrl-C)
+  kTerminated = 143    ///< after SIGTERM
 };
 
-/// The exit code of a program that a signal stopped, as a shell would say it.
-constexpr int stopped_exit_code(int signal) { return 128 + signal; }
+/// The exit code after a signal, by the convention of shells.
+constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
-/// Runs the command that `arguments` (without the program's name) ask for. Results go to standard
-/// output, messages and progress to standard error.
+/// Runs the program. Results go to standard output, messages and progress to standard error.
+/// @param arguments command line without the name of the program
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);
-/// With other methods than the built-in ones.
+/// Runs the program with the methods of a registry instead of the built-in methods.
 int run_program(const std::vector<std::string>& arguments, const methods::Registry& registry);
 
 }  // namespace fpkcheck::cli

@@ -13,11 +13,12 @@
 namespace fpkcheck::cli {
 namespace {
 
-// Of the terminal on standard error; a line that wrapped could not be erased.
+// Width of the terminal on standard error. A wrapped line could not be erased.
 std::size_t terminal_width() {
-  constexpr std::size_t kUsual = 80;
+  constexpr std::size_t kDefaultWidth = 80;
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : kUsual;
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col
+                                                                         : kDefaultWidth;
 }
 
 std::string duration_text(double seconds) {
@@ -26,7 +27,7 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-bool can_rewrite_a_line() {
+bool can_rewrite_line() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 &&
          (terminal == nullptr || std::string_view(terminal) != "dumb");
@@ -34,18 +35,18 @@ bool can_rewrite_a_line() {
 
 std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds) {
-  constexpr double kEnoughToTell = 0.02;
+  constexpr double kMinFractionForEstimate = 0.02;
   const double fraction = progress.fraction;
   std::string text = fmt::format("[{}/{}] {}  {} {}", progress.done, progress.total,
                                  duration_text(seconds), progress.case_name, progress.method);
   if (fraction > 0 && fraction < 1) text += fmt::format(" {:.0f} %", 100 * fraction);
-  if (fraction > kEnoughToTell && fraction < 1) {
+  if (fraction > kMinFractionForEstimate && fraction < 1) {
     text += fmt::format(", {} left", duration_text(method_seconds * (1 - fraction) / fraction));
   }
   return progress.note.empty() ? text : text + "  " + progress.note;
 }
 
-ProgressLine::ProgressLine(bool silent) : active_(!silent && can_rewrite_a_line()) {}
+ProgressLine::ProgressLine(bool silent) : active_(!silent && can_rewrite_line()) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
@@ -54,18 +55,18 @@ void ProgressLine::show(const methods::RunProgress& progress) {
   if (!active_) return;
   const auto now = std::chrono::steady_clock::now();
   const auto began = began_.try_emplace({progress.case_name, progress.method}, now).first->second;
-  const std::chrono::duration<double> elapsed = now - begin_, of_method = now - began;
-  fmt::print(
-      stderr, "\r\033[K{}",
-      progress_text(progress, elapsed.count(), of_method.count()).substr(0, terminal_width() - 1));
+  const std::chrono::duration<double> elapsed = now - begin_, method_elapsed = now - began;
+  fmt::print(stderr, "\r\033[K{}",
+             progress_text(progress, elapsed.count(), method_elapsed.count())
+                 .substr(0, terminal_width() - 1));
   std::fflush(stderr);
-  shown_ = true;
+  is_visible_ = true;
 }
 
 void ProgressLine::clear() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (is_visible_) fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
-  shown_ = false;
+  is_visible_ = false;
 }
 
 }  // namespace fpkcheck::cli

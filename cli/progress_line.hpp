@@ -9,18 +9,18 @@
 
 namespace fpkcheck::cli {
 
-/// Where a run stands, in words: how many solutions are done, the time so far, the method at work
-/// with its share done and, once that can be told, the time it has left.
+/// The progress of a run as text: number of solutions done, elapsed time, the running method with
+/// its fraction done and, above a fraction of 2 %, an estimate of its remaining time.
 /// @param seconds since the run began
 /// @param method_seconds since this method began on this case
 std::string progress_text(const methods::RunProgress& progress, double seconds,
                           double method_seconds);
 
-/// Whether standard error is a terminal that takes control sequences (TERM is not `dumb`).
-bool can_rewrite_a_line();
+/// True if standard error is a terminal that accepts control sequences (TERM is not `dumb`).
+bool can_rewrite_line();
 
-/// One line on standard error that is rewritten as a run proceeds; silent where can_rewrite_a_line()
-/// is false or when told to be.
+/// A line on standard error that is rewritten as a run proceeds. Prints nothing if `silent` or if
+/// can_rewrite_line() is false.
 class ProgressLine {
  public:
   explicit ProgressLine(bool silent);
@@ -28,16 +28,16 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// @throws Interrupted (interruption.hpp), silent or not
+  /// @throws Interrupted as throw_if_interrupted() does (interruption.hpp), also if silent
   void show(const methods::RunProgress& progress);
-  /// Erases the line, so that results begin on a clean one.
+  /// Erases the line before results are printed.
   void clear();
 
  private:
-  bool shown_ = false;
+  bool is_visible_ = false;
   bool active_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  /// When a method began on a case: several run side by side.
+  /// Start times by case and method: several methods run in parallel.
   std::map<std::pair<std::string, std::string>, std::chrono::steady_clock::time_point> began_;
 };
 

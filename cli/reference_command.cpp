@@ -7,12 +7,12 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "workflows/study/reference/reference.hpp"
 
@@ -21,17 +21,19 @@ namespace {
 
 constexpr const char* kReferenceUsage = R"(usage: fpkcheck reference [CASE ...] [options]
 
-Reference values of the full jump equation with the exact impact: moments to seven digits and
-p(y), p(y') at twenty points to five, as far as two discretisations of different order agree, beside
-a long simulation. No CASE means the paper's four; each takes about a minute.
+Reference values for the full jump equation with the exact impact: moments to seven digits, p(y)
+and p(y') at twenty points to five digits. Prints the digits on which two discretisations of
+different order agree, and the results of a long simulation. Solves each CASE (default: the four
+cases of the paper) in about a minute.
 
 examples:
-  fpkcheck reference --out docs                 (makes docs/reference.md and docs/reference.csv)
+  fpkcheck reference --out docs                 (writes docs/reference.md and docs/reference.csv)
   fpkcheck reference case1 --set impulse.law=laplace
 )";
 
 void require_plain(const CommonArguments& common) {
-  if (common.json) throw InputError("reference has no --json (use --out DIR: reference.csv)");
+  if (common.json)
+    throw InputError("reference has no --json; use --out DIR, which writes reference.csv");
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ int reference_command(const Call& call) {
   own.add_options()("time", po::value<double>()->value_name("T")->notifier([&](double time) {
     options.simulation_time = time;
   }),
-                    "simulated time (default: 1e7 decay times)")(
+                    "simulated time over all streams (default: 1e7 decay times)")(
       "seed",
       po::value<std::int64_t>()->value_name("S")->default_value(1)->notifier(
           [&](std::int64_t seed) {
@@ -52,9 +54,9 @@ int reference_command(const Call& call) {
               throw InputError(fmt::format("--seed {} (must be zero or positive)", seed));
             options.seed = static_cast<std::uint64_t>(seed);
           }),
-      "of the simulation");
+      "seed of the simulation, 0 or greater");
   if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
-    return kDone;
+    return kSuccess;
   require_plain(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
@@ -67,30 +69,31 @@ int reference_command(const Call& call) {
   const OutputDirectory directory(common.out);
   std::vector<study::Reference> references;
   for (const auto& problem : problems) {
-    if (!common.quiet) complain(fmt::format("reference of {} ...", problem.name));
+    if (!common.quiet) print_message(fmt::format("reference of {} ...", problem.name));
     references.push_back(study::reference(problem, options));
     throw_if_interrupted();
     const auto& failure = references.back().failure;
-    if (common.quiet && !failure.empty()) complain(fmt::format("{}: {}", problem.name, failure));
+    if (common.quiet && !failure.empty())
+      print_message(fmt::format("{}: {}", problem.name, failure));
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     const std::filesystem::path place(*common.out);
     base::PendingFiles files;
     files.add(place / "reference.md", text);
     files.add(place / "reference.csv", study::reference_csv(references));
     files.commit();
-    note_kept("all was written");
+    set_exit_message("all files were written");
     if (!common.quiet) {
-      put_out(fmt::format("Wrote reference.md and reference.csv to {}.\n", *common.out));
+      print_output(fmt::format("Wrote reference.md and reference.csv to {}.\n", *common.out));
     }
   } else {
-    put_out(text);
+    print_output(text);
   }
   return std::ranges::all_of(references, [](const auto& r) { return r.failure.empty(); })
-             ? kDone
-             : kNotReached;
+             ? kSuccess
+             : kFailure;
 }
 
 }  // namespace fpkcheck::cli

@@ -1,13 +1,13 @@
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "report/figure/curve_choice.hpp"
+#include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
 #include "report/supplement.hpp"
 #include "results/saved_run.hpp"
@@ -19,8 +19,8 @@ namespace {
 
 constexpr const char* kReportUsage = R"(usage: fpkcheck report DIR [options]
 
-Prints the table of a saved run, and makes its report.html and pictures again; of a run of `paper`
-the claims and the paper's figures too. Solves nothing.
+Prints the table of a saved run and rebuilds its report.html and figures; for a run of `paper` also
+the claims and the figures of the paper. DIR is the directory of the run. Solves nothing.
 )";
 
 }  // namespace
@@ -31,31 +31,32 @@ int report_command(const Call& call) {
   po::options_description options("options", 96);
   bool quiet = false;
   report::FigureOptions figures;
-  const auto of_figures = case_figure_options(figures);
-  for (const auto& option : of_figures.options()) options.add(option);
-  options.add_options()("quiet,q", po::bool_switch(&quiet), "no table")("help,h", "this text");
-  if (!parse(call.arguments, kReportUsage, options, directories)) return kDone;
+  const auto case_options = case_figure_options(figures);
+  for (const auto& option : case_options.options()) options.add(option);
+  options.add_options()("quiet,q", po::bool_switch(&quiet), "print no table")("help,h",
+                                                                              "print this text");
+  if (!parse(call.arguments, kReportUsage, options, directories)) return kSuccess;
   if (directories.size() != 1) {
-    throw InputError("report takes one directory (that of a saved run, e.g. fpkcheck-out)");
+    throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
-  call.registry.introduce(run);
-  std::vector<transform::Identity> there;
-  for (const auto& one : run.cases) {
-    for (const auto& solution : one.solutions) there.push_back(solution.identity);
+  call.registry.annotate(run);
+  std::vector<transform::Identity> identities;
+  for (const auto& case_result : run.cases) {
+    for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
-  report::require_curves(figures.curves, there);
-  const base::FilesInHand in_hand;
+  report::validate_curves(figures.curves, identities);
+  const base::WriteGuard in_hand;
   const auto format = terminal_format();
-  const auto supplement = paper::is_run_of_paper(run)
+  const auto supplement = paper::is_paper_run(run)
                               ? paper::supplement(paper::judge(run), run, figures.width, format)
                               : report::Supplement{};
   const auto [text, warnings] =
-      report::report_again(directories.front(), run, format, figures, supplement);
-  note_kept("the page was written, not all pictures");
-  if (!quiet) put_out(text);
-  for (const auto& warning : warnings) complain(warning);
-  return kDone;
+      report::rebuild_report(directories.front(), run, format, figures, supplement);
+  set_exit_message("report.html was written, but not all figures");
+  if (!quiet) print_output(text);
+  for (const auto& warning : warnings) print_message(warning);
+  return kSuccess;
 }
 
 }  // namespace fpkcheck::cli

@@ -9,11 +9,11 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
-#include "methods/external/given_methods.hpp"
+#include "methods/external/external_methods.hpp"
 #include "problem/named_cases.hpp"
 
 namespace fpkcheck::cli {
@@ -21,21 +21,20 @@ namespace {
 
 constexpr const char* kRunUsage = R"(usage: fpkcheck run [CASE ...] [options]
 
-Solves each case (default: the paper's four) by all methods, compares the marginal densities
-p(y) and p(y'), splits the error of each closure into its causes (error budget), prints
-tables and draws pictures. Methods, by increasing trust:
+Solves each case (default: the four cases of the paper) by all methods, compares the marginal
+densities p(y) and p(y'), splits the error of each closure by cause (error budget), prints tables
+and draws figures. Methods, by increasing trust:
   epc   exponential-polynomial closures
-        epc-gaussian-n2, -n4, -n6, -n8 (the paper's: impact of first order)
+        epc-gaussian-n2, -n4, -n6, -n8 (the closure of the paper: impact to first order in 1-r)
         epc-moment-n4, -n8, -n12 and epc-polar-n4, -n6, -n8 (exact equations)
-  fd    finite differences: white noise, series cut after order 4, all jumps
+  fd    finite volumes for white noise, the series truncated after order 4, and all jumps
         fd-white, fd-km4-delta (impact as in epc-gaussian), fd-km4, fd-kf
-  mcs   simulation of the impact system itself, its noise taken out by the backward equation:
-        all others are measured by it
-Moments are held to guaranteed bounds (fpkcheck bounds), and every density tells its own error
-by its residuals (docs/residuals.md). Exit code 0 when finite differences and
-simulation reached their solutions and do not contradict the bounds: how far the closures and
-the impact to first order carry is what the run finds out. With --methods, every method of the
-list must reach one.
+  mcs   simulation of the impact system, with control variates from the backward equation; all
+        other methods are compared with it
+Moments are compared with guaranteed bounds (fpkcheck bounds). Every density has a residual-based
+error estimate (docs/residuals.md). Exit code 0 when finite volumes and simulation have status ok
+and do not contradict the bounds; closures and first-order impacts may fail, because their accuracy
+is the result of the run. With --methods, every method of the list must have status ok.
 
 examples:
   fpkcheck run
@@ -45,18 +44,20 @@ examples:
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
   fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs
 
-A FILE of --against has the columns "abscissa density", "abscissa density standard_error" or
-"lower upper density_or_count" of p(y) or p(y'), with a line of names or not; or the columns y,v,p
-of a joint density, or one as netCDF-4 (joint.nc of a run too); or an exponential polynomial as JSON
-(summary.json of a run too). All of it in docs/foreign.md. After the label may follow
-  equation=white|km4|km4-pade|kf  what it is meant to solve: it gets an error and an error budget
-  impact=map|delta|exact          of that equation (default: map)
-  order=N                         where it stands among the closures
-  solution=ID, case=NAME          of a file of a run: which density
+A FILE of --against has one of these formats (docs/foreign.md), with or without a header line:
+  p(y) or p(y')  columns "abscissa density", "abscissa density standard_error" or
+                 "lower upper density_or_count"
+  p(y, y')       columns y,v,p; netCDF-4, e.g. joint.nc of a run; or an exponential polynomial as
+                 JSON, e.g. summary.json of a run
+Keys after the label:
+  equation=white|km4|km4-pade|kf  equation of the density: adds error estimate and error budget
+  impact=map|delta|exact          impact condition of that equation (default: map)
+  order=N                         order of the density, for its place among the closures
+  solution=ID, case=NAME          density to read from a file of a run
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-// All solvers of the registry.
+// Names of all solvers, as a list for Registry::select.
 std::string all_methods(const methods::Registry& registry) {
   std::string list;
   for (const auto& solver : registry.solvers()) list += solver.name + ',';
@@ -75,40 +76,41 @@ int run_command(const Call& call) {
   own.add_options()("methods",
                     po::value<std::string>()->value_name("LIST")->notifier(
                         [&list](const std::string& value) { list = value; }),
-                    "solvers, families or ids separated by commas (default: all solvers)");
+                    "solvers, families or ids of methods, separated by commas (default: all)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
-      "compare a density from a file as well, see above; of one case; may be repeated: marginals "
-      "of y and y' of the same LABEL (default: the file's name) are one solution");
+      "also compare the density in FILE (formats above), for a single case; may be repeated. Files "
+      "of p(y) and p(y') with the same LABEL (default: name of the file) form one solution");
   own.add(case_figure_options(common.figures));
-  own.add(options_of_a_run(call.registry, given));
+  own.add(make_run_options(call.registry, given));
   if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
-    return kDone;
+    return kSuccess;
 
   auto methods = call.registry.select(list.value_or(all_methods(call.registry)), given);
   if (common.cases.empty()) {
-    for (const auto& named : problem::named_cases()) common.cases.push_back(named.name);
+    for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   }
   if (!against.empty()) {
     if (common.cases.size() != 1) {
-      throw InputError(fmt::format("--against with {} cases (a file is of one case: name it)",
-                                   common.cases.size()));
+      throw InputError(fmt::format(
+          "--against with {} cases: a density belongs to one case; name it", common.cases.size()));
     }
-    // Before the others: nothing is known of how far they may be trusted.
+    // First in the order of increasing trust: their accuracy is unknown.
     auto from_files =
-        methods::given_methods(against, call.registry, load_cases(common).front().name);
+        methods::external_methods(against, call.registry, load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
-  std::vector<std::string> named;
-  if (list) named = items("--methods", *list);
-  return solve_and_report(common, methods,
-                          {.required = list ? Required::all : Required::references,
-                           .named = named,
-                           .threads = threads_in(given),
-                           .with_dual = true},
-                          call.command_line);
+  std::vector<std::string> requested_ids;
+  if (list) requested_ids = parse_list("--methods", *list);
+  return solve_and_report(
+      common, methods,
+      {.required = list ? RequiredSolutions::all : RequiredSolutions::references,
+       .requested_ids = requested_ids,
+       .threads = thread_count(given),
+       .with_backward = true},
+      call.command_line);
 }
 
 }  // namespace fpkcheck::cli

@@ -14,15 +14,15 @@
 #include <optional>
 #include <string_view>
 
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
-#include "cli/ending.hpp"
+#include "base/process/write_guard.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "methods/complete_run.hpp"
-#include "report/figure/curve_choice.hpp"
+#include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
 #include "results/run_json.hpp"
 
@@ -31,49 +31,52 @@ namespace {
 
 bool is_required(const transform::Solution& solution, const SolveControl& control) {
   const auto& identity = solution.identity;
-  if (transform::is_guest(identity)) return false;  // nothing was asked of a solver
+  if (transform::is_external(identity)) return false;  // nothing was asked of a solver
   if (solution.status == transform::Status::not_offered) {
-    return control.required == Required::all &&
-           (control.named.empty() || std::ranges::count(control.named, identity.id) > 0);
+    return control.required == RequiredSolutions::all &&
+           (control.requested_ids.empty() ||
+            std::ranges::count(control.requested_ids, identity.id) > 0);
   }
-  if (control.required == Required::all) return true;
+  if (control.required == RequiredSolutions::all) return true;
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
-// What makes the exit code other than 0, a line each; nothing when all that is required is reached.
+// The reasons for an exit code other than 0, a line each.
 std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
   std::vector<std::string> lines;
-  for (const auto& one : run.cases) {
-    if (one.bounds) {
-      for (const auto& outside : compare::contradictions(*one.bounds, one.solutions)) {
-        lines.push_back(fmt::format("{}: {} contradicts the guaranteed bounds of {}", one.name(),
-                                    outside.solution->id(), outside.bound->functional));
+  for (const auto& case_result : run.cases) {
+    if (case_result.bounds) {
+      for (const auto& outside :
+           compare::contradictions(*case_result.bounds, case_result.solutions)) {
+        lines.push_back(fmt::format("{}: {} contradicts the guaranteed bounds of {}",
+                                    case_result.name(), outside.solution->id(),
+                                    outside.bound->functional));
       }
     }
-    for (const auto& solution : one.solutions) {
+    for (const auto& solution : case_result.solutions) {
       if (solution.is_ok() || !is_required(solution, control)) continue;
-      lines.push_back(fmt::format("{}: {} {}: {}", one.name(), solution.id(), name(solution.status),
-                                  solution.reason));
+      lines.push_back(fmt::format("{}: {} {}: {}", case_result.name(), solution.id(),
+                                  name(solution.status), solution.reason));
     }
   }
   return lines;
 }
 
-// The cases of a run that have all their solutions, for when it is told to stop.
+// The completed cases of a run, for a report after a stop signal. Thread-safe.
 class FinishedCases {
  public:
-  /// For one that is there already it is put in its place.
-  void put(const results::Case& one) {
+  /// Adds a case, or replaces the case of the same name.
+  void store(const results::Case& case_result) {
     const std::lock_guard lock(mutex_);
-    const auto before = std::ranges::find(cases_, one.name(), &results::Case::name);
+    const auto before = std::ranges::find(cases_, case_result.name(), &results::Case::name);
     if (before == cases_.end()) {
-      cases_.push_back(one);
+      cases_.push_back(case_result);
     } else {
-      *before = one;
+      *before = case_result;
     }
   }
 
-  /// In the order of the problems.
+  /// The completed cases, in the order of the problems.
   std::vector<results::Case> in_order(const std::vector<problem::Problem>& problems) const {
     const std::lock_guard lock(mutex_);
     std::vector<results::Case> ordered;
@@ -89,44 +92,44 @@ class FinishedCases {
   std::vector<results::Case> cases_;
 };
 
-std::string joined(const std::vector<std::string>& names) {
+std::string join_names(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// results::Run::stopped
-std::string stopped_text(const std::vector<results::Case>& cases,
-                         const std::vector<problem::Problem>& problems, bool with_dual) {
+// The text of results::Run::stopped.
+std::string stop_summary(const std::vector<results::Case>& cases,
+                         const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
   for (const auto& problem : problems) {
     const auto found = std::ranges::find(cases, problem.name, &results::Case::name);
     if (found == cases.end()) {
       missing.push_back(problem.name);
-    } else if (with_dual && !found->bounds) {
+    } else if (with_backward && !found->bounds) {
       unbounded.push_back(problem.name);
     }
   }
   std::string text = fmt::format("This run was stopped by {} before its end.",
                                  base::stop_signal() == SIGTERM ? "SIGTERM" : "Ctrl-C (SIGINT)");
-  if (!missing.empty()) text += fmt::format(" Missing: {}.", joined(missing));
+  if (!missing.empty()) text += fmt::format(" Missing: {}.", join_names(missing));
   if (!unbounded.empty()) {
-    text += fmt::format(" Without bounds and own errors: {}.", joined(unbounded));
+    text += fmt::format(" Without bounds and error estimates: {}.", join_names(unbounded));
   }
   return text;
 }
 
-// Of a run that was told to stop: no more than what is there already takes time.
-void write_stopped(const std::filesystem::path& directory, const results::Run& run) {
-  const base::FilesInHand in_hand;
+// Writes the completed cases after a stop signal. Figures would take too long.
+void write_partial_report(const std::filesystem::path& directory, const results::Run& run) {
+  const base::WriteGuard in_hand;
   report::write_report(directory, run);
-  note_kept(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the pictures)",
-                        run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
-                        directory.string(), directory.string()));
+  set_exit_message(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the figures)",
+                               run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
+                               directory.string(), directory.string()));
 }
 
 }  // namespace
 
 report::TextFormat terminal_format() {
-  constexpr std::size_t kNarrowest = 80, kWidest = 100;
+  constexpr std::size_t kMinWidth = 80, kMaxWidth = 100;
   const auto is = [](const char* variable, auto condition) {
     const char* const value = std::getenv(variable);
     return value != nullptr && condition(std::string_view(value));
@@ -135,7 +138,7 @@ report::TextFormat terminal_format() {
                      is("TERM", [](auto value) { return value == "dumb"; });
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return {known ? std::clamp<std::size_t>(size.ws_col, kNarrowest, kWidest) : kWidest,
+  return {known ? std::clamp<std::size_t>(size.ws_col, kMinWidth, kMaxWidth) : kMaxWidth,
           isatty(STDOUT_FILENO) == 1 && !plain};
 }
 
@@ -145,7 +148,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   const auto problems = load_cases(common);
   std::vector<transform::Identity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
-  report::require_curves(common.figures.curves, identities);
+  report::validate_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
@@ -154,29 +157,30 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
     results::Run stopped{results::this_program(command_line), finished.in_order(problems)};
-    if (!solved) stopped.stopped = stopped_text(stopped.cases, problems, control.with_dual);
+    if (!solved) stopped.stopped = stop_summary(stopped.cases, problems, control.with_backward);
     return stopped;
   };
-  std::optional<Rescue> rescue;
+  std::optional<ShutdownHook> hook;
   if (common.out) {
-    rescue.emplace([&] {
+    hook.emplace([&] {
       const results::Run stopped = stopped_run();
-      if (!stopped.cases.empty()) write_stopped(*common.out, stopped);
+      if (!stopped.cases.empty()) write_partial_report(*common.out, stopped);
     });
   }
   try {
     run.cases = methods::complete_run(
         problems, methods,
         {.threads = control.threads,
-         .with_dual = control.with_dual,
+         .with_backward = control.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // Before that a method has nothing to finish early with.
-               on_interruption(at.fraction > 0 ? control.on_interruption : OnInterruption::give_up);
+               // At the fraction 0 a method has no partial result to finish with.
+               set_interruption_policy(at.fraction > 0 ? control.interruption_policy
+                                                       : InterruptionPolicy::abort);
                progress.show(at);
              },
-         .case_listener = [&](const results::Case& one) { finished.put(one); },
-         .look = throw_if_interrupted});
+         .case_listener = [&](const results::Case& case_result) { finished.store(case_result); },
+         .poll = throw_if_interrupted});
     solved = !base::stop_requested();
   } catch (const Interrupted&) {
   }
@@ -186,59 +190,60 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     run = stopped_run();
     if (run.cases.empty()) throw Interrupted();
     if (common.out) {
-      write_stopped(*common.out, run);
+      write_partial_report(*common.out, run);
     } else {
-      note_kept(fmt::format("{} of {} cases {} reached", run.cases.size(), problems.size(),
-                            run.cases.size() == 1 ? "was" : "were"));
+      set_exit_message(fmt::format("{} of {} cases {} reached", run.cases.size(), problems.size(),
+                                   run.cases.size() == 1 ? "was" : "were"));
     }
   }
 
   const Supplement supplement =
       control.supplement && !stopped ? control.supplement(run) : Supplement{};
   if (common.json) {
-    put_out((supplement.json.empty() ? results::summary_text(run) : supplement.json) + '\n');
+    print_output((supplement.json.empty() ? results::summary_text(run) : supplement.json) + '\n');
   } else if (!common.quiet) {
-    put_out(report::terminal_text(run, supplement.report, terminal_format()));
+    print_output(report::terminal_text(run, supplement.report, terminal_format()));
   }
-  if (stopped) return kNotReached;  // the caller says by what
+  if (stopped) return kFailure;  // the caller sets the exit code of the signal
 
   bool all_drawn = true;
   if (common.out) {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     for (const auto& warning :
          report::write_report(*common.out, run, common.figures, supplement.report)) {
-      complain(warning);
+      print_message(warning);
       all_drawn = false;
     }
-    note_kept(fmt::format("all was written to {0} but pictures (`fpkcheck report {0}` draws them)",
-                          *common.out));
+    set_exit_message(fmt::format(
+        "all but figures was written to {0} (`fpkcheck report {0}` draws them)", *common.out));
   }
-  rescue.reset();
-  if (base::stop_requested()) return kNotReached;
+  hook.reset();
+  if (base::stop_requested()) return kFailure;
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     const auto any = [&](auto results::Case::*list) {
-      return std::ranges::any_of(run.cases,
-                                 [&](const results::Case& one) { return !(one.*list).empty(); });
+      return std::ranges::any_of(run.cases, [&](const results::Case& case_result) {
+        return !(case_result.*list).empty();
+      });
     };
     std::string others;
     for (const auto& file : supplement.report.files) others += ", " + file.name;
-    put_out(fmt::format(
+    print_output(fmt::format(
         "\n{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{}{} and {} to {} in ",
                           any(&results::Case::smooth) ? ", smooth.csv" : "",
                           any(&results::Case::joints) ? ", joint.nc" : "", others,
-                          all_drawn ? "figures/" : "what could be drawn", *common.out)
+                          all_drawn ? "figures/" : "some figures", *common.out)
             : "Done in ",
         elapsed.count()));
   }
   auto failed = failures(run, control);
   failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());
   if (common.quiet) {
-    for (const auto& line : failed) complain(line);
+    for (const auto& line : failed) print_message(line);
   }
-  return failed.empty() ? kDone : kNotReached;
+  return failed.empty() ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

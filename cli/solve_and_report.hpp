@@ -14,40 +14,41 @@
 
 namespace fpkcheck::cli {
 
-/// Which solutions must be `ok` for the exit code 0.
-enum class Required {
-  all,        ///< each was asked for by name
-  references  ///< finite differences and simulation: how far the closures and the first-order
-              ///< impact carry is the question
+/// Solutions that must have status `ok` for the exit code 0.
+enum class RequiredSolutions {
+  all,        ///< all solutions
+  references  ///< finite volumes with the exact impact, and simulation. The accuracy of closures
+              ///< and first-order impacts is a result of the run, not a requirement
 };
 
-/// What a command makes of a run that came to its end, beside what every run leaves.
+/// Output that a command adds to the report of a complete run.
 struct Supplement {
   report::Supplement report;
   std::string json;  ///< printed instead of the summary
-  /// What makes the exit code other than 0, a line each.
+  /// Reasons for an exit code other than 0, one line each.
   std::vector<std::string> failures;
 };
 
 struct SolveControl {
-  Required required = Required::all;
-  /// Solutions that were asked for by their own names, where others came with a family or a solver: of
-  /// those it is no failure that the problem is not offered. Empty: all were.
-  std::vector<std::string> named = {};
-  int threads = 0;  ///< for methods side by side; 0 for one per processor
-  OnInterruption on_interruption = OnInterruption::give_up;
-  bool with_dual = false;  ///< bounds, and every density's own error, by the backward equation
+  RequiredSolutions required = RequiredSolutions::all;
+  /// Ids in the list of methods; other solutions come from families or solvers in the list. For the
+  /// latter, status not_offered is no failure. Empty: all solutions were requested by id.
+  std::vector<std::string> requested_ids = {};
+  int threads = 0;  ///< threads for methods in parallel; 0: one per processor
+  InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
+  bool with_backward = false;  ///< bounds, and every density's own error, by the backward equation
   std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
 };
 
-/// Solves the cases by the methods, prints the table (or the JSON), and writes the report when a
-/// directory was given. The directory is prepared before anything is solved.
+/// Solves the cases by the methods, prints the table (or the JSON), and with --out writes the
+/// report. The directory is prepared before the first solution.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveControl& control, const std::string& command_line);
 
-/// The terminal's width within 80 .. 100 characters, 100 when standard output is none; in colour on
-/// a terminal, unless NO_COLOR is set (to anything but nothing) or TERM is "dumb".
+/// The text format of standard output. The width is that of the terminal, limited to 80 .. 100
+/// columns, and 100 without a terminal. A terminal has colours, unless NO_COLOR is set and not
+/// empty or TERM is "dumb".
 report::TextFormat terminal_format();
 
 }  // namespace fpkcheck::cli

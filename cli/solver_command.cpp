@@ -9,14 +9,14 @@ namespace fpkcheck::cli {
 
 int solver_command(const Call& call, const methods::Solver& solver) {
   CommonArguments common;
-  base::Values values = solver.usual_options;
-  auto own = options_for(*solver.parameters, values);
+  base::Values values = solver.default_options;
+  auto own = make_options(*solver.option_descriptions, values);
   own.add(case_figure_options(common.figures));
   if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   return solve_and_report(common, {call.registry.method(solver, values)},
-                          {.required = Required::all}, call.command_line);
+                          {.required = RequiredSolutions::all}, call.command_line);
 }
 
 }  // namespace fpkcheck::cli

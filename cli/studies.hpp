@@ -7,16 +7,16 @@
 
 namespace fpkcheck::cli {
 
-/// What may follow `fpkcheck study`.
+/// A subject of `fpkcheck study`.
 struct StudySubject {
   std::string name;
-  std::string summary;  ///< what `fpkcheck study --help` says of it
+  std::string summary;  ///< description in `fpkcheck study --help`
   int (*run)(const Call&);
 };
 const std::vector<StudySubject>& study_subjects();
 
-/// One function per subject, each in a file of its name.
-/// @param call with what follows the subject
+/// The subjects of `study`; each function is in a file of its name.
+/// @param call with the arguments after the subject
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written
 int study_grid(const Call& call);

@@ -3,33 +3,33 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/studies.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {
 namespace {
 
-constexpr const char* kHead = R"(usage: fpkcheck study SUBJECT CASE [options]
+constexpr const char* kStudyUsage = R"(usage: fpkcheck study SUBJECT CASE [options]
 
-subjects (fpkcheck study SUBJECT --help explains each):
+subjects (options: fpkcheck study SUBJECT --help):
 )";
 
 std::string study_usage() {
   constexpr std::size_t kWidth = 100, kColumn = 18;
-  std::string text = kHead;
+  std::string text = kStudyUsage;
   for (const auto& [name, summary, run] : study_subjects()) {
-    auto lines = report::wrapped(std::string(kColumn, ' ') + summary, kWidth, kColumn);
+    auto lines = report::wrap_text(std::string(kColumn, ' ') + summary, kWidth, kColumn);
     text += lines.replace(2, name.size(), name);
   }
   return text;
 }
 
 // "grid, order or regularisation"
-std::string names_of_subjects() {
+std::string subject_list() {
   std::string text;
   const auto& all = study_subjects();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -38,43 +38,42 @@ std::string names_of_subjects() {
   return text;
 }
 
-bool asks_for_help(const std::string& argument) { return argument == "--help" || argument == "-h"; }
+bool is_help_flag(const std::string& argument) { return argument == "--help" || argument == "-h"; }
 
 }  // namespace
 
 const std::vector<StudySubject>& study_subjects() {
   static const std::vector<StudySubject> subjects{
       {"grid",
-       "finite differences over the grid: observed orders, limits, and the error of all methods "
-       "against their cost",
+       "grid convergence of the finite volumes: observed orders, limits, and error against cost "
+       "for all methods",
        study_grid},
-      {"order",
-       "closures over the order of their polynomial: which converge, to what, at what cost",
+      {"order", "convergence of the closures in the order of their polynomial: limit and cost",
        study_order},
       {"regularisation",
-       "the series cut after the fourth derivative on finer and finer velocity steps",
+       "the series truncated after the fourth derivative, over the velocity step: growth rates",
        study_regularisation}};
   return subjects;
 }
 
 int study_command(const Call& call) {
   const auto& arguments = call.arguments;
-  if (!arguments.empty() && asks_for_help(arguments.front())) {
-    answer_help(study_usage(), {});
-    return kDone;
+  if (!arguments.empty() && is_help_flag(arguments.front())) {
+    emit_help(study_usage(), {});
+    return kSuccess;
   }
-  const auto given =
+  const auto subject_argument =
       std::ranges::find_if(arguments, [](const auto& a) { return !a.starts_with('-'); });
-  if (given == arguments.end() || given != arguments.begin()) {
-    throw InputError(fmt::format("study of what? (the subject comes first: {}; --help explains)",
-                                 names_of_subjects()));
+  if (subject_argument == arguments.end() || subject_argument != arguments.begin()) {
+    throw InputError(fmt::format(
+        "study without a subject; use study SUBJECT CASE with {} (see --help)", subject_list()));
   }
-  const auto subject = std::ranges::find(study_subjects(), *given, &StudySubject::name);
+  const auto subject = std::ranges::find(study_subjects(), *subject_argument, &StudySubject::name);
   if (subject == study_subjects().end()) {
-    throw InputError(fmt::format("{} is no subject of a study (use {}; --help explains)",
-                                 base::in_quotes(*given), names_of_subjects()));
+    throw InputError(fmt::format("{} is not a subject of study; use {} (see --help)",
+                                 base::in_quotes(*subject_argument), subject_list()));
   }
-  return subject->run({{given + 1, arguments.end()}, call.command_line, call.registry});
+  return subject->run({{subject_argument + 1, arguments.end()}, call.command_line, call.registry});
 }
 
 }  // namespace fpkcheck::cli

@@ -3,13 +3,13 @@
 #include "cli/command_line.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
+#include "cli/write_study.hpp"
 #include "fd_fpk/options.hpp"
 #include "workflows/study/grid.hpp"
 
@@ -18,16 +18,15 @@ namespace {
 
 constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
-Finite differences on finer and finer grids, for several orders of the scheme: the distance of the
-marginals to their Richardson limit, the orders observed over every three levels, the limits of the
-moments; and beside them what the closures and the simulation reach in which time, so that one
-sees which method to use for which accuracy.
-Exit code 0 when there is a limit, and the finest grids give a density.
+Grid convergence of the finite volumes for several orders of the scheme: distances of the marginal
+densities to their Richardson limit, the observed order over each three grid levels, and limits of
+the moments. Also shows error and time of closures and simulation, for the choice of a method.
+Exit code 0 when the limit exists and the finest grids give a density.
 
 examples:
   fpkcheck study grid case1
   fpkcheck study grid case4 --orders 5,7 --levels 6 --out results
-  fpkcheck study grid case1 --origin-refinement 16                 (the jump at the origin resolved)
+  fpkcheck study grid case1 --origin-refinement 16                 (resolves the jump at the origin)
   fpkcheck study grid case1 --equation km4 --impact delta          (the equation of the closure)
 )";
 
@@ -39,48 +38,50 @@ int study_grid(const Call& call) {
   CommonArguments common;
   study::GridStudyOptions options;
   const auto& grids = fd_fpk::description();
-  base::Values of_grids{{"equation", std::string(name(options.equation))},
-                        {"impact", std::string(name(options.impact))}};
+  base::Values grid_values{{"equation", std::string(name(options.equation))},
+                           {"impact", std::string(name(options.impact))}};
   std::string order_list;
   po::options_description own;
-  own.add(options_for(grids, {"equation", "impact", "origin_refinement"}, of_grids));
+  own.add(make_options(grids, {"equation", "impact", "origin_refinement"}, grid_values));
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("3,5,7"),
-       "orders of the transport terms, 2 .. 8; the highest gives the limit")(
+       "orders of the transport terms, 2 .. 8; the highest order gives the limit")(
           "levels", po::value(&options.levels)->value_name("N")->default_value(options.levels),
-          "grids per order, each with cells narrower by sqrt 2")(
+          "number of grids for each order; cells are narrower by sqrt(2) from level to level")(
           "coarsest",
           po::value(&options.coarsest)->value_name("F")->default_value(options.coarsest),
-          "refinement of the first level; 1 is the automatic grid");
+          "refinement factor of the first level; 1 is the automatic grid");
   for (const auto& solver : call.registry.solvers()) {
-    own.add(options_for(*solver.parameters, solver.set_by_a_run, options.simulation));
+    own.add(make_options(*solver.option_descriptions, solver.run_options, options.simulation));
   }
   own.add(figure_options(common.figures));
-  if (!parse(call.arguments, kGridUsage,
-             with_common_options(own, common, "write study-grid.json, .csv and a picture there"),
-             common.cases)) {
-    return kDone;
+  if (!parse(
+          call.arguments, kGridUsage,
+          with_common_options(
+              own, common, "write study-grid.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
+    return kSuccess;
   }
   fd_fpk::Options scheme;
-  for (const auto& [key, value] : of_grids) {
+  for (const auto& [key, value] : grid_values) {
     grids.assign(scheme, *grids.find(key), value, "--" + key);
   }
   options.equation = scheme.equation;
   options.impact = scheme.impact;
   options.origin_refinement = scheme.origin_refinement;
-  options.orders = integers("--orders", order_list);
+  options.orders = parse_integers("--orders", order_list);
   study::validate(options);
-  const auto start = start_of_study(common);
+  const auto setup = prepare_study(common);
 
   ProgressLine line(common.quiet);
-  const auto found = study::study_grid(start.problem, options, call.registry,
-                                       [&](const auto& progress) { line.show(progress); });
+  const auto result = study::study_grid(setup.problem, options, call.registry,
+                                        [&](const auto& progress) { line.show(progress); });
   throw_if_interrupted();
   line.clear();
-  put_study(common,
-            study::output(found, call.command_line, terminal_format(), common.figures.width),
-            begin);
-  return exit_code_of_study(common, study::reached(found));
+  write_study(common,
+              study::output(result, call.command_line, terminal_format(), common.figures.width),
+              begin);
+  return study_exit_code(common, study::has_converged(result));
 }
 
 }  // namespace fpkcheck::cli

@@ -8,12 +8,12 @@
 #include "cli/command_line.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
-#include "cli/put_study.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/studies.hpp"
+#include "cli/write_study.hpp"
 #include "workflows/study/order.hpp"
 
 namespace fpkcheck::cli {
@@ -21,10 +21,10 @@ namespace {
 
 constexpr const char* kOrderUsage = R"(usage: fpkcheck study order CASE [options]
 
-What becomes of a closure as the order of its polynomial grows: status, steps of Newton's method,
-condition, residual, admissibility, distance to finite differences of the full jump equation (L1,
-and in the tail), time; and where the branch of solutions of a formulation folds before it reaches
-the problem asked for.
+Convergence of closures in the order of their polynomial: status, steps of Newton's method,
+condition number, residual, admissibility, distance to the finite-volume solution of the full jump
+equation (L1, and in the tail), time. Also reports where the branch of solutions of a formulation
+folds before it reaches the problem.
 Exit code 0 when every order of the formulation moment gives a density.
 
 examples:
@@ -35,11 +35,11 @@ examples:
 
 std::vector<std::string> formulations(const std::string& list, const methods::Registry& registry) {
   const auto known = study::formulations(registry);
-  auto result = items("--formulations", list);
+  auto result = parse_list("--formulations", list);
   for (const auto& item : result) {
     if (std::ranges::find(known, item) == known.end()) {
-      throw InputError(fmt::format("--formulations {} ('{}' is none) use {}", list, item,
-                                   fmt::join(known, ", ")));
+      throw InputError(fmt::format("--formulations {}: '{}' is not a formulation; use {}", list,
+                                   item, fmt::join(known, ", ")));
     }
   }
   return result;
@@ -52,36 +52,38 @@ int study_order(const Call& call) {
   const auto begin = std::chrono::steady_clock::now();
   CommonArguments common;
   std::string formulation_list, order_list;
-  const std::string all = fmt::format(
-      "as in the ids of solutions, without the solver's name and -nN: {}; moment-cut: the bare "
-      "exponent, cut off",
+  const std::string formulations_help = fmt::format(
+      "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
+      "the bare exponent, cut off at an energy",
       fmt::join(study::formulations(call.registry), ", "));
   po::options_description own;
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("2,4,6,8,10,12"),
-       "degrees n of the polynomial, even")(
+       "orders n (degrees of the polynomial), even, from 2")(
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
-          all.c_str());
+          formulations_help.c_str());
   own.add(figure_options(common.figures));
-  if (!parse(call.arguments, kOrderUsage,
-             with_common_options(own, common, "write study-order.json, .csv and a picture there"),
-             common.cases)) {
-    return kDone;
+  if (!parse(
+          call.arguments, kOrderUsage,
+          with_common_options(
+              own, common, "write study-order.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
+    return kSuccess;
   }
   const study::OrderStudyOptions options{formulations(formulation_list, call.registry),
-                                         integers("--orders", order_list)};
-  const auto start = start_of_study(common);
+                                         parse_integers("--orders", order_list)};
+  const auto setup = prepare_study(common);
 
   ProgressLine line(common.quiet);
-  const auto found = study::study_orders(start.problem, options, call.registry,
-                                         [&](const auto& progress) { line.show(progress); });
+  const auto result = study::study_orders(setup.problem, options, call.registry,
+                                          [&](const auto& progress) { line.show(progress); });
   throw_if_interrupted();
   line.clear();
-  put_study(common,
-            study::output(found, call.command_line, terminal_format(), common.figures.width),
-            begin);
-  return exit_code_of_study(common, study::reached(found));
+  write_study(common,
+              study::output(result, call.command_line, terminal_format(), common.figures.width),
+              begin);
+  return study_exit_code(common, study::has_converged(result));
 }
 
 }  // namespace fpkcheck::cli

@@ -8,25 +8,25 @@
 #include <optional>
 
 #include "base/input_error.hpp"
-#include "base/mpi/ranks.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/mpi/communicator.hpp"
+#include "base/options/parse_enum.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
-#include "cli/ending.hpp"
 #include "cli/figure_options.hpp"
 #include "cli/interruption.hpp"
-#include "cli/lists.hpp"
 #include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/execution/merged.hpp"
+#include "workflows/sweep/execution/merge_journals.hpp"
 #include "workflows/sweep/execution/solve_on_ranks.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
 #include "workflows/sweep/plan/plan_file.hpp"
@@ -42,19 +42,19 @@ constexpr const char* kSweepUsage = R"(usage: fpkcheck sweep CASE --vary KEY=VAL
        fpkcheck sweep PLAN.ini [options]
        fpkcheck sweep --merge DIR [DIR ...] --out DIR
 
-Solves a case at every point of a plan, which varies keys of its case file, by each method, and
-tells how they end, how far they are from the best known solution of each point, and how long they
-take: sweep.csv (a row for each point and method), sweep.nc, and report.html with the pictures of
-figures/: curves along one varied key, maps over two. VALUES are
+Solves a case by several methods at all points of a plan, which varies keys of the case. Reports the
+status, the distance to the most accurate solution of each point, and the time of each method:
+sweep.csv (a row for each point and method), sweep.nc, and report.html with the figures of figures/:
+curves over one varied key, maps over two. VALUES are
   FROM:TO:N        N values, evenly spaced
-  log:FROM:TO:N    the same by their logarithms
-  A,B,..           a list, of words too
-A PLAN.ini is a case file with two sections more, [sweep] (case, methods, design, points) and
+  log:FROM:TO:N    N positive values, evenly spaced in their logarithms
+  A,B,..           a list of numbers or words
+A PLAN.ini is a case file with two additional sections: [sweep] (case, methods, design, points) and
 [vary] (KEY = VALUES); see cases/sweeps/.
-A point that cannot be solved is a row with its status and reason. Each finished point goes into
-DIR/journal: stopped in any way, the same command goes on where it was. Points are solved one by a
-thread; --shard parts a plan for batch systems, and with mpirun ranks share one.
-Exit code 0 when every point was solved, however its methods ended.
+A point that cannot be solved is a row with its status and reason. Each solved point is stored in
+DIR/journal: after an interruption the same command continues. Each thread solves one point at a
+time; --shard divides a plan for batch systems, and the ranks of mpirun share a plan.
+Exit code 0 when all points were processed, whatever the status of their solutions.
 
 examples:
   fpkcheck sweep case1 --vary system.restitution=0.8:1:11 --methods epc,fd-kf
@@ -63,7 +63,7 @@ examples:
   fpkcheck sweep cases/sweeps/rate-law.ini --out map
   fpkcheck sweep mine.ini --dry-run --ranks 16,64
   fpkcheck sweep mine.ini --shard 3/16 --out map
-  fpkcheck sweep --merge map --out map             when all shards are there
+  fpkcheck sweep --merge map --out map             (after all shards)
 )";
 constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
 constexpr const char* kDefaultMethods = "epc,fd";
@@ -75,7 +75,7 @@ struct SweepArguments {
   std::optional<std::size_t> points;
   std::vector<int> ranks;
   bool marginals = false, dry_run = false, merge = false;
-  base::Values given;  // for the methods
+  base::Values given;  // options of the methods
 };
 
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
@@ -89,41 +89,42 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
   po::options_description own;
   own.add_options()  //
       ("vary", po::value(&arguments.vary)->value_name("KEY=VALUES")->composing(),
-       "what is varied; may be repeated")  //
+       "vary KEY of the case over VALUES (see above); may be repeated")  //
       ("design", text(arguments.design, "NAME"),
-       "product (default): every value with every other; list: the k-th values together; sobol: "
-       "points of a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
+       "product (default): all combinations of the values; list: the k-th values of all keys form "
+       "point k; sobol: a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
       ("points", po::value<std::size_t>()->value_name("N")->notifier([&](std::size_t count) {
         arguments.points = count;
       }),
-       "of the design sobol: how many")  //
+       "number of points of the design sobol, 1 .. 1000000")  //
       ("methods", text(arguments.methods, "LIST"),
-       "solvers, families or ids separated by commas (default: epc,fd); finite differences find "
-       "the null vector without stepping")  //
+       "solvers, families or ids of methods, separated by commas (default: epc,fd); fd uses the "
+       "stepper direct")  //
       ("closure-errors", text(arguments.closure_errors, "HOW"),
-       "reference (default): closures are judged by their distance to the best solution of each "
-       "point; residuals: as in a run, by the backward equation, which takes longer; where a point "
-       "has no reference it is always so")  //
+       "error estimate of closures. reference (default): distance to the most accurate solution of "
+       "the point; residuals: by the backward equation, as in run, which takes longer and is used "
+       "at all points without a reference")  //
       ("marginals", po::bool_switch(&arguments.marginals),
-       "keep p(y) and p(y') of every point, in marginals/NUMBER.csv")  //
+       "store p(y) and p(y') of every point in DIR/marginals/NUMBER.csv")  //
       ("shard", text(arguments.shard, "i/N"),
-       "solve every N-th point, from the i-th on; --merge puts the journals together")  //
+       "solve every N-th point from point i on, 1 <= i <= N; --merge combines the shards")  //
       ("merge", po::bool_switch(&arguments.merge),
-       "the arguments are directories of shards: write the tables of all together")  //
+       "combine the shards in the directories DIR ... into one set of tables")  //
       ("dry-run", po::bool_switch(&arguments.dry_run),
-       "solve a sample of the points (what DIR/journal has counts), write nothing, and say what the "
-       "plan will take")  //
+       "estimate the time and memory of the plan from a sample of points, including those in "
+       "DIR/journal; write no files")  //
       ("ranks",
        po::value<std::string>()->value_name("LIST")->notifier(
-           [&](const std::string& list) { arguments.ranks = integers("--ranks", list); }),
-       "of --dry-run: what so many processes of one thread would take, e.g. 2,64,1024");
-  // Threads are the sweep's own here: a point has one.
+           [&](const std::string& list) { arguments.ranks = parse_integers("--ranks", list); }),
+       "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
+       "e.g. 2,64,1024");
+  // The sweep uses the threads for points; each method has one thread.
   own.add(figure_options(arguments.common.figures));
-  own.add(options_of_a_run(registry, arguments.given));
+  own.add(make_run_options(registry, arguments.given));
   return own;
 }
 
-int threads_given(base::Values& given) {
+int take_threads(base::Values& given) {
   const auto found = std::ranges::find(given, "threads", &base::NamedValue::name);
   if (found == given.end()) return 0;
   const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
@@ -131,50 +132,50 @@ int threads_given(base::Values& given) {
   return threads;
 }
 
-sweep::Axis axis_of(const std::string& text) {
+sweep::Axis parse_vary(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw InputError(
-        fmt::format("--vary {} (not KEY=VALUES; write e.g. --vary "
-                    "system.restitution=0.5:1:11)",
-                    base::shown(text)));
+        fmt::format("--vary {}: not KEY=VALUES; write e.g. --vary "
+                    "system.restitution=0.5:1:11",
+                    base::sanitise(text)));
   }
-  return sweep::axis_from(text.substr(0, equals), text.substr(equals + 1), "--vary");
+  return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// What a plan says of the methods' options, where the command line says nothing.
-void add_options_of_plan(const std::vector<base::IniSetting>& lines,
-                         const methods::Registry& registry, base::Values& given) {
+// Adds the options of methods in the plan; options on the command line take precedence.
+void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
+                      base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
   std::vector<const base::Parameter*> options;
   for (const auto& solver : registry.solvers()) {
-    for (const auto& name : solver.set_by_a_run) {
+    for (const auto& name : solver.run_options) {
       if (name == "threads") continue;
       known.push_back(name);
-      options.push_back(solver.parameters->find(name));
+      options.push_back(solver.option_descriptions->find(name));
     }
   }
   for (const auto& line : lines) {
     const auto option = std::ranges::find(options, line.key, &base::Parameter::name);
     if (option == options.end()) {
-      throw InputError(fmt::format("{}: unknown key {} (known keys of [sweep]: {})", line.where,
+      throw InputError(fmt::format("{}: unknown key {}; known keys of [sweep]: {}", line.where,
                                    base::in_quotes(line.path()), fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
-    given.push_back({line.key, base::value_from(**option, line.text,
-                                                fmt::format("{}: {} =", line.where, line.key))});
+    given.push_back({line.key, base::parse_value(**option, line.text,
+                                                 fmt::format("{}: {} =", line.where, line.key))});
   }
 }
 
-// The plan that the file and the command line make together.
-sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& registry) {
+// The plan from the plan file or case and the command line, which takes precedence.
+sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
-    throw InputError("a sweep takes one case or plan (name it)");
+    throw InputError("a sweep takes one case or plan; name it");
   }
   const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
   sweep::Plan plan{.base = text.base, .axes = text.axes};
   for (const auto& one : arguments.vary) {
-    auto axis = axis_of(one);
+    auto axis = parse_vary(one);
     const auto same = std::ranges::find(plan.axes, axis.key, &sweep::Axis::key);
     if (same != plan.axes.end() &&
         same - plan.axes.begin() < static_cast<std::ptrdiff_t>(text.axes.size())) {
@@ -185,18 +186,18 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   }
   plan.design = text.design.value_or(sweep::Design::product);
   if (arguments.design)
-    plan.design = base::asked_name<sweep::Design>("--design", *arguments.design);
+    plan.design = base::parse_enum<sweep::Design>("--design", *arguments.design);
   plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrors::reference);
   if (arguments.closure_errors) {
     plan.closure_errors =
-        base::asked_name<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
+        base::parse_enum<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
-  plan.points = sweep::points_of(plan.axes, plan.design, plan.sobol_points);
+  plan.points = sweep::make_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;
-  add_options_of_plan(text.options, registry, given);
+  add_plan_options(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
   plan.methods =
@@ -204,46 +205,46 @@ sweep::Plan plan_of(const SweepArguments& arguments, const methods::Registry& re
   return plan;
 }
 
-void put_results(const SweepArguments& arguments, const sweep::SweepResults& results,
-                 const Call& call, double seconds) {
+void write_results(const SweepArguments& arguments, const sweep::SweepResults& results,
+                   const Call& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   sweep::write_tables(directory, results, call.command_line);
-  note_kept("sweep.csv and sweep.nc were written, but not the page");
+  set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
-    put_out(sweep::json(results, call.command_line) + '\n');
+    print_output(sweep::json(results, call.command_line) + '\n');
   } else if (!arguments.common.quiet) {
-    put_out(sweep::table(results, terminal_format()));
+    print_output(sweep::table(results, terminal_format()));
   }
   for (const auto& warning :
        sweep::write_report(directory, results, call.command_line, arguments.common.figures)) {
-    complain(warning);
+    print_message(warning);
   }
-  if (base::stop_requested()) return;  // the caller says by what
-  note_kept("all was written");
+  if (base::stop_requested()) return;  // the caller sets the exit code of the signal
+  set_exit_message("all files were written");
   if (arguments.common.json || arguments.common.quiet) return;
-  put_out(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
-                      *arguments.common.out, seconds));
+  print_output(fmt::format("\nWrote sweep.csv, sweep.nc and report.html to {} in {:.1f} s.\n",
+                           *arguments.common.out, seconds));
 }
 
 int merge(const SweepArguments& arguments, const Call& call,
           std::chrono::steady_clock::time_point begin) {
   if (arguments.common.cases.empty()) {
-    throw InputError("--merge without a directory (name those that the shards wrote into)");
+    throw InputError("--merge without a directory; name the directories of the shards");
   }
   std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
                                                  arguments.common.cases.end());
-  auto merged = sweep::merged(directories, call.registry);
+  auto merged = sweep::merge_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  for (const auto& remark : merged.remarks) complain(remark);
-  put_results(arguments, merged.results, call, elapsed.count());
-  return merged.results.is_whole() ? kDone : kNotReached;
+  for (const auto& remark : merged.remarks) print_message(remark);
+  write_results(arguments, merged.results, call, elapsed.count());
+  return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
-// What a sweep of this plan has solved already tells the rest as well.
-std::vector<sweep::PointResult> solved_before(const sweep::Plan& plan,
-                                              const std::filesystem::path& journal) {
+// The points that an earlier sweep of this plan has stored; the forecast uses them.
+std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
+                                                   const std::filesystem::path& journal) {
   std::error_code ignored;
   if (!std::filesystem::exists(journal, ignored)) return {};
   return sweep::read_journal(journal, plan).points;
@@ -254,64 +255,68 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
     if (ranks < 1) throw InputError(fmt::format("--ranks {} (must be 1 or more)", ranks));
   }
   const auto found = sweep::forecast(
-      plan, solved_before(plan, std::filesystem::path(*arguments.common.out) / "journal"), threads);
+      plan, load_solved_points(plan, std::filesystem::path(*arguments.common.out) / "journal"),
+      threads);
   throw_if_interrupted();
-  put_out(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
-                               terminal_format()));
-  return kDone;
+  print_output(sweep::forecast_text(plan, found, static_cast<std::size_t>(threads), arguments.ranks,
+                                    terminal_format()));
+  return kSuccess;
 }
 
-// Of the process that has the journal, which is the only one but under mpirun.
-int lead_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-               int threads, base::Ranks* ranks, const Call& call,
-               std::chrono::steady_clock::time_point begin) {
+// Runs the sweep on the process that writes the journal: rank 0 of mpirun, else the only process.
+int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
+              int threads, base::Communicator* ranks, const Call& call,
+              std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
-  const auto tell = [&](const sweep::Queue::Standing& at) {
-    note_kept(fmt::format("{} of {} points are in {}/{} (the same command goes on)", at.done,
-                          at.total, *common.out, shard.journal_name()));
+  const auto report_progress = [&](const sweep::PointQueue::State& at) {
+    set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command continues)",
+                                 at.done, at.total, *common.out, shard.journal_name()));
     line.show({.done = at.done,
                .total = at.total,
                .case_name = plan.base.name,
                .method = "points",
                .fraction = 0,
-               .note = at.left ? sweep::time_text(*at.left / workers) + " left" : ""});
+               .note = at.remaining_seconds
+                           ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
+                           : ""});
   };
   std::optional<OutputDirectory> directory;
-  std::optional<sweep::Progress> progress;
+  std::optional<sweep::JournaledQueue> progress;
   try {
     directory.emplace(common.out);
-    progress.emplace(plan, *common.out, shard, tell);
+    progress.emplace(plan, *common.out, shard, report_progress);
   } catch (...) {
-    if (ranks != nullptr) sweep::dismiss(*ranks);
+    if (ranks != nullptr) sweep::release_workers(*ranks);
     throw;
   }
-  tell(progress->standing());
+  report_progress(progress->state());
   if (const auto resumed = progress->resumed_text(); !resumed.empty() && !common.quiet) {
-    complain(resumed);
+    print_message(resumed);
   }
   if (ranks != nullptr) {
-    sweep::lead(plan, *progress, *ranks, threads);
+    sweep::run_coordinator(plan, *progress, *ranks, threads);
   } else {
-    sweep::solve_left(plan, *progress, threads);
+    sweep::solve_remaining(plan, *progress, threads);
   }
   line.clear();
-  if (base::stop_requested()) return kNotReached;  // the caller says by what
+  if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   if (shard.of > 1) {
     if (!common.quiet) {
-      put_out(fmt::format(
-          "Shard {} of {}: {} points in {}/{}, {:.1f} s. When all are there: fpkcheck sweep --merge "
+      print_output(fmt::format(
+          "Shard {} of {}: {} points in {}/{}, {:.1f} s. After all shards: fpkcheck sweep --merge "
           "{} --out {}\n",
-          shard.number, shard.of, progress->standing().done, *common.out, shard.journal_name(),
+          shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
           elapsed.count(), *common.out, *common.out));
     }
-    return kDone;
+    return kSuccess;
   }
-  put_results(arguments, sweep::sweep_results(plan, progress->points()), call, elapsed.count());
-  return kDone;
+  write_results(arguments, sweep::make_sweep_results(plan, progress->points()), call,
+                elapsed.count());
+  return kSuccess;
 }
 
 }  // namespace
@@ -323,26 +328,26 @@ int sweep_command(const Call& call) {
   const auto own = sweep_options(arguments, call.registry);
   if (!parse(call.arguments, kSweepUsage,
              with_common_options(own, common,
-                                 "write journal, tables and page there (default: "
+                                 "write journal, tables and report.html to DIR (default: "
                                  "fpkcheck-sweep)"),
              common.cases)) {
-    return kDone;
+    return kSuccess;
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge(arguments, call, begin);
-  const int threads = methods::number_of_threads(threads_given(arguments.given));
-  const auto shard = arguments.shard ? sweep::shard_from(*arguments.shard) : sweep::Shard{};
-  const auto plan = plan_of(arguments, call.registry);
+  const int threads = methods::number_of_threads(take_threads(arguments.given));
+  const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
+  const auto plan = make_plan(arguments, call.registry);
   if (arguments.dry_run) return dry_run(arguments, plan, threads);
 
-  const auto ranks =
-      base::Ranks::started_together() ? base::Ranks::join() : std::unique_ptr<base::Ranks>();
+  const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::join()
+                                                           : std::unique_ptr<base::Communicator>();
   if (ranks && !ranks->is_first()) {
-    note_kept("what was finished is in the first rank's journal");
-    sweep::follow(plan, *common.out, *ranks, threads);
-    return kDone;
+    set_exit_message("the finished points are in the journal of rank 0");
+    sweep::run_worker(plan, *common.out, *ranks, threads);
+    return kSuccess;
   }
-  return lead_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
+  return run_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
 }
 
 }  // namespace fpkcheck::cli

@@ -4,8 +4,7 @@
 
 namespace fpkcheck::cli {
 
-/// What --version prints: the program on the first line, then the libraries that it is made of, one
-/// on each.
+/// The text of --version: the program on the first line, then one line for each library.
 std::string version_text();
 
 }  // namespace fpkcheck::cli

@@ -1,5 +1,5 @@
-# SuiteSparse before version 6 ships no CMake package; this makes the imported target SuiteSparse::KLU.
-# CHOLMOD comes with it, for its nested dissection.
+# Defines the imported target SuiteSparse::KLU: SuiteSparse before version 6 has no CMake package.
+# The target includes CHOLMOD for its nested dissection.
 find_path(KLU_INCLUDE_DIR klu.h PATH_SUFFIXES suitesparse)
 set(klu_libraries "")
 foreach(component IN ITEMS klu cholmod amd colamd btf suitesparseconfig)

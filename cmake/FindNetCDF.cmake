@@ -1,5 +1,5 @@
-# The CMake package that netCDF-C ships wants the development files of all that it was built with;
-# this needs its own header and library only. Makes the imported target netCDF::netcdf.
+# Defines the imported target netCDF::netcdf from the header and the library alone. The CMake package of
+# netCDF-C requires the development files of all its dependencies.
 find_path(NetCDF_INCLUDE_DIR netcdf.h)
 find_library(NetCDF_LIBRARY netcdf)
 include(FindPackageHandleStandardArgs)

@@ -1,12 +1,11 @@
-# What `cmake --install` puts where (docs/installing.md), in two components: `program`, and `development` for who
-# links the libraries.
+# Installed files (docs/installing.md) in two components: `program`, and `development` with the libraries.
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
 list(TRANSFORM rooms PREPEND fpkcheck_ OUTPUT_VARIABLE libraries)
 
-# Nothing is installed unless all of a component is built: CMake would stop at the first file that is missing, and
-# leave those before it.
+# Refuses the installation unless all files of a component are built. Otherwise CMake would stop at the first
+# missing file, with the files before it installed.
 function(fpkcheck_require_built component)
   install(
     CODE "set(files \"${ARGN}\")
@@ -48,7 +47,7 @@ install(EXPORT fpkcheck NAMESPACE fpkcheck:: FILE fpkcheckTargets.cmake
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/fpkcheckConfig.cmake.in" "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
   INSTALL_DESTINATION "${package_directory}" NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# Before 1.0 a minor version may change everything.
+# Before version 1.0, a minor version may change every interface.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/fpkcheckConfigVersion.cmake"
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
@@ -56,8 +55,8 @@ install(FILES "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindKLU.cmake" "${PROJECT_SOURCE_DIR}/cmake/FindNetCDF.cmake"
         DESTINATION "${package_directory}" COMPONENT development)
 
-# Headers call one another "epc/solve.hpp". Installed, they say "fpkcheck/epc/solve.hpp": a folder `report` or
-# `methods` of another project is then never taken for ours, nor ours for its.
+# Headers include each other as "epc/solve.hpp"; installed headers as "fpkcheck/epc/solve.hpp", to avoid
+# collisions with folders such as `report` or `methods` of other projects.
 string(REPLACE ";" "|" any_room "${rooms}")
 install(
   CODE "set(rooms \"${rooms}\")

@@ -1,25 +1,25 @@
-# One CMake library per folder. A folder's headers are visible only to the targets that link it: each
-# library exports one directory that contains nothing but a link to its own folder, so that
-# `#include "fd_fpk/operator.hpp"` compiles only where the link line allows it.
+# One CMake library per folder. The headers of a folder are visible only to targets that link its
+# library: each library exports an include directory that contains only a link to its folder. Thus
+# `#include "fd_fpk/operator.hpp"` compiles only in targets that link fpkcheck_fd_fpk.
 add_library(fpkcheck_flags INTERFACE)
 target_compile_options(fpkcheck_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                                 -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # GCC 12 sees overlapping copies in `"text" + std::string` (GCC bug 105651).
+  # GCC 12 warns wrongly of overlapping copies in `"text" + std::string` (GCC bug 105651).
   target_compile_options(fpkcheck_flags INTERFACE -Wno-restrict)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
-  # GCC 13 and 14 warn of a dangling reference wherever a function that takes a temporary returns a
-  # reference, to whatever that refers (GCC bug 107532).
+  # GCC 13 and 14 warn of a dangling reference for every function that takes a temporary and returns
+  # a reference, whatever its referent (GCC bug 107532).
   target_compile_options(fpkcheck_flags INTERFACE -Wno-dangling-reference)
 endif()
 if(FPKCHECK_WARNINGS_AS_ERRORS)
   target_compile_options(fpkcheck_flags INTERFACE -Werror)
 endif()
-# Beside warnings, what programs are watched by. The first report ends a program: a test that made
-# one fails.
+# Compile options for sanitizers and fuzzers. The first report of a sanitizer ends the program, so that
+# the test fails.
 add_library(fpkcheck_watch INTERFACE)
-set(FPKCHECK_UNWATCHED "") # rooms
+set(FPKCHECK_UNWATCHED "") # libraries without these options
 if(FPKCHECK_SANITIZE)
   set(sanitizers -fsanitize=${FPKCHECK_SANITIZE} -fno-sanitize-recover=all)
   target_compile_options(fpkcheck_watch INTERFACE ${sanitizers} -fno-omit-frame-pointer)
@@ -29,14 +29,14 @@ if(FPKCHECK_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     message(FATAL_ERROR "FPKCHECK_FUZZ needs Clang (-DCMAKE_CXX_COMPILER=clang++)")
   endif()
-  # Fuzzers count which branches of readers an input reaches. They never solve: what takes most of
-  # the time to build goes without.
+  # The fuzzers measure the branch coverage of the readers. They never solve a problem: the solvers,
+  # which take most of the build time, are compiled without these options.
   target_compile_options(fpkcheck_watch INTERFACE -fsanitize=fuzzer-no-link)
   set(FPKCHECK_UNWATCHED epc fd_fpk backward control_variates)
 endif()
 
-# What only formats, reads or checks need not be optimised hard. At -O1 GCC sees too little of what is
-# inlined to know what is initialized.
+# Compiles code that only formats, reads or checks with -O1, to save build time. At -O1 GCC inlines too
+# little and warns wrongly of uninitialised variables.
 function(fpkcheck_compile_fast target)
   target_compile_options(
     ${target} PRIVATE $<$<CONFIG:Release>:-O1>
@@ -44,9 +44,9 @@ function(fpkcheck_compile_fast target)
 endfunction()
 
 # fpkcheck_library(NAME [PLAIN] [NOT_INSTALLED] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
-#   NOT_INSTALLED  for tests and benchmarks alone
-#   PLAIN     nothing in it computes for long: compiled fast rather than for speed
-#   USES      folders of this project that the folder may use (their headers become visible)
+#   NOT_INSTALLED  library for tests and benchmarks only
+#   PLAIN     library without long computations: compiled with -O1
+#   USES      folders of this project whose headers the folder may include
 #   EXTERNAL  third-party targets that appear in its headers
 #   INTERNAL  third-party targets that appear in its sources only
 function(fpkcheck_library name)
@@ -58,7 +58,7 @@ function(fpkcheck_library name)
     set_property(GLOBAL APPEND PROPERTY FPKCHECK_ROOMS ${name})
   endif()
   set(view "${PROJECT_BINARY_DIR}/include/${name}")
-  # The second link is for other projects: they include <fpkcheck/NAME/...>, installed or not.
+  # The second link is for other projects, which include <fpkcheck/NAME/...>, installed or not.
   file(MAKE_DIRECTORY "${view}/fpkcheck")
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/${name}" SYMBOLIC)
   file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}" "${view}/fpkcheck/${name}" SYMBOLIC)

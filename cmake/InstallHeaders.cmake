@@ -1,6 +1,6 @@
-# Runs when headers are installed: copies those of `rooms` from `source` to include/fpkcheck/ROOM below `destination`,
-# where they include one another by that name.
-string(RANDOM LENGTH 8 unique)  # several may install at once
+# Runs at installation: copies the headers of `rooms` from `source` to fpkcheck/ROOM below `destination`, and changes
+# their includes of each other to this path.
+string(RANDOM LENGTH 8 unique)  # for concurrent installations
 string(APPEND staged "-${unique}")
 foreach(room IN LISTS rooms)
   file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${room}/*.hpp")

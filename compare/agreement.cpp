@@ -8,40 +8,42 @@ namespace fpkcheck::compare {
 using transform::Solution;
 using transform::Variable;
 
-double largest_by_chance(double in_99) {
-  // |N| is below these with probabilities 1 - kAgreementLevel / 2 and 0.99.
+double critical_sampling_l1(double quantile_99) {
+  // Quantiles of |N|, N standard normal, at 1 - kAgreementSignificance / 2 and at 0.99.
   constexpr double kQuantileOfLevel = 3.4808, kQuantile99 = 2.5758;
-  static_assert(kAgreementLevel == 1e-3);
-  return kQuantileOfLevel / kQuantile99 * in_99;
+  static_assert(kAgreementSignificance == 1e-3);
+  return kQuantileOfLevel / kQuantile99 * quantile_99;
 }
 
-std::optional<double> most_by_chance(const transform::SamplingError& sampling, Variable variable) {
-  constexpr double kScatter = 2;
-  if (const auto most = in_99(sampling, variable)) return most;
-  if (const auto mean = expected(sampling, variable)) return kScatter * *mean;
+std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
+                                              Variable variable) {
+  constexpr double kQuantileToMeanRatio = 2;
+  if (const auto most = quantile_99(sampling, variable)) return most;
+  if (const auto mean = expected(sampling, variable)) return kQuantileToMeanRatio * *mean;
   return std::nullopt;
 }
 
-std::optional<double> largest_explained(const Solution& one, const Solution& other,
-                                        Variable variable, bool smooth) {
-  double chance = 0, stated = 0;
-  int known = 0;
-  for (const Solution* solution : {&one, &other}) {
-    const auto& sampling = smooth ? best_sampling(*solution) : solution->sampling;
-    const auto most = sampling ? most_by_chance(*sampling, variable) : std::nullopt;
-    chance = std::hypot(chance, most.value_or(0));
+std::optional<double> critical_l1(const Solution& first, const Solution& second, Variable variable,
+                                  bool smooth) {
+  double sampling_l1 = 0, stated = 0;
+  int estimate_count = 0;
+  for (const Solution* solution : {&first, &second}) {
+    const auto& sampling = smooth ? best_sampling_error(*solution) : solution->sampling;
+    const auto most = sampling ? sampling_l1_quantile_99(*sampling, variable) : std::nullopt;
+    sampling_l1 = std::hypot(sampling_l1, most.value_or(0));
     if (solution->error) stated += l1(*solution->error, variable);
-    if (most || solution->error) ++known;
+    if (most || solution->error) ++estimate_count;
   }
-  if (known < (smooth ? 2 : 1)) return std::nullopt;
-  return largest_by_chance(chance) + transform::kErrorBand * stated;
+  if (estimate_count < (smooth ? 2 : 1)) return std::nullopt;
+  return critical_sampling_l1(sampling_l1) + transform::kErrorSafetyFactor * stated;
 }
 
-bool agree(const Solution& one, const Solution& other, std::span<const PairDistances> pairs) {
+bool has_agreement(const Solution& first, const Solution& second,
+                   std::span<const PairDistances> pairs) {
   return std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    const PairDistances* pair = find_pair(pairs, one.id(), other.id(), variable);
+    const PairDistances* pair = find_pair(pairs, first.id(), second.id(), variable);
     if (pair == nullptr || !std::isfinite(pair->distances.l1)) return true;
-    const auto most = largest_explained(one, other, variable, pair->l1_standard_error.has_value());
+    const auto most = critical_l1(first, second, variable, pair->l1_standard_error.has_value());
     return !most || pair->distances.l1 <= *most;
   });
 }

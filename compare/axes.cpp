@@ -11,25 +11,25 @@
 namespace fpkcheck::compare {
 namespace {
 
-// A tenth (y') or a twentieth (y) of a deviation: the density is nearly straight over one bin.
+// Bins of a tenth (y') or a twentieth (y) of a deviation: the density is nearly linear over a bin.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
-constexpr double kDividedBy = 4;
+constexpr double kDivisionRatio = 4;
 
-std::vector<double> even_bins(double from, double to) {
+std::vector<double> make_uniform_bins(double from, double to) {
   std::vector<double> edges;
   for (int k = 0; k <= kBins; ++k) edges.push_back(from + (to - from) * k / kBins);
   edges.back() = to;
   return edges;
 }
 
-// From 0, or symmetric to the last digit and exactly 0 in the middle, where p(y, y') jumps at the
-// wall.
-std::vector<double> bins(double end, bool symmetric, int divisions) {
+// Bins from 0, or symmetric to the last digit about an edge at exactly 0, where p(y, y') jumps at
+// the wall.
+std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;
   const auto divide = [&](int side, int d) {
-    edges.push_back(side * width / std::pow(kDividedBy, d));
+    edges.push_back(side * width / std::pow(kDivisionRatio, d));
   };
   for (int k = 0; k <= kBins; ++k) {
     const int steps = symmetric ? 2 * k - kBins : k;
@@ -40,7 +40,7 @@ std::vector<double> bins(double end, bool symmetric, int divisions) {
   return edges;
 }
 
-std::vector<double> without_divisions(const std::vector<double>& edges, int divisions) {
+std::vector<double> undivided_edges(const std::vector<double>& edges, int divisions) {
   const auto zero = std::ranges::find(edges, 0.0) - edges.begin();
   std::vector<double> even;
   for (std::ptrdiff_t k = 0; k < std::ssize(edges); ++k) {
@@ -54,28 +54,31 @@ std::vector<double> without_divisions(const std::vector<double>& edges, int divi
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
   const auto scales = problem::scales(problem);
-  if (!problem::of_the_paper(problem)) {
-    return {even_bins(scales.y_low, scales.y_high), bins(scales.v_high, true, 0), 0};
+  if (!problem::is_paper_oscillator(problem)) {
+    return {make_uniform_bins(scales.y_low, scales.y_high),
+            make_divided_bins(scales.v_high, true, 0), 0};
   }
   const int divisions = problem::impulses_per_decay_time(problem, scales) < 1 ? kDivisions : 0;
-  return {bins(scales.y_high, false, divisions), bins(scales.v_high, true, divisions), divisions};
+  return {make_divided_bins(scales.y_high, false, divisions),
+          make_divided_bins(scales.v_high, true, divisions), divisions};
 }
 
 const std::vector<double>& edges(const ComparisonAxes& axes, transform::Variable variable) {
   return variable == transform::Variable::y ? axes.y_edges : axes.v_edges;
 }
 
-ComparisonAxes even_axes(const ComparisonAxes& axes) {
-  return {without_divisions(axes.y_edges, axes.divisions),
-          without_divisions(axes.v_edges, axes.divisions)};
+ComparisonAxes uniform_axes(const ComparisonAxes& axes) {
+  return {undivided_edges(axes.y_edges, axes.divisions),
+          undivided_edges(axes.v_edges, axes.divisions)};
 }
 
-transform::Marginal on_even_bins(const ComparisonAxes& axes, transform::Variable variable,
-                                 const transform::Marginal& marginal) {
+transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Variable variable,
+                                       const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
-  transform::Marginal even{edges(even_axes(axes), variable), {}, {}, {}};
-  // An end's distances from the density, of the parts from one on: the root of the sum of squares.
-  const auto distance = [&](const std::vector<double>& ends, std::size_t from, std::size_t to) {
+  transform::Marginal even{edges(uniform_axes(axes), variable), {}, {}, {}};
+  // Half-width of the interval of a merged bin: the root of the sum of squares over its parts.
+  const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
+                                       std::size_t to) {
     double sum = 0;
     for (std::size_t k = from; k < to; ++k) {
       sum += std::pow((ends[k] - marginal.density[k]) * marginal.width(k), 2);
@@ -92,8 +95,8 @@ transform::Marginal on_even_bins(const ComparisonAxes& axes, transform::Variable
     }
     even.density.push_back(mass / width);
     if (marginal.lower.empty()) continue;
-    even.lower.push_back((mass - distance(marginal.lower, first, part)) / width);
-    even.upper.push_back((mass + distance(marginal.upper, first, part)) / width);
+    even.lower.push_back((mass - interval_half_width(marginal.lower, first, part)) / width);
+    even.upper.push_back((mass + interval_half_width(marginal.upper, first, part)) / width);
   }
   return even;
 }

@@ -11,10 +11,11 @@ namespace {
 using transform::Moments;
 using transform::Solution;
 
-double stated_error(const Solution& solution, double Moments::*moment) {
+double moment_error_estimate(const Solution& solution, double Moments::*moment) {
   const double stated = solution.error ? std::abs(solution.error->moments.*moment) : 0;
-  const double by_chance =
-      solution.standard_errors ? kSureErrors * solution.standard_errors->moments.*moment : 0;
+  const double by_chance = solution.standard_errors ? kContradictionStandardErrors *
+                                                          solution.standard_errors->moments.*moment
+                                                    : 0;
   return std::max(stated, by_chance);
 }
 
@@ -28,27 +29,29 @@ const Bound* bound_of(const Bounds& bounds, double Moments::*moment) {
   return found == bounds.each.end() ? nullptr : &*found;
 }
 
-std::vector<Outside> outside(const Bounds& bounds, std::span<const Solution> solutions) {
-  std::vector<Outside> found;
+std::vector<BoundViolation> bound_violations(const Bounds& bounds,
+                                             std::span<const Solution> solutions) {
+  std::vector<BoundViolation> found;
   for (const Solution& solution : solutions) {
     if (!solution.has_density()) continue;
     for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       const Bound* bound = bound_of(bounds, moment);
       if (bound == nullptr) continue;
       const double value = solution.moments.*moment;
-      const double by = std::max(bound->lower - value, value - bound->upper);
-      // A file of one marginal leaves the moments of the other unknown.
-      if (!std::isfinite(value) || !(by > 0)) continue;
-      found.push_back({&solution, bound, value, by, stated_error(solution, moment)});
+      const double excess = std::max(bound->lower - value, value - bound->upper);
+      // A file with a single marginal leaves the moments of the other variable unknown.
+      if (!std::isfinite(value) || !(excess > 0)) continue;
+      found.push_back({&solution, bound, value, excess, moment_error_estimate(solution, moment)});
     }
   }
   return found;
 }
 
-std::vector<Outside> contradictions(const Bounds& bounds, std::span<const Solution> solutions) {
-  std::vector<Outside> found = outside(bounds, solutions);
-  std::erase_if(found, [](const Outside& one) {
-    return !solves_the_problem(*one.solution) || !one.is_contradiction();
+std::vector<BoundViolation> contradictions(const Bounds& bounds,
+                                           std::span<const Solution> solutions) {
+  std::vector<BoundViolation> found = bound_violations(bounds, solutions);
+  std::erase_if(found, [](const BoundViolation& one) {
+    return !is_solution_of_full_problem(*one.solution) || !one.is_contradiction();
   });
   return found;
 }

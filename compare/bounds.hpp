@@ -6,13 +6,13 @@
 
 #include "transform/solution.hpp"
 
-/// Guaranteed bounds of stationary expectations of a problem (docs/bounds.md), and which solutions
-/// they contradict.
+/// Guaranteed bounds of stationary expectations of a problem (docs/bounds.md), and the solutions
+/// that violate them.
 namespace fpkcheck::compare {
 
 /// lower <= E[...] <= upper.
 struct Bound {
-  std::string functional;  ///< "E[y^2]" as transform::kMoments names it, or another: "w1"
+  std::string functional;  ///< "E[y^2]" as in transform::kMoments, or another name: "w1"
   double lower, upper;
 
   double half_width() const { return (upper - lower) / 2; }
@@ -20,37 +20,37 @@ struct Bound {
 };
 
 struct Bounds {
-  /// Why there are none, or why they are wider than asked for; empty otherwise.
+  /// Why the bounds are missing or wider than requested; else empty.
   std::string reason = {};
   double seconds = 0;  ///< wall-clock time
   std::vector<Bound> each = {};
 };
 
-/// The bounds of a moment, or null.
+/// The bound of a moment, or null.
 const Bound* bound_of(const Bounds& bounds, double transform::Moments::*moment);
 
-/// A moment of a solution that is not within its bounds.
-struct Outside {
+/// A moment of a solution that violates its guaranteed bound.
+struct BoundViolation {
   const transform::Solution* solution;
   const Bound* bound;
-  double value;      ///< the moment
-  double by;         ///< how far it is from the nearer end, > 0
-  double own_error;  ///< what its method states of it; of a simulation kSureErrors standard errors
+  double value;           ///< the moment
+  double excess;          ///< distance from the nearer end of the bound, > 0
+  double error_estimate;  ///< error estimate; of a simulation kContradictionStandardErrors of them
 
-  /// No method errs by more than it says: then the status `ok` was wrong.
-  bool is_contradiction() const { return by > own_error; }
+  /// True if the violation exceeds the error estimate: then status ok is wrong.
+  bool is_contradiction() const { return excess > error_estimate; }
 };
 
-/// Standard errors beyond which a difference is not called chance.
-inline constexpr double kSureErrors = 4;
+/// Number of standard errors beyond which a difference is not attributed to sampling.
+inline constexpr double kContradictionStandardErrors = 4;
 
-/// Of every solution that has a density, the moments outside their bounds, in the order of the
-/// solutions.
-std::vector<Outside> outside(const Bounds& bounds, std::span<const transform::Solution> solutions);
+/// The violated bounds of every solution with a density, in the order of the solutions.
+std::vector<BoundViolation> bound_violations(const Bounds& bounds,
+                                             std::span<const transform::Solution> solutions);
 
-/// Of these the contradictions by solutions of the problem itself (compare/reference.hpp): they are
-/// wrong whatever their status.
-std::vector<Outside> contradictions(const Bounds& bounds,
-                                    std::span<const transform::Solution> solutions);
+/// The contradictions of solutions of the full problem (compare/reference.hpp): such a solution is
+/// wrong whatever its status.
+std::vector<BoundViolation> contradictions(const Bounds& bounds,
+                                           std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::compare

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "compare/chain.hpp"
 #include "compare/distances.hpp"
-#include "compare/smooth.hpp"
+#include "compare/smooth_reference.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -21,10 +21,10 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-// Two decades below the densities that L1 sees; a simulation of the default length knows them to
-// better than +-40 %.
+// Two decades below the densities that contribute to L1; a simulation of the default length has
+// intervals within +-40 % there.
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
-constexpr std::string_view kJoined = " + ";
+constexpr std::string_view kLinkSeparator = " + ";
 
 std::vector<std::size_t> tail_bins(const std::vector<ChainNode>& chain) {
   const Marginal& reference = chain.back().marginal;
@@ -32,7 +32,7 @@ std::vector<std::size_t> tail_bins(const std::vector<ChainNode>& chain) {
   for (std::size_t k = 0; k < reference.size(); ++k) {
     if (reference.density[k] < kTailFrom || reference.density[k] >= kTailTo) continue;
     if (std::ranges::all_of(chain, [k](const ChainNode& node) {
-          return node.marginal.density[k] > 0 && known_well(node.marginal, k);
+          return node.marginal.density[k] > 0 && has_narrow_interval(node.marginal, k);
         })) {
       bins.push_back(k);
     }
@@ -47,8 +47,8 @@ double tail_distance(const Marginal& a, const Marginal& b, const std::vector<std
   return sum / static_cast<double>(bins.size());
 }
 
-BudgetPart part_between(Variable variable, const ChainNode& from, const ChainNode& to,
-                        const std::vector<std::size_t>& bins) {
+BudgetPart make_budget_part(Variable variable, const ChainNode& from, const ChainNode& to,
+                            const std::vector<std::size_t>& bins) {
   BudgetPart part{.links = to.links,
                   .from = from.id,
                   .to = to.id,
@@ -59,13 +59,14 @@ BudgetPart part_between(Variable variable, const ChainNode& from, const ChainNod
   }
   if (to.sampling) {
     part.expected = expected(*to.sampling, variable);
-    part.in_99 = in_99(*to.sampling, variable);
+    part.quantile_99 = quantile_99(*to.sampling, variable);
   }
   if (to.smooth != nullptr) part.standard_error = l1_standard_error(from.marginal, *to.smooth);
   return part;
 }
 
-BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<ChainNode>& chain) {
+BudgetRow make_budget_row(const Solution& closure, Variable variable,
+                          const std::vector<ChainNode>& chain) {
   const auto bins = tail_bins(chain);
   const ChainNode &first = chain.front(), &last = chain.back();
   BudgetRow row{.solution = closure.id(),
@@ -78,13 +79,13 @@ BudgetRow row_of(const Solution& closure, Variable variable, const std::vector<C
                 .tail_bins = static_cast<int>(bins.size()),
                 .parts = {}};
   for (std::size_t k = 1; k < chain.size(); ++k) {
-    row.parts.push_back(part_between(variable, chain[k - 1], chain[k], bins));
+    row.parts.push_back(make_budget_part(variable, chain[k - 1], chain[k], bins));
   }
   return row;
 }
 
-// A single part that ends at a simulation has the total's name only: nothing stood between.
-bool splits(const BudgetRow& row, std::span<const Solution> solutions) {
+// False for a single part from the closure to a simulation, which equals the total.
+bool is_split(const BudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);
   return end == nullptr || end->identity.role != Role::simulation;
@@ -95,29 +96,29 @@ bool splits(const BudgetRow& row, std::span<const Solution> solutions) {
 std::string name(const std::vector<Link>& links) {
   std::string text;
   for (const Link link : links) {
-    if (!text.empty()) text += kJoined;
+    if (!text.empty()) text += kLinkSeparator;
     text += name(link);
   }
   return text;
 }
 
-std::vector<Link> links_named(std::string_view text) {
+std::vector<Link> parse_links(std::string_view text) {
   std::vector<Link> links;
   for (std::string_view rest = text;;) {
-    const auto end = rest.find(kJoined);
-    const auto link = base::value_named<Link>(rest.substr(0, end));
+    const auto end = rest.find(kLinkSeparator);
+    const auto link = base::enum_from_name<Link>(rest.substr(0, end));
     if (!link) {
       throw InputError(fmt::format(
-          "{} is no part of an error budget (of another version of the program? run again)",
+          "unknown part of an error budget: {}; repeat the run with this version of the program",
           base::in_quotes(text)));
     }
     links.push_back(*link);
     if (end == std::string_view::npos) return links;
-    rest.remove_prefix(end + kJoined.size());
+    rest.remove_prefix(end + kLinkSeparator.size());
   }
 }
 
-bool BudgetPart::beyond_the_equations() const {
+bool BudgetPart::is_reference_error() const {
   return std::ranges::all_of(
       links, [](Link link) { return link == Link::discretisation || link == Link::sampling; });
 }
@@ -133,11 +134,12 @@ std::vector<BudgetRow> error_budget(const ComparisonAxes& axes, std::span<const 
   for (const auto& solution : solutions) {
     if (solution.identity.role != Role::closure) continue;
     for (const auto variable : transform::kVariables) {
-      const auto chain = budget_chain(axes, solutions, marginals, solution, variable);
-      if (!chain.empty()) budget.push_back(row_of(solution, variable, chain));
+      const auto chain = model_chain(axes, solutions, marginals, solution, variable);
+      if (!chain.empty()) budget.push_back(make_budget_row(solution, variable, chain));
     }
   }
-  if (std::ranges::none_of(budget, [&](const BudgetRow& row) { return splits(row, solutions); })) {
+  if (std::ranges::none_of(budget,
+                           [&](const BudgetRow& row) { return is_split(row, solutions); })) {
     return {};
   }
   return budget;
@@ -165,18 +167,18 @@ std::vector<ClosureBudget> closure_budgets(std::span<const BudgetRow> budget,
 }
 
 std::vector<std::string> part_names(std::span<const ClosureBudget> budgets) {
-  std::vector<std::string> known;
+  std::vector<std::string> names;
   for (const auto& budget : budgets) {
     for (const BudgetRow* row : budget.rows()) {
-      // A name that is new stands before the one that follows it here: the chain's order.
-      auto at = known.end();
+      // Insert a new name before the name that follows it in this row: the order of the chain.
+      auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
-        const auto place = std::ranges::find(known, part->name());
-        at = place != known.end() ? place : known.insert(at, part->name());
+        const auto place = std::ranges::find(names, part->name());
+        at = place != names.end() ? place : names.insert(at, part->name());
       }
     }
   }
-  return known;
+  return names;
 }
 
 }  // namespace fpkcheck::compare

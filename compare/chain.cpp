@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compare/smooth.hpp"
+#include "compare/smooth_reference.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -18,31 +18,31 @@ using transform::Variable;
 
 const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const std::string& id,
                               Variable variable) {
-  for (const auto& found : marginals) {
-    if (found.solution != id || found.variable != variable) continue;
+  for (const auto& candidate : marginals) {
+    if (candidate.solution != id || candidate.variable != variable) continue;
     const bool finite =
-        std::ranges::all_of(found.marginal.density, [](double p) { return std::isfinite(p); });
-    return finite ? &found.marginal : nullptr;
+        std::ranges::all_of(candidate.marginal.density, [](double p) { return std::isfinite(p); });
+    return finite ? &candidate.marginal : nullptr;
   }
   return nullptr;
 }
 
-/// Builds a chain node by node and remembers the links that no node stands for yet.
+/// Builds a chain node by node and collects the links that no node represents yet.
 class Chain {
  public:
   Chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
         std::span<const SolutionMarginal> marginals, Variable variable)
-      : edges_(edges(even_axes(axes), variable)),
+      : edges_(edges(uniform_axes(axes), variable)),
         solutions_(solutions),
         marginals_(marginals),
         variable_(variable),
-        measure_(smooth_measure(solutions)) {}
+        smooth_reference_(find_smooth_reference(solutions)) {}
 
   void begin(const Solution& closure, const Marginal& marginal) {
     nodes_.push_back({closure.id(), {}, marginal, 0.0});
   }
 
-  void discretised(Link link, Equation equation, Impact impact) {
+  void append_discretised_equation(Link link, Equation equation, Impact impact) {
     pending_.push_back(link);
     for (const auto& s : solutions_) {
       const auto& identity = s.identity;
@@ -50,9 +50,9 @@ class Chain {
           identity.impact != impact) {
         continue;
       }
-      if (const auto* m = usable(s)) {
+      if (const auto* m = usable_marginal(s)) {
         append({s.id(), {}, *m, discretisation_error(s)});
-        if (equation == Equation::kf && impact == Impact::map) full_ = &s;
+        if (equation == Equation::kf && impact == Impact::map) full_equation_ = &s;
         return;
       }
     }
@@ -60,36 +60,37 @@ class Chain {
 
   void limit() {
     pending_.push_back(Link::discretisation);
-    if (measure_ != nullptr || !full_ || !full_->extrapolation) return;
-    append({full_->id() + std::string(kLimitOfGrids), {}, limit_of(*full_), 0.0});
+    if (smooth_reference_ != nullptr || !full_equation_ || !full_equation_->extrapolation) return;
+    append(
+        {full_equation_->id() + std::string(kGridLimitSuffix), {}, limit_of(*full_equation_), 0.0});
   }
 
   void simulation() {
-    if (measure_ == nullptr) pending_.push_back(Link::sampling);
-    // Without an equation on the way nothing was discretised.
+    if (smooth_reference_ == nullptr) pending_.push_back(Link::sampling);
+    // A chain without a density equation has no discretisation error.
     if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;
-      if (measure_ != nullptr && &s != measure_) continue;
-      if (const auto* m = usable(s)) {
+      if (smooth_reference_ != nullptr && &s != smooth_reference_) continue;
+      if (const auto* m = usable_marginal(s)) {
         append({s.id(),
                 {},
                 *m,
                 std::nullopt,
-                transform::best_sampling(s),
+                transform::best_sampling_error(s),
                 transform::smooth_estimate(s, variable_)});
-        simulated_ = true;
+        has_simulation_ = true;
         return;
       }
     }
   }
 
   std::vector<ChainNode> nodes() && {
-    return full_ || simulated_ ? std::move(nodes_) : std::vector<ChainNode>{};
+    return full_equation_ || has_simulation_ ? std::move(nodes_) : std::vector<ChainNode>{};
   }
 
  private:
-  const Marginal* usable(const Solution& solution) const {
+  const Marginal* usable_marginal(const Solution& solution) const {
     return solution.is_ok() ? find_marginal(marginals_, solution.id(), variable_) : nullptr;
   }
 
@@ -111,31 +112,33 @@ class Chain {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
-  const Solution* measure_;  ///< where the marginals are in its smooth bins
+  const Solution*
+      smooth_reference_;  ///< smooth reference: the marginals use its smooth bins; or null
   std::vector<ChainNode> nodes_;
   std::vector<Link> pending_;
-  const Solution* full_ = nullptr;
-  bool simulated_ = false;
+  const Solution* full_equation_ = nullptr;
+  bool has_simulation_ = false;
 };
 
 }  // namespace
 
-std::vector<ChainNode> budget_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
-                                    std::span<const SolutionMarginal> marginals,
-                                    const Solution& closure, Variable variable) {
+std::vector<ChainNode> model_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
+                                   std::span<const SolutionMarginal> marginals,
+                                   const Solution& closure, Variable variable) {
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const Equation equation = closure.identity.equation.value_or(Equation::kf);
-  // What is reflected exactly solves the equation with the map.
+  // A closure with exactly reflected trajectories solves the equation with the impact `map`.
   const bool to_first_order = closure.identity.impact == Impact::delta;
   const Impact impact = to_first_order ? Impact::delta : Impact::map;
   Chain chain(axes, solutions, marginals, variable);
   chain.begin(closure, *marginal);
-  chain.discretised(Link::closure, equation, impact);
-  if (to_first_order) chain.discretised(Link::impact, equation, Impact::map);
+  chain.append_discretised_equation(Link::closure, equation, impact);
+  if (to_first_order) chain.append_discretised_equation(Link::impact, equation, Impact::map);
   if (equation != Equation::kf) {
-    chain.discretised(equation == Equation::white ? Link::white_noise : Link::truncation,
-                      Equation::kf, Impact::map);
+    chain.append_discretised_equation(
+        equation == Equation::white ? Link::white_noise : Link::truncation, Equation::kf,
+        Impact::map);
   }
   chain.limit();
   chain.simulation();

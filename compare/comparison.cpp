@@ -8,7 +8,7 @@
 
 #include "compare/limits.hpp"
 #include "compare/rest_atoms.hpp"
-#include "compare/smooth.hpp"
+#include "compare/smooth_reference.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -23,25 +23,29 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
          });
 }
 
-/// @param sharp over even bins
-/// @param smooth the same in smooth bins, or empty
-/// @param noisy solutions with errors by chance that are stated of sharp bins
-PairDistances pair_of(const std::vector<SolutionMarginal>& sharp,
-                      const std::vector<SolutionMarginal>& smooth, std::size_t a, std::size_t b,
-                      const Solution* measure, const std::set<std::string>& noisy) {
+/// @param sharp marginals over uniform bins
+/// @param smooth the same marginals over smooth bins, or empty
+/// @param with_sampling_error solutions with sampling errors over sharp bins
+PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
+                           const std::vector<SolutionMarginal>& smooth, std::size_t a,
+                           std::size_t b, const Solution* smooth_reference,
+                           const std::set<std::string>& with_sampling_error) {
   const auto& [from, variable, one] = sharp[a];
   const auto& [to, same_variable, other] = sharp[b];
-  const bool is_measured = measure != nullptr && (from == measure->id() || to == measure->id()) &&
-                           !noisy.contains(from == measure->id() ? to : from);
-  if (!is_measured) return {from, to, variable, distances(one, other)};
-  const auto& measured = smooth[to == measure->id() ? a : b].marginal;
+  const bool is_over_smooth_bins =
+      smooth_reference != nullptr &&
+      (from == smooth_reference->id() || to == smooth_reference->id()) &&
+      !with_sampling_error.contains(from == smooth_reference->id() ? to : from);
+  if (!is_over_smooth_bins) return {from, to, variable, distances(one, other)};
+  const auto& compared = smooth[to == smooth_reference->id() ? a : b].marginal;
   return {from, to, variable, distances(smooth[a].marginal, smooth[b].marginal),
-          l1_standard_error(measured, *transform::smooth_estimate(*measure, variable))};
+          l1_standard_error(compared, *transform::smooth_estimate(*smooth_reference, variable))};
 }
 
-// What the tails of a discretised equation that is `ok` have below 0 is of the size of its error
-// (`min_density` tells); no probability is negative.
-void drop_negative(std::span<const Solution> solutions, std::vector<SolutionMarginal>& marginals) {
+// Negative values in the tails of an ok solution of a discretised equation are of the size of its
+// error (`min_density` reports them). Probabilities are not negative: such values become 0.
+void clip_negative_densities(std::span<const Solution> solutions,
+                             std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {
     const Solution* solution = transform::find_solution(solutions, id);
     if (solution == nullptr || !solution->is_ok()) continue;
@@ -54,43 +58,45 @@ void drop_negative(std::span<const Solution> solutions, std::vector<SolutionMarg
 
 Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
   Comparison result;
-  const Solution* measure = smooth_measure(solutions);
-  std::set<std::string> noisy;
+  const Solution* smooth_reference = find_smooth_reference(solutions);
+  std::set<std::string> with_sampling_error;
   for (const auto& solution : solutions) {
-    if (&solution != measure && solution.sampling) noisy.insert(solution.id());
+    if (&solution != smooth_reference && solution.sampling)
+      with_sampling_error.insert(solution.id());
   }
-  std::vector<SolutionMarginal> over_even_bins;
+  std::vector<SolutionMarginal> over_uniform_bins;
   for (const auto variable : transform::kVariables) {
     const auto& bins = edges(axes, variable);
-    std::vector<SolutionMarginal> found;
+    std::vector<SolutionMarginal> unmerged;
     for (const auto& solution : solutions) {
       if (!has_marginal(solution, variable, bins)) continue;
-      found.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
+      unmerged.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
-    std::vector<SolutionMarginal> even;
-    for (const auto& one : found) {
-      even.push_back({one.solution, variable, on_even_bins(axes, variable, one.marginal)});
+    std::vector<SolutionMarginal> merged;
+    for (const auto& one : unmerged) {
+      merged.push_back({one.solution, variable, merge_divided_bins(axes, variable, one.marginal)});
     }
-    const auto smooth = measure == nullptr ? std::vector<SolutionMarginal>{}
-                                           : in_smooth_bins(found, solutions, *measure);
-    for (std::size_t a = 0; a < found.size(); ++a) {
-      for (std::size_t b = a + 1; b < found.size(); ++b) {
-        auto pair = pair_of(even, smooth, a, b, measure, noisy);
+    const auto smooth = smooth_reference == nullptr
+                            ? std::vector<SolutionMarginal>{}
+                            : smooth_bin_marginals(unmerged, solutions, *smooth_reference);
+    for (std::size_t a = 0; a < unmerged.size(); ++a) {
+      for (std::size_t b = a + 1; b < unmerged.size(); ++b) {
+        auto pair = compare_pair(merged, smooth, a, b, smooth_reference, with_sampling_error);
         pair.distances.l1 +=
             atom_distance(transform::find_solution(solutions, pair.a)->atoms,
                           transform::find_solution(solutions, pair.b)->atoms, variable);
         result.pairs.push_back(std::move(pair));
       }
     }
-    std::ranges::move(found, std::back_inserter(result.marginals));
-    std::ranges::move(even, std::back_inserter(over_even_bins));
+    std::ranges::move(unmerged, std::back_inserter(result.marginals));
+    std::ranges::move(merged, std::back_inserter(over_uniform_bins));
     std::ranges::copy(smooth, std::back_inserter(result.smooth));
   }
-  result.budget =
-      error_budget(axes, solutions, measure == nullptr ? over_even_bins : result.smooth);
+  result.budget = error_budget(axes, solutions,
+                               smooth_reference == nullptr ? over_uniform_bins : result.smooth);
   result.limits = limits(result.budget, solutions, result.pairs);
-  drop_negative(solutions, result.marginals);
-  drop_negative(solutions, result.smooth);
+  clip_negative_densities(solutions, result.marginals);
+  clip_negative_densities(solutions, result.smooth);
   return result;
 }
 

@@ -11,20 +11,20 @@
 
 namespace fpkcheck::compare {
 
-/// What comes of comparing the solutions of one case.
+/// The comparison of the solutions of a case.
 struct Comparison {
-  std::vector<SolutionMarginal> marginals;  ///< of all that have one, by variable
-  /// The same in smooth bins, where one of the solutions knows itself so; else empty.
+  std::vector<SolutionMarginal> marginals;  ///< of all solutions with a marginal, by variable
+  /// The marginals over smooth bins if a solution has smooth estimates; else empty.
   std::vector<SolutionMarginal> smooth;
-  std::vector<PairDistances> pairs;  ///< all of them, in both variables
-  std::vector<BudgetRow> budget;     ///< of the closures
-  std::string limits;                ///< one sentence: what limits each closure
+  std::vector<PairDistances> pairs;  ///< of all pairs of solutions, in both variables
+  std::vector<BudgetRow> budget;     ///< error budgets of the closures
+  std::string limits;                ///< a sentence on the limiting error of each closure
 };
 
-/// Marginals of all solutions that have a density, the distances of all their pairs in both
-/// variables, and the error budget of the closures. Where there is a smooth measure, the distances
-/// to it and the budget are those in its smooth bins.
-/// @param solutions by increasing trust: of a pair, the later one is the more trusted
+/// Computes the marginals of all solutions with a density, the distances of all pairs in both
+/// variables, and the error budget of the closures. If there is a smooth reference, the distances
+/// to it and the budget are over its smooth bins.
+/// @param solutions by increasing trust: the second solution of a pair is the more trusted
 Comparison compare_solutions(const ComparisonAxes& axes,
                              std::span<const transform::Solution> solutions);
 

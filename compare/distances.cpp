@@ -13,23 +13,23 @@ using transform::Marginal;
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kDecades = 6;
-constexpr double kWidestRelativeHalfInterval = 0.5;
+constexpr double kMaxRelativeHalfWidth = 0.5;
 
 void require_same_bins(const Marginal& a, const Marginal& b) {
-  if (a.edges != b.edges) throw std::invalid_argument("densities on different bins");
+  if (a.edges != b.edges) throw std::invalid_argument("the densities have different bins");
   for (const Marginal* m : {&a, &b}) {
     const auto fits = [&](const auto& bound) { return bound.empty() || bound.size() == m->size(); };
     if (m->edges.size() != m->size() + 1 || !fits(m->lower) || !fits(m->upper)) {
-      throw std::invalid_argument("a density whose bins, averages and intervals do not fit");
+      throw std::invalid_argument("numbers of bins, averages and intervals of a density differ");
     }
   }
 }
 
-bool finite(const Marginal& m) {
+bool is_finite(const Marginal& m) {
   return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
 }
 
-// b log(b/a) - b + a, with its limits at 0.
+// b log(b/a) - b + a, with the limits at 0.
 double divergence_term(double a, double b) {
   if (b == 0) return a;
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;
@@ -39,11 +39,11 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
   TailDistance tail{from, to, 0, 0, 0};
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (b.density[k] < from || b.density[k] >= to) continue;
-    if (a.density[k] > 0 && known_well(a, k) && known_well(b, k)) {
+    if (a.density[k] > 0 && has_narrow_interval(a, k) && has_narrow_interval(b, k)) {
       tail.mean_abs += std::abs(std::log10(a.density[k] / b.density[k]));
       ++tail.bins;
     } else {
-      ++tail.left_out;
+      ++tail.bins_omitted;
     }
   }
   tail.mean_abs = tail.bins > 0 ? tail.mean_abs / tail.bins : kNotANumber;
@@ -52,14 +52,14 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
 
 }  // namespace
 
-bool known_well(const Marginal& m, std::size_t bin) {
+bool has_narrow_interval(const Marginal& m, std::size_t bin) {
   if (m.lower.empty() || m.upper.empty()) return true;
-  return m.upper[bin] - m.lower[bin] <= 2 * kWidestRelativeHalfInterval * m.density[bin];
+  return m.upper[bin] - m.lower[bin] <= 2 * kMaxRelativeHalfWidth * m.density[bin];
 }
 
 Distances distances(const Marginal& a, const Marginal& b) {
   require_same_bins(a, b);
-  if (!finite(a) || !finite(b)) {
+  if (!is_finite(a) || !is_finite(b)) {
     return {kNotANumber, kNotANumber, kNotANumber, kNotANumber, kNotANumber, {}};
   }
   Distances d{};

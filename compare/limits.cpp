@@ -16,45 +16,48 @@ namespace {
 using transform::Solution;
 using transform::Status;
 
-constexpr const char* kBelowTheEnd = "";
+constexpr const char* kWithinReferenceError = "";
 
-/// Closures that one part limits.
+/// Closures with the same limiting part.
 struct Group {
   std::string part;
   std::vector<const ClosureBudget*> closures;
-  double least_share = 1, greatest_share = 0;  ///< of the part in the sum of all parts
+  double least_fraction = 1,
+         greatest_fraction = 0;  ///< fraction of the part in the sum of all parts
 };
 
-// What the end of a row's chain is known to: the simulation to what 99 runs of 100 stay below, the
-// limit of the finite differences to their discretisation error; 0 where neither is known.
-double error_of_the_end(const BudgetRow& row) {
+// Error of the reference of a row: the 99 % quantile of the sampling error of a simulation, the
+// discretisation error of a limit of finite volumes, 0 if unknown.
+double reference_error(const BudgetRow& row) {
   const BudgetPart& last = row.parts.back();
-  return last.in_99.value_or(last.uncertainty.value_or(0));
+  return last.quantile_99.value_or(last.uncertainty.value_or(0));
 }
 
-/// What a comparison knows of the solutions.
-struct Known {
+/// The compared solutions and their distances.
+struct ComparedSolutions {
   std::span<const Solution> solutions;
   std::span<const PairDistances> pairs;
 };
 
-// Finite differences and the simulation do not agree: then the last part is more than sampling.
-bool references_disagree(const BudgetRow& row, const Known& known) {
+// True if finite volumes and the simulation disagree: the last part then exceeds the sampling
+// error.
+bool has_reference_disagreement(const BudgetRow& row, const ComparedSolutions& compared) {
   const BudgetPart& last = row.parts.back();
   if (last.links != std::vector{Link::sampling}) return false;
-  const std::string from = last.from.substr(0, last.from.find(kLimitOfGrids));
-  const Solution* one = transform::find_solution(known.solutions, from);
-  const Solution* other = transform::find_solution(known.solutions, last.to);
-  return one != nullptr && other != nullptr && !agree(*one, *other, known.pairs);
+  const std::string from = last.from.substr(0, last.from.find(kGridLimitSuffix));
+  const Solution* one = transform::find_solution(compared.solutions, from);
+  const Solution* other = transform::find_solution(compared.solutions, last.to);
+  return one != nullptr && other != nullptr && !has_agreement(*one, *other, compared.pairs);
 }
 
-bool nearer_than_the_end_is_known(const ClosureBudget& budget, const Known& known) {
+bool is_within_reference_error(const ClosureBudget& budget, const ComparedSolutions& compared) {
   return std::ranges::all_of(budget.rows(), [&](const BudgetRow* row) {
-    return !references_disagree(*row, known) && row->total <= error_of_the_end(*row);
+    return !has_reference_disagreement(*row, compared) && row->total <= reference_error(*row);
   });
 }
 
-void add(const ClosureBudget& budget, const Known& known, std::vector<Group>& groups) {
+void add_to_groups(const ClosureBudget& budget, const ComparedSolutions& compared,
+                   std::vector<Group>& groups) {
   std::map<std::string, double> parts;
   double sum = 0;
   for (const BudgetRow* row : budget.rows()) {
@@ -66,17 +69,17 @@ void add(const ClosureBudget& budget, const Known& known, std::vector<Group>& gr
   const auto largest =
       std::ranges::max_element(parts, {}, [](const auto& part) { return part.second; });
   const std::string limit =
-      nearer_than_the_end_is_known(budget, known) ? kBelowTheEnd : largest->first;
+      is_within_reference_error(budget, compared) ? kWithinReferenceError : largest->first;
   auto group = std::ranges::find(groups, limit, &Group::part);
   if (group == groups.end()) group = groups.insert(group, {.part = limit, .closures = {}});
   group->closures.push_back(&budget);
-  const double share = sum > 0 ? largest->second / sum : 0;
-  group->least_share = std::min(group->least_share, share);
-  group->greatest_share = std::max(group->greatest_share, share);
+  const double fraction = sum > 0 ? largest->second / sum : 0;
+  group->least_fraction = std::min(group->least_fraction, fraction);
+  group->greatest_fraction = std::max(group->greatest_fraction, fraction);
 }
 
 // "epc-gaussian-n2, -n4 (inadmissible) and -n6"
-std::string list(const std::vector<const ClosureBudget*>& closures) {
+std::string id_list(const std::vector<const ClosureBudget*>& closures) {
   std::vector<std::string> ids;
   std::string stem_before;
   for (const auto* closure : closures) {
@@ -93,51 +96,52 @@ std::string list(const std::vector<const ClosureBudget*>& closures) {
   return fmt::format("{} and {}", fmt::join(ids, ", "), last);
 }
 
-std::string subject(const std::string& part) {
-  const auto links = links_named(part);
+std::string part_meaning(const std::string& part) {
+  const auto links = parse_links(part);
   return links.size() == 1 ? std::string(base::meaning_of(links.front())) : part;
 }
 
-std::string shares(const Group& group) {
-  const auto percent = [](double share) { return fmt::format("{:.0f}", 100 * share); };
-  const auto least = percent(group.least_share), greatest = percent(group.greatest_share);
+std::string fractions_text(const Group& group) {
+  const auto percent = [](double fraction) { return fmt::format("{:.0f}", 100 * fraction); };
+  const auto least = percent(group.least_fraction), greatest = percent(group.greatest_fraction);
   return least == greatest ? fmt::format("{} %", least)
                            : fmt::format("{} to {} %", least, greatest);
 }
 
-// The first percentage says of what.
-std::string text_of(const Group& group, bool& explained) {
-  if (group.part != kBelowTheEnd) {
+// Text of a group. Only the first percentage of the sentence is explained.
+std::string group_text(const Group& group, bool& explained) {
+  if (group.part != kWithinReferenceError) {
     const char* of_what = explained ? "" : " of the sum of the parts";
     explained = true;
-    return fmt::format("{} in {} ({}{})", subject(group.part), list(group.closures), shares(group),
-                       of_what);
+    return fmt::format("{} in {} ({}{})", part_meaning(group.part), id_list(group.closures),
+                       fractions_text(group), of_what);
   }
   const BudgetRow& row = *group.closures.front()->rows().front();
   const bool by_chance = row.parts.back().expected.has_value();
-  return fmt::format("the accuracy of {} in {}, which {} within its {} error in L1", row.reference,
-                     list(group.closures), group.closures.size() == 1 ? "lies" : "lie",
-                     by_chance ? "sampling" : "discretisation");
+  return fmt::format("none above the {} error of {} (L1) in {}",
+                     by_chance ? "sampling" : "discretisation", row.reference,
+                     id_list(group.closures));
 }
 
 }  // namespace
 
 std::string limits(std::span<const BudgetRow> budget, std::span<const Solution> solutions,
                    std::span<const PairDistances> pairs) {
-  const Known known{solutions, pairs};
+  const ComparedSolutions compared{solutions, pairs};
   const auto budgets = closure_budgets(budget, solutions);
   if (budgets.empty()) return "";
   std::vector<Group> groups;
-  for (const auto& closure : budgets) add(closure, known, groups);
+  for (const auto& closure : budgets) add_to_groups(closure, compared, groups);
   std::vector<std::string> parts;
   bool explained = false;
-  for (const auto& group : groups) parts.push_back(text_of(group, explained));
-  const std::string text = fmt::format("What limits each closure: {}.", fmt::join(parts, "; "));
+  for (const auto& group : groups) parts.push_back(group_text(group, explained));
+  const std::string text =
+      fmt::format("Limiting error of each closure: {}.", fmt::join(parts, "; "));
   const bool disagree = std::ranges::any_of(
-      budget, [&](const BudgetRow& row) { return references_disagree(row, known); });
+      budget, [&](const BudgetRow& row) { return has_reference_disagreement(row, compared); });
   if (!disagree) return text;
   return text +
-         " The part called sampling is more than that here: finite differences and the simulation "
+         " The part `sampling` exceeds the sampling error: finite volumes and the simulation "
          "differ by more than their errors explain.";
 }
 

@@ -9,10 +9,10 @@
 
 namespace fpkcheck::compare {
 
-/// One sentence that says what limits each closure of a case: the largest part of its budget (both
-/// variables together), or the end of its chain, where the closure is nearer to it than the end is
-/// known. Closures with the same limit are named together. Says too where the ends of the step called
-/// sampling do not agree (compare/agreement.hpp). Empty without a budget.
+/// A sentence on the limiting error of each closure of a case: the largest part of its budget,
+/// summed over both variables, or none if its distance is within the error of the reference.
+/// Closures with the same limiting error are grouped. A second sentence reports a disagreement of
+/// the two ends of the part `sampling` (compare/agreement.hpp). Empty without a budget.
 std::string limits(std::span<const BudgetRow> budget,
                    std::span<const transform::Solution> solutions,
                    std::span<const PairDistances> pairs);

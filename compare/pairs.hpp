@@ -10,31 +10,31 @@
 
 namespace fpkcheck::compare {
 
-/// A marginal of one solution on the comparison axes.
+/// A marginal of a solution on the comparison axes.
 struct SolutionMarginal {
-  std::string solution;  ///< id
+  std::string solution;  ///< id of the solution
   transform::Variable variable;
   transform::Marginal marginal;
 };
 
-/// Distances between one marginal of two solutions; `b` is the more trusted of them. Where one of
-/// them is the smooth measure (compare/smooth.hpp), and the other has no errors by chance of its
-/// own, they are those of averages over smooth bins. The L1 distance has that of atoms of rest added
-/// (compare/rest_atoms.hpp); the others are of the densities alone.
+/// Distances between the marginals of two solutions; `b` is the more trusted solution. The averages
+/// are over smooth bins if either solution is the smooth reference (compare/smooth_reference.hpp)
+/// and its partner has no sampling error. Only the L1 distance includes the distance of the rest
+/// atoms (compare/rest_atoms.hpp).
 struct PairDistances {
   std::string a;
   std::string b;
   transform::Variable variable;
   Distances distances;
-  std::optional<double> l1_standard_error = {};  ///< of a distance to the smooth measure
+  std::optional<double> l1_standard_error = {};  ///< for a distance to the smooth reference
 };
 
-/// The pair of two solutions, whichever of them is the more trusted; null when there is none.
-const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view one,
-                               std::string_view other, transform::Variable variable);
+/// The distances between two solutions, in either order; null if there are none.
+const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view first,
+                               std::string_view second, transform::Variable variable);
 
-/// Their L1 distance; nothing where there is none, or where it is not a number.
-std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view one,
-                                 std::string_view other, transform::Variable variable);
+/// The L1 distance between two solutions; empty if there is none or if it is not finite.
+std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view first,
+                                 std::string_view second, transform::Variable variable);
 
 }  // namespace fpkcheck::compare

@@ -16,39 +16,40 @@ using transform::Variable;
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view one,
-                               std::string_view other, Variable variable) {
+const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view first,
+                               std::string_view second, Variable variable) {
   const auto found = std::ranges::find_if(pairs, [&](const PairDistances& pair) {
-    const bool same = (pair.a == one && pair.b == other) || (pair.a == other && pair.b == one);
+    const bool same =
+        (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
     return same && pair.variable == variable;
   });
   return found == pairs.end() ? nullptr : &*found;
 }
 
-std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view one,
-                                 std::string_view other, Variable variable) {
-  const PairDistances* pair = find_pair(pairs, one, other, variable);
+std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view first,
+                                 std::string_view second, Variable variable) {
+  const PairDistances* pair = find_pair(pairs, first, second, variable);
   if (pair == nullptr || !std::isfinite(pair->distances.l1)) return std::nullopt;
   return pair->distances.l1;
 }
 
-double own_error(const Solution& solution, Variable variable) {
+double error_estimate(const Solution& solution, Variable variable) {
   if (solution.error) return l1(*solution.error, variable);
-  if (const auto& sampling = best_sampling(solution)) {
-    return expected(*sampling, variable).value_or(kUnknown);
+  if (const auto& sampling = best_sampling_error(solution)) {
+    return expected(*sampling, variable).value_or(kUnknownError);
   }
-  return kUnknown;
+  return kUnknownError;
 }
 
-double own_error(const Solution& solution) {
-  return own_error(solution, Variable::y) + own_error(solution, Variable::ydot);
+double error_estimate(const Solution& solution) {
+  return error_estimate(solution, Variable::y) + error_estimate(solution, Variable::ydot);
 }
 
-bool solves_the_problem(const Solution& solution) {
+bool is_solution_of_full_problem(const Solution& solution) {
   const auto& identity = solution.identity;
   const bool independent = identity.role == Role::equation || identity.role == Role::simulation;
   return solution.is_ok() && solution.has_density() && independent &&
@@ -58,8 +59,8 @@ bool solves_the_problem(const Solution& solution) {
 const Solution* reference(std::span<const Solution> solutions) {
   const Solution* best = nullptr;
   for (const auto& solution : solutions) {
-    if (!solves_the_problem(solution)) continue;
-    if (best == nullptr || !(own_error(*best) < own_error(solution))) best = &solution;
+    if (!is_solution_of_full_problem(solution)) continue;
+    if (best == nullptr || !(error_estimate(*best) < error_estimate(solution))) best = &solution;
   }
   return best;
 }
@@ -67,36 +68,39 @@ const Solution* reference(std::span<const Solution> solutions) {
 std::string reference_text(std::span<const Solution> solutions) {
   const Solution* chosen = reference(solutions);
   if (chosen == nullptr) {
-    return "There is no reference: no solution of the jump equation or the process itself is ok.";
+    return "There is no reference: no solution of the full problem has status ok.";
   }
-  const double y = own_error(*chosen, Variable::y), ydot = own_error(*chosen, Variable::ydot);
+  const double y = error_estimate(*chosen, Variable::y),
+               ydot = error_estimate(*chosen, Variable::ydot);
   const std::string known =
       std::isfinite(y + ydot)
           ? fmt::format(
-                ", which is known best by its own account (L1 {:.1g} in p(y), {:.1g} in p(y'))", y,
-                ydot)
+                ", the solution with the smallest error estimate (L1 {:.1g} in p(y), {:.1g} in "
+                "p(y'))",
+                y, ydot)
           : std::string();
   return fmt::format("Reference: {}{}.", chosen->id(), known);
 }
 
-std::vector<Rank> closures_by_distance(std::span<const Solution> solutions,
-                                       std::span<const PairDistances> pairs) {
-  const Solution* measure = reference(solutions);
-  std::vector<Rank> ranks;
-  if (measure == nullptr) return ranks;
+std::vector<ReferenceDistance> closures_by_reference_distance(
+    std::span<const Solution> solutions, std::span<const PairDistances> pairs) {
+  const Solution* reference_solution = reference(solutions);
+  std::vector<ReferenceDistance> ranks;
+  if (reference_solution == nullptr) return ranks;
   for (const auto& solution : solutions) {
     if (solution.identity.role != Role::closure || !solution.is_ok()) continue;
-    const auto y = l1_between(pairs, solution.id(), measure->id(), Variable::y);
-    const auto ydot = l1_between(pairs, solution.id(), measure->id(), Variable::ydot);
+    const auto y = l1_between(pairs, solution.id(), reference_solution->id(), Variable::y);
+    const auto ydot = l1_between(pairs, solution.id(), reference_solution->id(), Variable::ydot);
     if (y && ydot) ranks.push_back({&solution, *y, *ydot});
   }
-  std::ranges::stable_sort(ranks, {}, &Rank::sum);
+  std::ranges::stable_sort(ranks, {}, &ReferenceDistance::sum);
   return ranks;
 }
 
-bool indistinguishable(const Rank& one, const Rank& other, const Solution& reference) {
-  const double error = own_error(reference);
-  return std::isfinite(error) && std::abs(one.sum() - other.sum()) <= error;
+bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
+                          const Solution& reference) {
+  const double error = error_estimate(reference);
+  return std::isfinite(error) && std::abs(first.sum() - second.sum()) <= error;
 }
 
 }  // namespace fpkcheck::compare

@@ -9,44 +9,44 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// The one rule for what is measured against what.
+/// Selection of the reference solution, with which all solutions are compared.
 namespace fpkcheck::compare {
 
-/// By how much a marginal may be off in L1, by the method's own account: the error that it states,
-/// or what chance is expected to do; infinite where it says nothing.
-double own_error(const transform::Solution& solution, transform::Variable variable);
-/// Of both marginals together.
-double own_error(const transform::Solution& solution);
+/// Error estimate of a marginal in L1: the error estimate of the method, else the expected sampling
+/// error, else infinity.
+double error_estimate(const transform::Solution& solution, transform::Variable variable);
+/// Sum of the error estimates of both marginals.
+double error_estimate(const transform::Solution& solution);
 
-/// True for a solution of the problem itself: ok, of the jumps (`kf`) and the exact impact, and not
-/// of an assumed form.
-bool solves_the_problem(const transform::Solution& solution);
+/// True for a solution of the full problem: status ok, a density equation or a simulation with the
+/// jumps themselves (`kf`) and the exact impact.
+bool is_solution_of_full_problem(const transform::Solution& solution);
 
-/// The reference of a case: of the solutions of the problem itself the one that is known best by
-/// its own account (own_error of both marginals); among equals, or where none says anything, the
-/// more trusted, which is the later one. Everything is measured against it: tables, pictures,
-/// the page and sentences.
+/// The reference of a case: the solution of the full problem with the smallest error estimate,
+/// summed over both marginals. Among equal or missing error estimates the later, more trusted
+/// solution is selected. Tables, plots, the page and sentences measure distances from it.
 /// @param solutions by increasing trust
-/// @return null when there is none
+/// @return null if no solution qualifies
 const transform::Solution* reference(std::span<const transform::Solution> solutions);
 
-/// In words, for reports: the rule, and whom it chose.
+/// A sentence for reports: the reference and the reason for its selection.
 std::string reference_text(std::span<const transform::Solution> solutions);
 
-/// How far a solution is from the reference, in L1.
-struct Rank {
+/// L1 distances of a solution from the reference.
+struct ReferenceDistance {
   const transform::Solution* solution;
   double y, ydot;
 
   double sum() const { return y + ydot; }
 };
 
-/// The closures that are ok and have both distances, the closest first.
-std::vector<Rank> closures_by_distance(std::span<const transform::Solution> solutions,
-                                       std::span<const PairDistances> pairs);
+/// The closures with status ok and both distances, by increasing distance.
+std::vector<ReferenceDistance> closures_by_reference_distance(
+    std::span<const transform::Solution> solutions, std::span<const PairDistances> pairs);
 
-/// True where two ranks differ by no more than the reference's own error: then neither is called
-/// the closer one.
-bool indistinguishable(const Rank& one, const Rank& other, const transform::Solution& reference);
+/// True if two distances differ by no more than the error estimate of the reference: then neither
+/// solution counts as the closer.
+bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
+                          const transform::Solution& reference);
 
 }  // namespace fpkcheck::compare

@@ -9,12 +9,13 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-constexpr double kOdds = 1e-4;
-constexpr double kDeviations = 3.9;  // of a normal number: odds of 1e-4
-constexpr double kFlights = 1e-5;    // of the damping; the flights' truncation leaves less
+constexpr double kSignificanceLevel = 1e-4;
+constexpr double kNormalQuantile = 3.9;  // quantile of the normal law at the two-sided level 1e-4
+constexpr double kFlightTolerance =
+    1e-5;  // relative to the damping; the truncation error of the flights is smaller
 constexpr double kRounding = 1e-12;
 
-/// Sums over all streams of what a check needs.
+/// Sums over all streams that the checks use.
 struct Sums {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kPowers.size()> powers{};
@@ -41,7 +42,7 @@ struct Sums {
   }
 };
 
-void judge_flights(const problem::System& system, const Sums& sums, Checks& checks) {
+void check_flights(const problem::System& system, const Sums& sums, Checks& checks) {
   const auto& of_system = system.coefficients();
   const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
                           int p, int q, double acceleration) {
@@ -54,24 +55,24 @@ void judge_flights(const problem::System& system, const Sums& sums, Checks& chec
   checks.power = defect(0, 1, sums.acceleration[2]);
 }
 
-void judge_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks& checks) {
+void check_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks& checks) {
   const auto& law = train.law();
   const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
-  // Two values of one size have no spread of their squares: rounding is their scale.
+  // For atoms at +-Y the square has no variance: rounding is its scale.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;
 }
 
-Eigen::MatrixXd polynomial_coefficients(const Places& places) {
-  const Eigen::Index nv = places.v.size();
-  Eigen::MatrixXd all(places.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
+Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
+  const Eigen::Index nv = deposit_layout.v.size();
+  Eigen::MatrixXd all(deposit_layout.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
   for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
-    const auto in_y = places.y.power(mcs::kPowers[n].first);
-    const auto in_v = places.v.power(mcs::kPowers[n].second);
+    const auto in_y = deposit_layout.y.power(mcs::kPowers[n].first);
+    const auto in_v = deposit_layout.v.power(mcs::kPowers[n].second);
     for (std::size_t i = 0; i < in_y.size(); ++i) {
       for (std::size_t j = 0; j < in_v.size(); ++j) {
         all(static_cast<Eigen::Index>(i) * nv + static_cast<Eigen::Index>(j),
@@ -84,10 +85,10 @@ Eigen::MatrixXd polynomial_coefficients(const Places& places) {
 
 }  // namespace
 
-Hotelling hotelling(const Eigen::MatrixXd& all) {
+Hotelling hotelling_test(const Eigen::MatrixXd& all) {
   const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
-  // In units of each variable's deviation, for the rounding.
+  // In units of the standard deviation of each variable, against rounding errors.
   const Eigen::VectorXd mean = values.rowwise().mean();
   Eigen::MatrixXd centred = values.colwise() - mean;
   const Eigen::VectorXd unit =
@@ -103,17 +104,18 @@ Hotelling hotelling(const Eigen::MatrixXd& all) {
   return {.statistic = statistic, .dimensions = static_cast<int>(p), .p_value = odds};
 }
 
-Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
+Checks checks(const ControlSetup& setup, const Eigen::MatrixXd& generator,
               std::span<const mcs::StreamDeposit> streams, const Estimates& estimates) {
   const Sums sums(streams);
   Checks result;
-  result.generator = hotelling(polynomial_coefficients(prepared.places).transpose() * generator);
-  judge_flights(prepared.problem.system, sums, result);
+  result.generator =
+      hotelling_test(polynomial_coefficients(setup.deposit_layout).transpose() * generator);
+  check_flights(setup.problem.system, sums, result);
   if (sums.impacts > 0) {
-    result.restitution = sums.wall[1] / sums.wall[0] - prepared.problem.system.restitution();
+    result.restitution = sums.wall[1] / sums.wall[0] - setup.problem.system.restitution();
     result.wall_distance = sums.wall[2] / sums.impacts / std::sqrt(sums.mean(2, 0));
   }
-  judge_impulses(prepared.problem.impulses, sums, result);
+  check_impulses(setup.problem.impulses, sums, result);
   for (const auto& [controlled, plain] : estimates.moments) {
     result.plain_moments = std::max(result.plain_moments,
                                     std::abs(plain.mean - controlled.mean) / plain.standard_error);
@@ -121,26 +123,28 @@ Checks checks(const Prepared& prepared, const Eigen::MatrixXd& generator,
   return result;
 }
 
-std::vector<std::string> Checks::certainly_wrong() const {
+std::vector<std::string> Checks::deterministic_failures() const {
   std::vector<std::string> names;
-  const auto judge = [&](bool fine, const char* name) {
+  const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
   };
-  judge(std::max({std::abs(momentum), std::abs(virial), std::abs(power)}) < kFlights, "flights");
-  judge(std::abs(restitution) < kRounding, "restitution");
-  judge(wall_distance < kRounding, "wall");
+  add_if_failed(
+      std::max({std::abs(momentum), std::abs(virial), std::abs(power)}) < kFlightTolerance,
+      "flights");
+  add_if_failed(std::abs(restitution) < kRounding, "restitution");
+  add_if_failed(wall_distance < kRounding, "wall");
   return names;
 }
 
 std::vector<std::string> Checks::failed() const {
-  std::vector<std::string> names = certainly_wrong();
-  const auto judge = [&](bool fine, const char* name) {
+  std::vector<std::string> names = deterministic_failures();
+  const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
   };
-  judge(std::max({std::abs(rate), std::abs(mean), std::abs(mean_square)}) < kDeviations,
-        "impulses");
-  judge(generator.p_value > kOdds, "generator");
-  judge(plain_moments < kDeviations, "plain");
+  add_if_failed(std::max({std::abs(rate), std::abs(mean), std::abs(mean_square)}) < kNormalQuantile,
+                "impulses");
+  add_if_failed(generator.p_value > kSignificanceLevel, "generator");
+  add_if_failed(plain_moments < kNormalQuantile, "plain");
   return names;
 }
 

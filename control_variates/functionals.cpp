@@ -35,7 +35,7 @@ std::vector<double> Functionals::means(const mcs::StreamDeposit& stream) const {
   }
   const auto put = [&](const std::vector<double>& sums, int count) {
     for (int b = 0; b < count; ++b) {
-      all.push_back(sums[static_cast<std::size_t>(b + mcs::Deposit::kFrame)] / stream.samples);
+      all.push_back(sums[static_cast<std::size_t>(b + mcs::Deposit::kBinOffset)] / stream.samples);
     }
   };
   put(stream.sums.y_bins, y_bins.count);

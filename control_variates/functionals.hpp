@@ -10,20 +10,20 @@
 
 namespace fpkcheck::control_variates {
 
-/// E[y^p y'^q].
+/// Exponents of the moment E[y^p y'^q].
 struct Moment {
   int p, q;
 };
 inline constexpr std::array<Moment, 6> kMoments{{{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
 
-/// What is estimated, in this order: the moments, the smooth bins of y, those of y'.
+/// The estimated functionals, in this order: moments, smooth bins of y, smooth bins of y'.
 struct Functionals {
   transform::SmoothBins y_bins, v_bins;
 
   int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
-  /// As functions of the phase plane.
+  /// The functionals as functions on the phase plane.
   std::vector<backward::SeparableFunction> functions() const;
-  /// Their plain means over the samples of one stream.
+  /// Plain means of the functionals over the samples of one stream.
   std::vector<double> means(const mcs::StreamDeposit& stream) const;
 };
 

@@ -4,15 +4,15 @@
 
 namespace fpkcheck::control_variates {
 
-Result combined(const Prepared& prepared, mcs::Result simulation) {
+Result make_result(const ControlSetup& setup, mcs::Result simulation) {
   const auto streams = std::exchange(simulation.summary.deposits, {});
-  const Eigen::MatrixXd generator = mean_generator(prepared, streams);
-  Estimates estimates = combine(prepared, generator, streams);
-  const Checks judged = checks(prepared, generator, streams, estimates);
+  const Eigen::MatrixXd generator = generator_means(setup, streams);
+  Estimates estimates = estimate_functionals(setup, generator, streams);
+  const Checks judged = checks(setup, generator, streams, estimates);
   return {.estimates = std::move(estimates),
           .checks = judged,
           .simulation = std::move(simulation),
-          .backward_means = prepared.backward_means};
+          .backward_means = setup.backward_means};
 }
 
 }  // namespace fpkcheck::control_variates

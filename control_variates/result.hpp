@@ -3,21 +3,21 @@
 #include <vector>
 
 #include "control_variates/checks.hpp"
-#include "control_variates/combine.hpp"
-#include "control_variates/prepared.hpp"
+#include "control_variates/control_setup.hpp"
+#include "control_variates/estimates.hpp"
 #include "mcs/solve.hpp"
 
 namespace fpkcheck::control_variates {
 
-/// A simulation with its control functions, and what they tell together.
+/// A simulation, its estimates with control variates and its checks.
 struct Result {
   Estimates estimates;
   Checks checks;
-  mcs::Result simulation;  ///< with the deposits taken out
+  mcs::Result simulation;  ///< without the deposits
   std::vector<double> backward_means;
 };
 
-/// Estimates and checks from what a simulation has deposited on prepared.places.grid.
-Result combined(const Prepared& prepared, mcs::Result simulation);
+/// Computes estimates and checks from the deposits of a simulation on setup.deposit_layout.grid.
+Result make_result(const ControlSetup& setup, mcs::Result simulation);
 
 }  // namespace fpkcheck::control_variates

@@ -13,20 +13,21 @@ namespace {
 using transform::Solution;
 using transform::Variable;
 
-static_assert(std::size(transform::kMoments) == kMoments.size());  // and in the same order
+static_assert(std::size(transform::kMoments) == kMoments.size());  // in the same order
 
-/// What was estimated without control functions: it alone sees a wrong law of the impulses.
-void observe_plain(const Estimates& estimates, transform::Observer& observer) {
+/// Adds the plain estimates. They alone depend on the law of the drawn impulses.
+void add_plain_metrics(const Estimates& estimates, transform::MetricBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;
     const std::string name = transform::kMoments[k].name, error_path = "plain.errors." + name;
-    observer.add({.path = "plain.moments." + name, .value = plain.mean, .error_at = error_path});
-    observer.error(error_path, plain.standard_error);
+    builder.add(
+        {.path = "plain.moments." + name, .value = plain.mean, .standard_error_path = error_path});
+    builder.error(error_path, plain.standard_error);
   }
 }
 
-void observe_checks(const Checks& checks, transform::Observer& observer) {
-  observer.work("checks.flights.momentum", checks.momentum)
+void add_check_metrics(const Checks& checks, transform::MetricBuilder& builder) {
+  builder.work("checks.flights.momentum", checks.momentum)
       .work("checks.flights.virial", checks.virial)
       .work("checks.flights.power", checks.power)
       .work("checks.impacts.restitution", checks.restitution)
@@ -35,27 +36,27 @@ void observe_checks(const Checks& checks, transform::Observer& observer) {
       .work("checks.impulses.mean", checks.mean)
       .work("checks.impulses.mean_square", checks.mean_square)
       .work("checks.generator.hotelling", checks.generator.statistic)
-      .work("checks.generator.dimensions", transform::counted(checks.generator.dimensions))
+      .work("checks.generator.dimensions", transform::count_value(checks.generator.dimensions))
       .work("checks.generator.p_value", checks.generator.p_value)
       .work("checks.plain_moments", checks.plain_moments);
 }
 
-std::string note_of(const Checks& checks) {
+std::string checks_note(const Checks& checks) {
   const auto failed = checks.failed();
-  const std::string verdict =
-      failed.empty() ? "no check of motion, impacts and impulses sees a difference from the problem"
-                     : fmt::format("checks that see something wrong: {}", fmt::join(failed, ", "));
+  const std::string verdict = failed.empty()
+                                  ? "all checks of motion, impacts and impulses passed"
+                                  : fmt::format("failed checks: {}", fmt::join(failed, ", "));
   return fmt::format(
-      "{}; Hotelling's test that the generator's mean is 0 on {} polynomials: p = {:.2g}", verdict,
+      "{}; Hotelling's test of zero mean of the generator on {} polynomials: p = {:.2g}", verdict,
       checks.generator.dimensions, checks.generator.p_value);
 }
 
-void judge(const Checks& checks, Solution& solution) {
-  const auto wrong = checks.certainly_wrong();
+void set_status(const Checks& checks, Solution& solution) {
+  const auto wrong = checks.deterministic_failures();
   if (wrong.empty() || !solution.is_ok()) return;
   solution.status = transform::Status::failed;
   solution.reason = fmt::format(
-      "its own checks of {} see another problem than the one asked for (report this as a defect)",
+      "failed checks of {}: the simulation deviates from the problem; report this as a defect",
       fmt::join(wrong, ", "));
 }
 
@@ -67,7 +68,7 @@ transform::SmoothEstimate smooth_estimate(const BinEstimates& bins, double inter
     lower.push_back(controlled.mean - half);
     upper.push_back(controlled.mean + half);
   }
-  transform::Marginal marginal = transform::marginal_of(bins.bins, std::move(averages));
+  transform::Marginal marginal = transform::smooth_bin_marginal(bins.bins, std::move(averages));
   marginal.lower = std::move(lower);
   marginal.upper = std::move(upper);
   return {.bins = bins.bins,
@@ -77,7 +78,7 @@ transform::SmoothEstimate smooth_estimate(const BinEstimates& bins, double inter
 
 }  // namespace
 
-Solution solution_of(Result&& result) {
+Solution make_solution(Result&& result) {
   const auto& [estimates, checks, simulation, means] = result;
   Solution solution = std::move(result.simulation.solution);
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
@@ -91,20 +92,20 @@ Solution solution_of(Result&& result) {
                                {Variable::ydot, smooth_estimate(estimates.v, factor)}};
   const auto &y = estimates.y.controlled_l1, &v = estimates.v.controlled_l1;
   solution.smooth_sampling = transform::SamplingError{
-      .y = y.expected, .ydot = v.expected, .y_99 = y.in_99, .ydot_99 = v.in_99};
-  transform::Observer observer;
-  observe_plain(estimates, observer);
-  observe_checks(checks, observer);
-  observer.text("notes[0]", note_of(checks));
-  for (auto& observation : observer.take()) solution.observations.push_back(std::move(observation));
-  judge(checks, solution);
+      .y = y.expected, .ydot = v.expected, .y_99 = y.quantile_99, .ydot_99 = v.quantile_99};
+  transform::MetricBuilder builder;
+  add_plain_metrics(estimates, builder);
+  add_check_metrics(checks, builder);
+  builder.text("notes[0]", checks_note(checks));
+  for (auto& observation : builder.take()) solution.metrics.push_back(std::move(observation));
+  set_status(checks, solution);
   return solution;
 }
 
-Solution without_control(Solution&& plain, const std::string& why) {
-  transform::Observer observer;
-  observer.text("notes[0]", fmt::format("the noise is not taken out ({})", why));
-  for (auto& observation : observer.take()) plain.observations.push_back(std::move(observation));
+Solution make_plain_solution(Solution&& plain, const std::string& why) {
+  transform::MetricBuilder builder;
+  builder.text("notes[0]", fmt::format("plain simulation without control variates: {}", why));
+  for (auto& observation : builder.take()) plain.metrics.push_back(std::move(observation));
   return std::move(plain);
 }
 

@@ -7,12 +7,12 @@
 
 namespace fpkcheck::control_variates {
 
-/// What a simulation with control functions tells, as a solution: the plain one's, with the
-/// controlled moments in place of its own, smooth estimates, and the checks as observations.
-transform::Solution solution_of(Result&& result);
+/// The solution of a simulation with control variates: the plain solution with the controlled
+/// moments, the smooth estimates, and the checks as metrics.
+transform::Solution make_solution(Result&& result);
 
-/// The plain solution, with a note that there are no control functions.
-/// @param why a clause
-transform::Solution without_control(transform::Solution&& plain, const std::string& why);
+/// The plain solution with a note that it has no control variates.
+/// @param why one clause
+transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& why);
 
 }  // namespace fpkcheck::control_variates

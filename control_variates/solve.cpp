@@ -12,64 +12,65 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-// Radians of the longest flights. At 0.9 their error is 1e-8 of the damping, which is
-// 6e-9 of E[y^2] in case 1: more than is left of the noise. At 0.5 it is a hundredth of that.
+// Longest flight in radians. At 0.9 the error of the flights is 1e-8 of the damping, that is 6e-9
+// of E[y^2] in case 1, above the remaining sampling error. At 0.5 it is a hundredth of this.
 constexpr double kStep = 0.5;
 
-constexpr double kMostBytes = 256e6;  // of the lattices of all streams
+constexpr double kMostBytes = 256e6;  // limit of the lattices of all streams
 
 constexpr double kFewSamples = 2e5;
-constexpr Cells kCoarse{.y = 40, .v = 88};
+constexpr ControlCells kCoarse{.y = 40, .v = 88};
 
-Cells cells_of(const problem::Problem& problem, const Options& options) {
+ControlCells choose_cells(const problem::Problem& problem, const Options& options) {
   if (options.cells) return *options.cells;
   if (!options.simulation.time) return {};
   const auto plan = mcs::make_plan(problem, options.simulation);
-  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse : Cells{};
+  return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse : ControlCells{};
 }
 
-double bytes_of(const mcs::DepositGrid& grid) {
+double lattice_bytes(const mcs::DepositGrid& grid) {
   return static_cast<double>(sizeof(double)) * grid.y_functions() * grid.lattice_points;
 }
 
-transform::Solution plainly(const problem::Problem& problem, const Options& options,
-                            const std::string& why) {
+transform::Solution solve_plain(const problem::Problem& problem, const Options& options,
+                                const std::string& why) {
   mcs::Options plain = options.simulation;
   plain.controlled = false;
-  return without_control(mcs::solve(problem, plain).solution, why);
+  return make_plain_solution(mcs::solve(problem, plain).solution, why);
 }
 
 }  // namespace
 
 transform::Solution solve(const problem::Problem& problem, const Options& options) {
   if (options.simulation.equation != mcs::Equation::kf || options.simulation.tails) {
-    return plainly(problem, options, "control functions are those of the impulses, unsplit");
+    return solve_plain(problem, options,
+                       "control functions exist for impulses without splitting only");
   }
-  if (!problem::of_the_paper(problem) || !problem.frame.is_identity()) {
-    return plainly(
+  if (!problem::is_paper_oscillator(problem) || !problem.frame.is_identity()) {
+    return solve_plain(
         problem, options,
-        "control functions are those of one wall at y = 0 on the left, at the equilibrium, constant damping and "
-        "impulses alone");
+        "control functions exist only for one left wall at the equilibrium, constant damping and "
+        "impulses");
   }
   const auto begin = std::chrono::steady_clock::now();
-  const Places where = places(problem, cells_of(problem, options));
-  if (bytes_of(where.grid) * options.simulation.streams > kMostBytes) {
-    return plainly(problem, options,
-                   "the impulses are so small that it would take too much memory");
+  const DepositLayout layout = deposit_layout(problem, choose_cells(problem, options));
+  if (lattice_bytes(layout.grid) * options.simulation.streams > kMostBytes) {
+    return solve_plain(problem, options, "impulses this small need too much memory");
   }
   mcs::Options simulation = options.simulation;
-  simulation.controlled = true;  // its errors are judged in the end
-  simulation.deposit = where.grid;
+  simulation.controlled = true;  // require_accuracy() follows below
+  simulation.deposit = layout.grid;
   simulation.step = simulation.step.value_or(kStep);
   const double interval = mcs::make_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
-  auto prepared = std::async(policy, [&] { return prepare(problem, where, interval); });
-  // In its only thread the fit comes first, so that the simulation can be ended soon after a round.
-  if (policy == std::launch::deferred) prepared.wait();
+  auto setup = std::async(policy, [&] { return make_control_setup(problem, layout, interval); });
+  // With one thread the fit comes first: the simulation can then end soon after a round.
+  if (policy == std::launch::deferred) setup.wait();
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
-      const bool fitted = prepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // What is left of the errors is known in the end alone; the plain ones are a thousand times it.
+      const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+      // The controlled errors are available at the end only; plain errors are a thousand times
+      // larger.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
@@ -79,10 +80,10 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      const Prepared fitted = prepared.get();  // before anything is moved: it may throw
-      solution = solution_of(combined(fitted, std::move(simulated)));
-    } catch (const backward::FitBrokeDown& why) {
-      solution = without_control(std::move(simulated.solution), why.what());
+      const ControlSetup fitted = setup.get();  // may throw, so it comes before any move
+      solution = make_solution(make_result(fitted, std::move(simulated)));
+    } catch (const backward::FitFailure& why) {
+      solution = make_plain_solution(std::move(simulated.solution), why.what());
     }
   }
   mcs::require_accuracy(options.simulation, solution);

@@ -23,16 +23,17 @@ namespace {
 
 using transform::SmoothDensity;
 
-const problem::Problem& required(const problem::Problem* problem, const Frame& frame) {
+const problem::Problem& require_problem(const problem::Problem* problem, const Frame& frame) {
   if (problem != nullptr) return *problem;
   if (frame.variables == Variables::polar || frame.variables == Variables::contact) {
-    throw InputError(fmt::format("coordinates \"{}\" are those of an oscillator (name its case)",
-                                 name(frame.variables)));
+    throw InputError(
+        fmt::format("coordinates \"{}\" depend on the oscillator: none was given; name its case",
+                    name(frame.variables)));
   }
-  throw InputError("\"support.energy\" is the energy of an oscillator (name its case)");
+  throw InputError("\"support.energy\" depends on the oscillator: none was given; name its case");
 }
 
-SmoothDensity in_plane(const ClosedForm& form) {
+SmoothDensity density_in_plane(const ClosedForm& form) {
   const auto& [q, frame] = form;
   if (frame.deviations) {
     const gaussian::Support support(q, *frame.deviations);
@@ -50,7 +51,8 @@ SmoothDensity in_plane(const ClosedForm& form) {
        .x2_max = box.v_max});
 }
 
-SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_physical_variables(const ClosedForm& form,
+                                            const problem::Problem* problem) {
   const auto& [q, frame] = form;
   if (frame.deviations) {
     const gaussian::Support support(q, *frame.deviations);
@@ -59,7 +61,8 @@ SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Probl
   }
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
-    return moment::density_of(q, moment::EnergyDomain(required(problem, frame), frame.support),
+    return moment::density_of(q,
+                              moment::EnergyDomain(require_problem(problem, frame), frame.support),
                               {frame.level}, constant);
   }
   const Box box = frame.box.value();
@@ -73,9 +76,9 @@ SmoothDensity in_physical_variables(const ClosedForm& form, const problem::Probl
           .y_min = box.y_min};
 }
 
-SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
   const auto& [q, frame] = form;
-  const polar::Coordinates coordinates(required(problem, frame));
+  const polar::Coordinates coordinates(require_problem(problem, frame));
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
     return polar::density_of(q, coordinates, frame.support, {frame.level}, constant);
@@ -94,15 +97,16 @@ SmoothDensity in_polar_variables(const ClosedForm& form, const problem::Problem*
 }
 
 contact::Coordinates contact_coordinates(const problem::Problem& problem) {
-  if (contact::applies(problem)) return contact::Coordinates(problem);
+  if (contact::is_pressed_on_one_wall(problem)) return contact::Coordinates(problem);
   throw InputError(
-      "coordinates \"amplitude,velocity\" are those of a mass that a force presses on one wall "
-      "(name its case)");
+      "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
+      "has none; name its case");
 }
 
-SmoothDensity in_contact_variables(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_contact_variables(const ClosedForm& form,
+                                           const problem::Problem* problem) {
   const auto& [q, frame] = form;
-  const auto coordinates = contact_coordinates(required(problem, frame));
+  const auto coordinates = contact_coordinates(require_problem(problem, frame));
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
     return contact::density_of(q, coordinates, frame.support, {frame.level}, constant);
@@ -118,43 +122,43 @@ SmoothDensity in_contact_variables(const ClosedForm& form, const problem::Proble
           .v_max = box.v_max};
 }
 
-SmoothDensity as_it_stands(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem::Problem* problem) {
   switch (form.frame.variables) {
     case Variables::plane:
-      return in_plane(form);
+      return density_in_plane(form);
     case Variables::physical:
-      return in_physical_variables(form, problem);
+      return density_in_physical_variables(form, problem);
     case Variables::polar:
-      return in_polar_variables(form, problem);
+      return density_in_polar_variables(form, problem);
     case Variables::contact:
-      return in_contact_variables(form, problem);
+      return density_in_contact_variables(form, problem);
   }
   return {};
 }
 
-// The problem in the coordinates of the form.
-std::optional<problem::Problem> in_coordinates(const problem::Frame& coordinates,
-                                               const problem::Problem* problem) {
+// Problem in the coordinates of the form; empty without a problem.
+std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coordinates,
+                                                       const problem::Problem* problem) {
   if (problem == nullptr) return std::nullopt;
   if (coordinates.is_identity() || problem->frame == coordinates) return *problem;
-  if (problem::frame_of(problem->system) == coordinates) {
-    return problem::seen_from(coordinates, *problem);
+  if (problem::wall_frame(problem->system) == coordinates) {
+    return problem::to_wall_coordinates(coordinates, *problem);
   }
   throw InputError(
-      fmt::format("\"frame.origin\" = {:g} is no wall of the oscillator (name the case whose "
-                  "solution it is)",
+      fmt::format("\"frame.origin\" = {:g}: the oscillator has no wall there; name the case of "
+                  "the solution",
                   coordinates.origin));
 }
 
-// Of a form without a constant, the atom that belongs to it included.
+// Mass of a form without a constant, including its atom.
 double mass_of(const ClosedForm& form, const problem::Problem* problem,
                const SmoothDensity& density) {
   if (form.frame.variables != Variables::contact) {
     return transform::panel_marginals(density, density.y_max, density.v_max,
-                                      transform::Panels::graded)
+                                      transform::PanelSpacing::graded)
         .mass;
   }
-  return transform::mass(contact::on_graded_cells(density)) +
+  return transform::mass(contact::average_on_graded_cells(density)) +
          contact_coordinates(*problem).atom_weight() * std::exp(form.q(0, 0));
 }
 
@@ -171,28 +175,28 @@ bool is_normalised(const ClosedForm& form) {
 SmoothDensity density(const ClosedForm& form, const problem::Problem* problem) {
   ClosedForm whole = form;
   Frame& frame = whole.frame;
-  const auto seen = in_coordinates(frame.coordinates, problem);
-  const problem::Problem* there = seen ? &*seen : nullptr;
+  const auto converted = problem_in_coordinates(frame.coordinates, problem);
+  const problem::Problem* form_problem = converted ? &*converted : nullptr;
   const auto on_physical_axes = [&](SmoothDensity density) {
     return std::get<SmoothDensity>(
-        transform::in_physical_coordinates(frame.coordinates, std::move(density)));
+        transform::to_physical_coordinates(frame.coordinates, std::move(density)));
   };
   const bool bounded = has_support(frame);
   if (!bounded) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     frame.box = Box{kFar, kFar};
   }
-  SmoothDensity result = as_it_stands(whole, there);
+  SmoothDensity result = density_in_form_coordinates(whole, form_problem);
   if (frame.log_constant || frame.deviations || !bounded) {
     return on_physical_axes(std::move(result));
   }
-  const double mass = mass_of(whole, there, result);
+  const double mass = mass_of(whole, form_problem, result);
   if (!(mass > 0) || !std::isfinite(mass)) {
     throw InputError(
         fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));
   }
   frame.log_constant = -std::log(mass);
-  return on_physical_axes(as_it_stands(whole, there));
+  return on_physical_axes(density_in_form_coordinates(whole, form_problem));
 }
 
 }  // namespace fpkcheck::epc

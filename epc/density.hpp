@@ -6,17 +6,17 @@
 
 namespace fpkcheck::epc {
 
-/// The density of a closed form on the physical axes: of a solution's own closed form the very
-/// values that the solver's density has, in the paper's class on y >= 0.
-/// @param problem whose energies and amplitudes they are; may be null where none is asked for.
-///        In physical coordinates, or in those of the form
-/// @return normalised where the form has a constant, or a support over which it can be had; without
+/// Density of a closed form in physical coordinates. For the closed form of a solution the values
+/// equal those of the solver's density (in the paper's class on y >= 0).
+/// @param problem defines energies and amplitudes, in physical coordinates or in those of the form;
+///        may be null for a form that needs neither
+/// @return normalised if the form has a constant, or a support over which to integrate; without
 ///         either C = 1 and the box is infinite
-/// @throws InputError on one line: a problem is needed and is not there, or has no wall where
-///         the form has its origin, or the integral over the support is no positive number
+/// @throws InputError on one line: a required problem is missing, the problem has no wall at the
+///         origin of the form, or the integral over the support is not a positive number
 transform::SmoothDensity density(const ClosedForm& form, const problem::Problem* problem);
 
-/// Whether density() has the integral that the form says, or 1: it has a constant or a support.
+/// Whether density() is normalised: the form has a constant or a support.
 bool is_normalised(const ClosedForm& form);
 
 }  // namespace fpkcheck::epc

@@ -13,13 +13,13 @@ using namespace base;
 
 Range order_range(Formulation formulation) {
   return even_between(2, greatest_order(formulation))
-      .because("an odd one cannot fall in every direction, and rounding shows in higher ones");
+      .with_reason("a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
 void require_order(const Options& options) {
   const Range range = order_range(options.formulation);
-  if (range.holds(options.order)) return;
-  throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.allowed));
+  if (range.contains(options.order)) return;
+  throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.requirement));
 }
 
 void require_equation(const Options& options) {
@@ -28,31 +28,30 @@ void require_equation(const Options& options) {
     case Formulation::gaussian:
       if (equation != Equation::km4_pade) return;
       throw InputError(fmt::format(
-          "epc equation = {} (the formulation gaussian has the series as it is cut, not the "
-          "approximant) use white, km4 or kf",
+          "epc equation = {}: the formulation gaussian solves the truncated series, not its "
+          "approximant; use white, km4 or kf",
           name(equation)));
     case Formulation::moment:
       if (equation == Equation::kf || equation == Equation::white) return;
       throw InputError(fmt::format(
-          "epc equation = {} (the moment equations of the formulation moment are those of a "
-          "process, and no process belongs to the series cut after the fourth derivative) use kf "
-          "or white",
+          "epc equation = {}: the formulation moment needs a stochastic process, and the truncated "
+          "series has none; use kf or white",
           name(equation)));
     case Formulation::polar:
       if (equation == Equation::kf) return;
       throw InputError(fmt::format(
-          "epc equation = {} (the formulation polar follows the jumps of the process itself: its "
-          "angles have no second derivative in the mean) use kf",
+          "epc equation = {}: the second derivative of the phase has no mean at the origin; use "
+          "kf for the formulation polar",
           name(equation)));
   }
 }
 
-// What stands between "epc-" and "-nN".
+// The part of the id between "epc-" and "-nN".
 std::string variant(const Options& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == Tail::cut) text += "-cut";
   const Equation equation = equation_of(options);
-  if (equation != usual_equation(options.formulation)) {
+  if (equation != default_equation(options.formulation)) {
     text += fmt::format("-{}", name(equation));
   }
   return text;
@@ -70,33 +69,33 @@ const Description<Options>& description() {
           .add("formulation", &O::formulation, {"F", "gaussian, moment or polar, see above"})
           .add("monomials", &O::monomials,
                {"SET",
-                "of gaussian: point_symmetric (default): even total degrees, all that survive; "
-                "general: every degree"})
+                "for gaussian: point_symmetric (default): even total degrees, complete under the "
+                "symmetry; general: every degree"})
           .add("equation", &O::equation,
                {"E",
-                "km4: the paper's series cut after the fourth derivative (gaussian's default); kf: "
-                "the full jump integral (default of moment and polar); white: white noise"})
+                "km4: the paper's series truncated after the fourth derivative (gaussian's "
+                "default); kf: the full jump integral (default of moment and polar); white: white "
+                "noise"})
           .with_choices({"white", "km4", "kf"})
           .add("tail", &O::tail,
                {"T",
-                "of moment: confined (default): a steep fixed term holds the exponent down where "
-                "Q_n cannot be trusted; cut: Q_n alone, zero beyond"})
-          .add("tolerance", &O::tolerance, {"TOL", "on the size of the residual"},
-               positive().because("no iteration ends otherwise"))
+                "for moment: confined (default): a steep fixed term makes the exponent fall beyond "
+                "the confinement level; cut: Q_n alone, zero beyond the level"})
+          .add("tolerance", &O::tolerance, {"TOL", "tolerance on the norm of the residual"},
+               positive().with_reason("otherwise the iteration does not end"))
           .without_flag()
-          .add(
-              "accuracy", &O::accuracy,
-              {"L1",
-               "largest stated error of p(y) and of p(y') that is ok, in L1 (in a run: 0.02 of closures, "
-               "0.01 of fd)"},
-              positive().because("no closure is exact"))
-          .with_fallback({})
+          .add("accuracy", &O::accuracy,
+               {"L1",
+                "largest L1 error estimate of p(y) and of p(y') with status ok (in a run: 0.02 for "
+                "closures, 0.01 for fd)"},
+               positive().with_reason("no closure is exact"))
+          .with_default({})
           .add("max_seconds", &O::max_seconds,
-               {"S", "of moment and polar: after so long no further way to a root is begun"},
+               {"S", "for moment and polar: deadline after which no new attempt at a root begins"},
                positive())
-          .with_fallback(Options{}.max_seconds)
-          .add("max_iterations", &O::max_iterations, {"N", "most steps of Newton's method"},
-               positive().because("no step would be taken otherwise"))
+          .with_default(Options{}.max_seconds)
+          .add("max_iterations", &O::max_iterations, {"N", "largest number of Newton steps"},
+               positive().with_reason("Newton's method takes at least one step"))
           .without_flag();
   return description;
 }
@@ -106,25 +105,25 @@ void validate(const Options& options) {
   description().validate(options);
   require_equation(options);
   if (options.formulation != Formulation::moment && options.tail != Tail::confined) {
-    throw InputError(fmt::format("epc tail = {} (the formulation {} has no choice) leave it out",
+    throw InputError(fmt::format("epc tail = {}: the formulation {} has no such option; omit it",
                                  name(options.tail), name(options.formulation)));
   }
   if (options.formulation != Formulation::gaussian &&
       options.monomials != MonomialSet::point_symmetric) {
     throw InputError(
-        fmt::format("epc monomials = {} (the formulation {} takes all of them) leave it out",
+        fmt::format("epc monomials = {}: the formulation {} uses all monomials; omit it",
                     name(options.monomials), name(options.formulation)));
   }
 }
 
 int greatest_order(Formulation formulation) { return formulation == Formulation::moment ? 16 : 12; }
 
-Equation usual_equation(Formulation formulation) {
+Equation default_equation(Formulation formulation) {
   return formulation == Formulation::gaussian ? Equation::km4 : Equation::kf;
 }
 
 Equation equation_of(const Options& options) {
-  return options.equation.value_or(usual_equation(options.formulation));
+  return options.equation.value_or(default_equation(options.formulation));
 }
 
 std::string id(const Options& options) {
@@ -143,7 +142,8 @@ std::optional<Options> options_of(std::string_view id) {
     for (const auto& tail : kTailNames) {
       for (const auto& equation : problem::kEquationNames) {
         Options options{.order = order, .formulation = formulation.value, .tail = tail.value};
-        if (equation.value != usual_equation(formulation.value)) options.equation = equation.value;
+        if (equation.value != default_equation(formulation.value))
+          options.equation = equation.value;
         if (stem == "epc-" + variant(options)) return options;
       }
     }

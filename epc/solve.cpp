@@ -18,8 +18,8 @@ Result solve_formulation(const problem::Problem& problem, const Options& options
     case Formulation::moment:
       return moment::solve(problem, options);
     case Formulation::polar:
-      return contact::applies(problem) ? contact::solve(problem, options)
-                                       : polar::solve(problem, options);
+      return contact::is_pressed_on_one_wall(problem) ? contact::solve(problem, options)
+                                                      : polar::solve(problem, options);
   }
   return {};
 }
@@ -34,7 +34,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   summary.order = options.order;
   summary.formulation = options.formulation;
   solution.identity = identity(options);
-  solution.observations = observations(summary, summary.moments);
+  solution.metrics = metrics(summary, summary.moments);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   solution.seconds = elapsed.count();
   return result;

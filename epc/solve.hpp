@@ -6,14 +6,14 @@
 
 namespace fpkcheck::epc {
 
-/// Solves the equations of the formulation and judges the root. The status is
-///  - ok: a root, and its density has decayed on the whole edge of its support, has the mass 1, and
-///    is near that of order n-2 (form/allowed.hpp has the bounds; gaussian: and keeps the balance
-///    of power);
-///  - inadmissible: a root, but not such a density. Density and coefficients are still returned;
-///  - not_converged: no root was found, or none that stands on a plateau of the disc of
-///    gaussian::JumpRemainder (gaussian with kf) or that the quadrature resolves (moment, polar);
-///    no density.
+/// Solves the equations of the formulation and assesses the root. The status is
+///  - ok: a root whose density has decayed on the whole edge of its support, has mass 1, and is
+///    near the density of order n-2. Limits: form/acceptance_limits.hpp. The formulation gaussian
+///    also requires the balance of power;
+///  - inadmissible: a root without such a density. Density and coefficients are still returned;
+///  - not_converged: no root was found, and there is no density. Also a root that depends on the
+///    disc of gaussian::JumpRemainder (gaussian with kf), or that the quadrature does not resolve
+///    (moment, polar).
 /// @throws InputError from validate
 Result solve(const problem::Problem& problem, const Options& options);
 

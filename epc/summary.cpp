@@ -9,97 +9,99 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::counted;
+using transform::count_value;
 using transform::Kind;
-using transform::Observer;
-using transform::value_of;
+using transform::MetricBuilder;
+using transform::optional_value;
 
 base::Value word(std::string_view text) { return std::string(text); }
 
-// Where nothing holds the density, the points of the quadrature follow the path of the search, and
-// the last digits of the answer with them.
-bool depends_on_path(const Summary& summary) {
+// At high orders of the formulation moment the quadrature points depend on the path of the search,
+// and so do the last digits of the solution.
+bool is_path_dependent(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// The size below which a change of the coefficient of x1^p x2^q is no more than rounding: what it
-// does to the density, sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2) of the peak,
-// is judged by kRelative of itself.
-double least_scale(const Term& term, const transform::Moments& moments, double rounding) {
+// Scale below which a change of the coefficient of x1^p x2^q is rounding. The effect of a unit
+// coefficient on the density, relative to the peak, is
+// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). Relative tolerance: kRelative.
+double min_scale(const Term& term, const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
-  const auto summit = [](int p) { return p == 0 ? 1 : std::pow(p / std::numbers::e, p / 2.0); };
+  const auto largest_weighted_power = [](int p) {
+    return p == 0 ? 1 : std::pow(p / std::numbers::e, p / 2.0);
+  };
   const double effect = std::pow(moments.y2, term.x1 / 2.0) * std::pow(moments.v2, term.x2 / 2.0) *
-                        summit(term.x1) * summit(term.x2);
+                        largest_weighted_power(term.x1) * largest_weighted_power(term.x2);
   return rounding / (effect * kRelative);
 }
 
-// What evaluates the density again, with the coefficients: closed_form_in reads it. All of it
-// follows from them and the problem, so that no repeated run need be held to it: earlier files
-// have none.
-void observe_frame(const Summary& summary, Observer& observer) {
+// Parameters that, with the coefficients, define the density for read_closed_form. They follow from
+// the coefficients and the problem: a repeated run need not reproduce them. Earlier files lack
+// them.
+void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
-  observer.text("coordinates", word(name(summary.frame->variables)))
-      .work("log_C", value_of(summary.frame->log_constant));
+  builder.text("coordinates", word(name(summary.frame->variables)))
+      .work("log_C", optional_value(summary.frame->log_constant));
   const problem::Frame& coordinates = summary.frame->coordinates;
   if (coordinates.is_identity()) return;
-  observer.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
+  builder.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
 }
 
-// The edge that the density has.
-void observe_edge(const Frame& frame, Observer& observer) {
+// Parameters of the edge of the support.
+void add_edge_metrics(const Frame& frame, MetricBuilder& builder) {
   if (frame.deviations) {
-    observer.work("support.sigma1", frame.deviations->x1)
+    builder.work("support.sigma1", frame.deviations->x1)
         .work("support.sigma2", frame.deviations->x2);
   } else {
-    observer.work("support.energy", frame.support);
+    builder.work("support.energy", frame.support);
   }
 }
 
-void observe_coefficients(const Summary& summary, const transform::Moments& moments,
-                          Observer& observer) {
-  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // of the density's peak
-  if (summary.coefficients.empty()) observer.empty_list("coefficients");
-  const double rounding = depends_on_path(summary) ? kPathRounding : kRounding;
+void add_coefficient_metrics(const Summary& summary, const transform::Moments& moments,
+                             MetricBuilder& builder) {
+  constexpr double kRounding = 1e-14, kPathRounding = 3e-9;  // relative to the density's peak
+  if (summary.coefficients.empty()) builder.add_empty_list("coefficients");
+  const double rounding = is_path_dependent(summary) ? kPathRounding : kRounding;
   for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
     const Term& term = summary.coefficients[k];
     const std::string path = fmt::format("coefficients[{}].", k);
-    observer.result(path + "x1", counted(term.x1))
-        .result(path + "x2", counted(term.x2))
+    builder.result(path + "x1", count_value(term.x1))
+        .result(path + "x2", count_value(term.x2))
         .add({.path = path + "a",
               .value = term.a,
               .kind = Kind::coefficient,
-              .least_scale = least_scale(term, moments, rounding)});
+              .min_scale = min_scale(term, moments, rounding)});
   }
 }
 
-void observe_support(const Summary& summary, Observer& observer) {
+void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.support || !summary.leading_form) {
-    observer.result("support", {});
+    builder.result("support", {});
     return;
   }
   const SupportSummary& support = *summary.support;
   const LeadingForm& form = *summary.leading_form;
-  // A density next to 0, in units of the peak, where coefficients decide.
-  const auto observe_faint = [&](const char* path, double value) {
-    observer.add({.path = path,
-                  .value = value,
-                  .kind = depends_on_path(summary) ? Kind::work : Kind::result,
-                  .least_scale = 1e-6,
-                  .delicate = true});
+  // A density near 0, in units of the peak, which is sensitive to the coefficients.
+  const auto add_small_density_metric = [&](const char* path, double value) {
+    builder.add({.path = path,
+                 .value = value,
+                 .kind = is_path_dependent(summary) ? Kind::work : Kind::result,
+                 .min_scale = 1e-6,
+                 .is_rounding_sensitive = true});
   };
-  observer.result("support.least_radius", support.least_radius)
+  builder.result("support.least_radius", support.least_radius)
       .result("support.greatest_radius", support.greatest_radius)
       .result("support.y_max", support.y_max)
       .result("support.v_max", support.v_max);
-  if (support.y_min != 0) observer.result("support.y_min", support.y_min);
-  if (summary.frame) observe_edge(*summary.frame, observer);
-  observe_faint("support.edge_density", support.edge_density);
-  observe_faint("support.cut_off", support.cut_off);
-  observer
-      .result("support.rising_share", form.rising_share)
-      // any direction where the form is isotropic
+  if (support.y_min != 0) builder.result("support.y_min", support.y_min);
+  if (summary.frame) add_edge_metrics(*summary.frame, builder);
+  add_small_density_metric("support.edge_density", support.edge_density);
+  add_small_density_metric("support.cut_off", support.cut_off);
+  builder
+      .result("support.rising_share", form.rising_fraction)
+      // arbitrary for an isotropic leading form
       .work("support.worst_direction.x1", form.worst.x1)
       .work("support.worst_direction.x2", form.worst.x2)
       .result("support.rises_from", form.negative ? base::Value() : base::Value(form.rises_from));
@@ -109,65 +111,65 @@ base::Value text_of(const LeadingForm& form) {
   return word(form.negative ? "negative" : "indefinite");
 }
 
-// Of the density's exponent: a confinement makes it negative whatever Q_n does.
+// Leading form of the density's exponent: a confinement makes it negative for every Q_n.
 base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");
   return text_of(*summary.leading_form);
 }
 
-void observe_branch(const Branch& branch, Observer& observer) {
+void add_branch_metrics(const Branch& branch, MetricBuilder& builder) {
   if (branch.end == BranchEnd::not_followed) {
-    observer.result("branch", {});
+    builder.result("branch", {});
     return;
   }
-  observer.result("branch.end", word(name(branch.end))).result("branch.furthest", branch.furthest);
-  if (branch.points.empty()) observer.empty_list("branch.points", Kind::work);
+  builder.result("branch.end", word(name(branch.end))).result("branch.furthest", branch.furthest);
+  if (branch.points.empty()) builder.add_empty_list("branch.points", Kind::work);
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const BranchPoint& point = branch.points[k];
     const std::string path = fmt::format("branch.points[{}].", k);
-    observer.work(path + "fraction", point.fraction)
+    builder.work(path + "fraction", point.fraction)
         .work(path + "norm", point.norm)
         .work(path + "smallest_singular_value", point.smallest_singular_value)
-        .work(path + "determinant_sign", counted(point.determinant_sign))
+        .work(path + "determinant_sign", count_value(point.determinant_sign))
         .work(path + "falls", point.falls)
         .work(path + "fold", point.fold);
   }
 }
 
-void observe_half_plane(const Summary& summary, Observer& observer) {
-  const HalfPlaneSummary& own = *summary.half_plane;
-  observer.result("tail.kind", word(name(own.tail)))
-      .result("tail.level", own.level)
-      .result("tail.level_deviations", own.level_deviations)
-      .result("tail.beyond_level", own.beyond_level)
+void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
+  const HalfPlaneSummary& half_plane = *summary.half_plane;
+  builder.result("tail.kind", word(name(half_plane.tail)))
+      .result("tail.level", half_plane.level)
+      .result("tail.level_deviations", half_plane.level_deviations)
+      .result("tail.beyond_level", half_plane.beyond_level)
       .result("tail.polynomial_leading_form", text_of(*summary.leading_form))
-      .work("quadrature_change", own.quadrature_change)
-      .work("homotopies", counted(own.homotopies));
+      .work("quadrature_change", half_plane.quadrature_change)
+      .work("homotopies", count_value(half_plane.homotopies));
 }
 
 }  // namespace
 
-transform::Observations observations(const Summary& summary, const transform::Moments& moments) {
-  Observer observer;
-  observer.result("order", counted(summary.order))
+transform::Metrics metrics(const Summary& summary, const transform::Moments& moments) {
+  MetricBuilder builder;
+  builder.result("order", count_value(summary.order))
       .result("formulation", word(name(summary.formulation)))
-      .work("iterations", counted(summary.iterations))
+      .work("iterations", count_value(summary.iterations))
       .work("residual", summary.residual)
-      .work("condition", value_of(summary.condition));
-  observe_frame(summary, observer);
-  observe_coefficients(summary, moments, observer);
-  observe_support(summary, observer);
-  observer.result("leading_form", leading_form(summary))
-      .result("distance_to_previous", value_of(summary.distance_to_previous));
-  observe(observer, summary.balances);
+      .work("condition", optional_value(summary.condition));
+  add_frame_metrics(summary, builder);
+  add_coefficient_metrics(summary, moments, builder);
+  add_support_metrics(summary, builder);
+  builder.result("leading_form", leading_form(summary))
+      .result("distance_to_previous", optional_value(summary.distance_to_previous));
+  add_metrics(builder, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
-    observer.work("plain_newton_converges", summary.plain_newton_converges);
-    observer.result("disc_sensitivity", value_of(summary.disc_sensitivity));
-    observe_branch(summary.branch, observer);
+    builder.work("plain_newton_converges", summary.plain_newton_converges);
+    builder.result("disc_sensitivity", optional_value(summary.disc_sensitivity));
+    add_branch_metrics(summary.branch, builder);
   }
-  if (summary.half_plane) observe_half_plane(summary, observer);
-  return std::move(observer).take();
+  if (summary.half_plane) add_half_plane_metrics(summary, builder);
+  return std::move(builder).take();
 }
 
 }  // namespace fpkcheck::epc

@@ -12,100 +12,101 @@
 
 namespace fpkcheck::epc {
 
-/// The set on which C exp(Q_n) is used as a density, and what Q_n does at infinity.
+/// Support: the set on which C exp(Q_n) is used as a density.
 struct SupportSummary {
-  double least_radius;     ///< of its edge, in deviations of the weights (25)-(26)
-  double greatest_radius;  ///< likewise
-  double y_max, v_max;     ///< ends of the box around it
+  double least_radius;     ///< smallest radius of the edge, in deviations of the weights (25)-(26)
+  double greatest_radius;  ///< largest radius, likewise
+  double y_max, v_max;     ///< upper ends of the bounding box
   double edge_density;     ///< largest density on the edge, relative to the peak
   double cut_off;          ///< estimated probability outside; see gaussian::Support::cut_off
-  double y_min = 0;        ///< where the box begins in y
+  double y_min = 0;        ///< lower end of the bounding box in y
 };
 
-/// A point of the branch of solutions that starts from the exact density of white noise at an
-/// impact without loss, and on which 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the rest of the jump
-/// integral grow with the fraction. The full problem is at fraction 1.
+/// A point of the branch of solutions that starts from the exact density under white noise with
+/// elastic impacts. On the branch 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the remainder of the
+/// jump integral are multiplied by the fraction. The full problem has fraction 1.
 struct BranchPoint {
   double fraction;
-  double norm;                     ///< of the coefficients in the scaled basis
-  double smallest_singular_value;  ///< of the Jacobian there; zero at a fold
+  double norm;                     ///< norm of the coefficients in the scaled basis
+  double smallest_singular_value;  ///< of the Jacobian at the point; zero at a fold
   int determinant_sign;            ///< of the Jacobian; changes at a fold
   bool falls;                      ///< Q_n falls in every direction, paper (19)
-  bool fold;                       ///< the fraction turns round here
+  bool fold;                       ///< the fraction has an extremum here
 };
 
-/// How the branch was left.
+/// End of the branch.
 enum class BranchEnd {
-  not_followed,  ///< a root had been found otherwise
-  full_problem,  ///< it reaches fraction 1
-  white_noise,   ///< it comes back to fraction 0, at another root of the equations of white noise
-  far_away,      ///< the coefficients grow beyond all measure
-  lost           ///< the steps shrank to nothing, or the allowed points were spent
+  not_followed,  ///< another attempt had found a root
+  full_problem,  ///< the branch reaches fraction 1
+  white_noise,   ///< the branch returns to fraction 0, at another root of the white-noise equations
+  far_away,      ///< the coefficients exceed every bound
+  lost           ///< the steps became too short, or the largest number of points was reached
 };
-inline constexpr base::Named<BranchEnd> kBranchEndNames[] = {
+inline constexpr base::EnumEntry<BranchEnd> kBranchEndNames[] = {
     {BranchEnd::not_followed, "not_followed"},
     {BranchEnd::full_problem, "full_problem"},
     {BranchEnd::white_noise, "white_noise"},
     {BranchEnd::far_away, "far_away"},
     {BranchEnd::lost, "lost"}};
-constexpr std::span<const base::Named<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
+constexpr std::span<const base::EnumEntry<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
 constexpr std::string_view name(BranchEnd end) { return base::name_of(end); }
 
 struct Branch {
   BranchEnd end = BranchEnd::not_followed;
-  double furthest = 0;              ///< greatest fraction
-  std::vector<BranchPoint> points;  ///< in the order of its length
+  double furthest = 0;              ///< largest fraction
+  std::vector<BranchPoint> points;  ///< ordered by arclength
 };
 
-/// What the formulations on the half-plane, moment and polar, report of their own.
+/// Summary that only the formulations on the half-plane, moment and polar, have.
 struct HalfPlaneSummary {
   Tail tail;
-  double level;              ///< energy of the confinement or the cut
+  double level;              ///< confinement level, or energy of the cut
   double level_deviations;   ///< sqrt(2 level / E[v^2])
-  double beyond_level;       ///< estimated probability there, half_plane::probability_beyond
-  double quadrature_change;  ///< by how much more points would change Q_n: half_plane::Root
-  int homotopies;            ///< how often damped Newton steps alone were lost
+  double beyond_level;       ///< estimated probability, half_plane::probability_beyond
+  double quadrature_change;  ///< change of Q_n on more quadrature points: half_plane::Root
+  int homotopies;            ///< number of homotopies followed after damped Newton steps failed
 };
 
-/// What the solver reports besides the solution itself. Support and leading form are absent, and
-/// there are no coefficients, when no root was found.
+/// Summary of the solver besides the solution itself. Without a root, support and leading form are
+/// absent and the coefficients are empty.
 struct Summary {
   int order = 0;
   Formulation formulation = Formulation::gaussian;
   int iterations = 0;   ///< Newton steps, all attempts together
   double residual = 0;  ///< largest projection (23) relative to c, at the best iterate
-  /// Of Newton's matrix at the root: gaussian: in the scaled unknowns of gaussian::Basis; moment,
-  /// polar: half_plane::condition_of.
+  /// Condition number of the Jacobian at the root. gaussian: in the scaled unknowns of
+  /// gaussian::Basis; moment, polar: half_plane::condition_number.
   std::optional<double> condition = {};
-  /// Of Q_n in physical monomials (polar: of rho and theta), constant left out.
+  /// Coefficients of Q_n in physical monomials (polar: of rho and theta), without the constant.
   std::vector<Term> coefficients = {};
-  std::optional<Frame> frame = {};  ///< with them, all that evaluates the density again
+  std::optional<Frame> frame = {};  ///< defines the density together with the coefficients
   std::optional<SupportSummary> support = {};
   std::optional<LeadingForm> leading_form = {};  ///< of Q_n
-  /// How far the marginals are from those of the root of order n-2: the sum of the L1 distances of
-  /// p(y) and p(y'). Where the orders converge fast, about the error at n-2. Absent for n = 2 and
-  /// when there is no such root.
+  /// Distance of the marginal densities to those of the root of order n-2: sum of the L1 distances
+  /// of p(y) and p(y'). If the orders converge fast, about the error at n-2. Absent for n = 2 and
+  /// without a root of order n-2.
   std::optional<double> distance_to_previous = {};
-  transform::Moments moments = {};  ///< of the density in the coordinates of Q_n
-  /// Of the density, where there is one; an approximate density misses them by its own error.
+  transform::Moments moments = {};  ///< moments of the density in the coordinates of Q_n
+  /// Residuals of the balances of the density, empty without a density. The residuals of an
+  /// approximate density have the size of its error.
   transform::BalanceResiduals balances = {};
-  /// Of gaussian with `kf`: relative change of the scaled coefficients when the disc of
-  /// gaussian::JumpRemainder is a deviation smaller.
+  /// gaussian with `kf`: relative change of the scaled coefficients if the radius of the disc of
+  /// gaussian::JumpRemainder is one deviation smaller.
   std::optional<double> disc_sensitivity = {};
-  Branch branch = {};  ///< of gaussian: followed where Newton's method alone finds no root
-  /// Of gaussian: whether plain Newton steps from equivalent linearisation, as in the paper, do.
+  Branch branch = {};  ///< gaussian: followed if Newton's method alone finds no root
+  /// gaussian: whether plain Newton steps from equivalent linearisation, as in the paper, converge.
   bool plain_newton_converges = false;
   std::optional<HalfPlaneSummary> half_plane = {};
 };
 
-/// What a closure comes to.
+/// Result of a closure.
 struct Result {
   transform::Solution solution;
   Summary summary;
 };
 
-/// The summary as observations, in the order in which files show them.
-/// @param moments in the coordinates of Q_n: a coefficient is known to what it does to the density
-transform::Observations observations(const Summary& summary, const transform::Moments& moments);
+/// The summary as metrics, in the order of the files.
+/// @param moments in the coordinates of Q_n: they scale the effect of a coefficient on the density
+transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc

@@ -1,4 +1,4 @@
-# Draws p(y') of every solution of a run's first case on a logarithmic scale, with its 95 % intervals.
+# Plots p(y') of all solutions of the first case of a run on a logarithmic scale, with 95 % confidence intervals.
 #   build/release/cli/fpkcheck run case1 --out results && /usr/bin/python3 examples/plot_marginals.py results/marginals.csv p_v.png
 import csv, sys
 import matplotlib

@@ -1,4 +1,4 @@
-# Draws p(y) of every solution of a run that is ok, integrated from its joint density of y and y'.
+# Plots p(y) of all solutions of a run with status ok, integrated from the joint densities p(y, y').
 #   build/release/cli/fpkcheck run case1 --out results && /usr/bin/python3 examples/plot_run.py results p_y.png
 import json, sys
 import matplotlib

@@ -1,14 +1,14 @@
 function run = read_run(directory)
-% The densities of a run of fpkcheck, in MATLAB and (with its package netcdf) Octave:
+% Reads the densities of a run of fpkcheck, in MATLAB or in Octave with the package netcdf:
 %     run = read_run('fpkcheck-out');  one = run.case1;
 %     contour(one.y, one.ydot, one.p(:, :, strcmp(one.solutions, 'fd-kf')))
 %     plot(one.marginals.fd_kf.y.abscissa, one.marginals.fd_kf.y.density)
 %
-% Each case is a field by its name, letters and digits of it and '_' for all else, with
-%     solutions            ids, a cell array
-%     y, ydot              centres of cells; y_bounds, ydot_bounds: their edges, of shape (2, n)
-%     p                    joint densities (ydot, y, solution), averages over cells; NaN where there is none
-%     marginals.ID.y, .ydot  abscissa, density, lower, upper of each bin; NaN where there is no interval
+% Each case is a field with its name; characters other than letters and digits become '_'. Its fields are
+%     solutions            ids of the solutions, a cell array
+%     y, ydot              centres of the cells; y_bounds, ydot_bounds: edges of the cells, of shape (2, n)
+%     p                    joint densities (ydot, y, solution), averages over cells; NaN without a density
+%     marginals.ID.y, .ydot  abscissa, density, lower, upper of each bin; NaN without a confidence interval
   if exist('OCTAVE_VERSION', 'builtin')
     pkg load netcdf
   end
@@ -18,7 +18,7 @@ end
 
 function run = with_joint_densities(run, file)
   if ~exist(file, 'file'), return, end
-  solutions = deblank(strrep(cellstr(ncread(file, 'solution')'), char(0), ' '));  % short ones end with zeros
+  solutions = deblank(strrep(cellstr(ncread(file, 'solution')'), char(0), ' '));  % short ids are padded with zeros
   info = ncinfo(file);
   for variable = {info.Variables.Name}
     if ~strncmp(variable{1}, 'p_', 2), continue, end

@@ -11,13 +11,13 @@ namespace {
 
 using namespace base;
 
-// A line needs room for the one-sided stencils on either side of x2 = 0.
-constexpr int kSmallestLine = 16;
-constexpr int kLargestLine = 2000;
+// An axis must have enough cells for one-sided stencils on both sides of x2 = 0.
+constexpr int kFewestAxisCells = 16;
+constexpr int kMostAxisCells = 2000;
 constexpr double kMostOriginRefinement = 1000;
 constexpr double kSmallestTolerance = 1e-10;
 
-// The impacts of a density equation; the exact one only a simulation has.
+// The impacts of a density equation; Impact::exact is for the simulation alone.
 constexpr Impact kImpacts[] = {Impact::map, Impact::delta};
 
 std::vector<std::string> impact_names() {
@@ -26,9 +26,9 @@ std::vector<std::string> impact_names() {
   return list;
 }
 
-Range resolvable() {
+Range tolerance_range() {
   return {[](double x) { return std::isfinite(x) && x >= kSmallestTolerance; },
-          fmt::format("at least {}, where rounding ends", kSmallestTolerance)};
+          fmt::format("at least {}, the level of rounding errors", kSmallestTolerance)};
 }
 
 void require(bool holds, const std::string& message) {
@@ -41,74 +41,77 @@ Description<Options> make_description() {
       .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
       .add("impact", &O::impact,
            {"I",
-            "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the paper's, first order "
-            "in 1-r"})
+            "map: the exact impact, p(0+, w) = p(0-, w/r)/r^2; delta: the impact of the paper, "
+            "to first order in 1-r"})
       .with_choices(impact_names())
-      .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector alone"})
+      .add("stepper", &O::stepper, {"S", "cvode, or direct: the null vector without time steps"})
       .add("transport", &O::transport,
            {"T",
-            "upwind differences, or characteristics: along the motion between impulses, for kf "
-            "(default: where impulses are rare, losses strong, or the mass rests in contact)"})
-      .with_fallback(std::string(name(Transport::upwind)))
+            "upwind: finite volumes; characteristics: along the motion between impulses, for kf "
+            "(default: characteristics for rare impulses, strong losses or mass at rest in "
+            "contact)"})
+      .with_default(std::string(name(Transport::upwind)))
       .add("order", &O::order,
            {"P",
-            "order of the transport terms, 2 .. 8; odd ones are upwind-biased (default: 5; 7 with "
-            "walls elsewhere or none, where no wall takes energy)"},
+            "order of the transport terms, 2 .. 8; odd orders are upwind-biased (default: 5; 7 "
+            "outside the paper's class where no wall dissipates energy)"},
            between(2, 8))
       .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"}, positive())
       .add("origin_refinement", &O::origin_refinement,
            {"F",
-            "cells at the origin are F times narrower than far from it (default: 16 when r < "
-            "0.95 and the density is bounded there, else 1)"},
+            "cells at the origin are F times narrower than far from it (default: 16 for r < "
+            "0.95 and a density bounded at the origin, else 1)"},
            between(1, kMostOriginRefinement))
       .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
-           between(kSmallestLine, kLargestLine))
+           between(kFewestAxisCells, kMostAxisCells))
       .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
-           even_between(kSmallestLine, kLargestLine).because("y' = 0 lies between two cells"))
-      .add("x1_max", &O::x1_max, {"Y", "box 0 <= y <= Y (default: until it is empty there)"},
+           even_between(kFewestAxisCells, kMostAxisCells)
+               .with_reason("y' = 0 lies between two cells"))
+      .add("x1_max", &O::x1_max,
+           {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its wall)"},
            positive())
       .with_flag("y-max")
       .add("x2_max", &O::x2_max, {"V", "box |y'| <= V (default: likewise)"}, positive())
       .with_flag("v-max")
-      .add("regularisation_length", &O::regularisation_length,
-           {"L",
-            "step l of km4's fourth difference (default: l^2 = E[Y^6]/(5 E[Y^4]), more where "
-            "cells are wider than that); 0: the literal scheme"},
-           not_negative())
+      .add(
+          "regularisation_length", &O::regularisation_length,
+          {"L",
+           "step l of the fourth difference of km4 (default: l^2 = E[Y^6]/(5 E[Y^4]), longer where "
+           "cells are wider than l); 0: the literal scheme"},
+          non_negative())
       .add("wall_density", &O::wall_density,
-           {"D", "density on a wall, relative to the peak, beyond which the box is widened"},
+           {"D", "density on a wall, relative to the peak, above which the box is widened"},
            strictly_between(0, 1))
       .add("refine_unresolved", &O::refine_unresolved,
-           {"", "an automatic grid that does not resolve its density is refined"})
+           {"", "refine an automatic grid that does not resolve its density"})
       .without_flag()
       .add("error_estimate", &O::error_estimate,
-           {"", "the discretisation error is estimated from two coarser grids"})
+           {"", "estimate the discretisation error from two coarser grids"})
       .without_flag()
       .add("accuracy", &O::accuracy,
-           {"A", "largest estimated error of p(y) or p(y') in L1 of a solution that is ok"},
+           {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"}, positive())
+      .with_default(Options{}.accuracy)
+      .add("max_seconds", &O::max_seconds,
+           {"S",
+            "time limit: finer grids are neither started nor continued after it; the most accurate "
+            "solution so far is returned (in a run 20)"},
            positive())
-      .with_fallback(Options{}.accuracy)
-      .add(
-          "max_seconds", &O::max_seconds,
-          {"S",
-           "time limit: no finer grid is begun that would end later, none goes on, and the best answer "
-           "until then stands (in a run 20)"},
-          positive())
-      .with_fallback(Options{}.max_seconds)
+      .with_default(Options{}.max_seconds)
       .add("tolerance", &O::tolerance,
            {"T",
-            "pick the grid whose error estimate, L1 of p(y) and p(y') and the second moments, "
-            "is below T"},
-           resolvable())
+            "choose the grid: error estimate (L1 of p(y) and p(y'), relative second moments) "
+            "below T"},
+           tolerance_range())
       .add("residual_tolerance", &O::residual_tolerance,
-           {"R", "stationarity residual ||L p||_1 / ||p||_1 to reach"}, positive())
+           {"R", "threshold of the stationarity residual ||L p||_1 / ||p||_1"}, positive())
       .with_flag("residual");
 }
 
 }  // namespace
 
 const Description<Options>& description() {
-  // Made elsewhere: where the making stands here, Clang 14 destroys parts of it at every call.
+  // The construction is in a function of its own: Clang 14 destroys parts of the temporaries at
+  // every call when they are in this initialiser.
   static const auto description = make_description();
   return description;
 }
@@ -116,19 +119,19 @@ const Description<Options>& description() {
 void validate(const Options& options) {
   description().validate(options);
   require(options.impact != Impact::exact,
-          "impact exact (only the simulation has it: use map or delta)");
+          "impact exact: only the simulation has this impact; use map or delta");
   const bool along = options.transport == Transport::characteristics;
   require(!along || (options.equation == Equation::kf && options.impact == Impact::map),
-          fmt::format("transport characteristics with equation {} and impact {} (between impulses "
-                      "the motion is exact for kf and map alone: use upwind)",
+          fmt::format("transport characteristics with equation {} and impact {}: requires kf and "
+                      "map; use upwind",
                       problem::name(options.equation), problem::name(options.impact)));
   require(!along || (!options.nx && !options.nv),
-          "nx or nv with transport characteristics (its cells follow the problem: use refinement)");
+          "nx or nv with transport characteristics: its cells follow the problem; use refinement");
   require(!options.regularisation_length || options.equation == Equation::km4,
-          fmt::format("regularisation length with equation {} (only km4 has one: leave it out)",
+          fmt::format("regularisation length with equation {}: only km4 has one; leave it out",
                       problem::name(options.equation)));
   require(!options.tolerance || (!options.nx && !options.nv),
-          "tolerance with a given nx or nv (the tolerance picks the grid: leave them out)");
+          "tolerance with nx or nv: the tolerance selects the grid; leave out nx and nv");
 }
 
 std::string id(const Options& options) {

@@ -17,10 +17,12 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Of the whole matrix, which dense jumps fill: beyond it KLU takes minutes.
+// Limit for factoring the whole matrix, which the dense jumps fill: KLU takes minutes above this
+// number of cells.
 constexpr int kMostCellsFactored = 5000;
-// A matrix grows when its rightmost eigenvalue is this far right of zero, in units of sqrt(k_eq).
-constexpr double kZero = 1e-7;
+// An operator is unstable when the real part of its rightmost eigenvalue exceeds this, in units of
+// sqrt(k_eq).
+constexpr double kUnstableRate = 1e-7;
 
 struct Scheme {
   const char* name;
@@ -40,12 +42,12 @@ double frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
-// The box of the solver, its velocities a whole number of steps.
-Options options_on(const problem::Problem& problem, double step, int nx) {
+// The box of the solver, with a velocity range of a whole number of steps.
+Options options_for_step(const problem::Problem& problem, double step, int nx) {
   Options options;
   const Box box = initial_box(problem, options);
   const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
-  options.origin_refinement = 1;  // uniform: h is the width of every cell
+  options.origin_refinement = 1;  // uniform: all cells have the width h
   options.nx = nx;
   options.nv = 2 * half;
   options.x1_max = box.x1_max;
@@ -53,32 +55,32 @@ Options options_on(const problem::Problem& problem, double step, int nx) {
   return options;
 }
 
-Box box_of(const Options& options) { return {*options.x1_max, *options.x2_max}; }
+Box box_of_options(const Options& options) { return {*options.x1_max, *options.x2_max}; }
 
 void append(std::string& remark, const std::string& more) {
   remark += (remark.empty() ? "" : "; ") + more;
 }
 
-NullVector by_gmres(const problem::Problem& problem, const Options& options,
-                    const Discretisation& on, const FokkerPlanckOperator& op) {
+NullVector solve_null_vector(const problem::Problem& problem, const Options& options,
+                             const Discretisation& on, const FokkerPlanckOperator& op) {
   Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);
   return null_vector(op, preconditioner, gaussian_start(on.grid, problem));
 }
 
-// The density of the jump equation on a grid, or why there is none.
+// The density of the jump equation (kf) on a grid, or the reason for its absence.
 NullVector reference(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
-  const Discretisation on = discretise(problem, options, box_of(options));
-  if (!on.refusal.empty()) return {std::nullopt, 0, on.refusal};
+  const Discretisation on = discretise(problem, options, box_of_options(options));
+  if (!on.failure.empty()) return {std::nullopt, 0, on.failure};
   const auto op = fokker_planck_operator(problem, options, on);
-  return by_gmres(problem, options, on, op);
+  return solve_null_vector(problem, options, on, op);
 }
 
 void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
                       bool symbol_grows, RegularisationRow& row) {
   if (op.areas.size() > kMostCellsFactored) {
     append(row.remark,
-           fmt::format("no eigenvalue sought on more than {} cells", kMostCellsFactored));
+           fmt::format("no eigenvalue: not computed for more than {} cells", kMostCellsFactored));
     return;
   }
   auto [values, vector, residual, factorisations, solves, failure] = rightmost_eigenvalues(
@@ -91,13 +93,14 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
 void find_density(const problem::Problem& problem, const Options& options, const Discretisation& on,
                   const FokkerPlanckOperator& op, bool symbol_grows, const NullVector& kf,
                   RegularisationRow& row) {
-  // GMRES leans on an approximation that does not grow.
-  const NullVector found =
-      symbol_grows ? factored_null_vector(op, gaussian_start(on.grid, problem), frequency(problem))
-                   : by_gmres(problem, options, on, op);
+  // The preconditioner of GMRES approximates stable operators only.
+  const NullVector found = symbol_grows
+                               ? null_vector_by_inverse_iteration(
+                                     op, gaussian_start(on.grid, problem), frequency(problem))
+                               : solve_null_vector(problem, options, on, op);
   if (!found.averages) return append(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
-  if (!kf.averages) return append(row.remark, "no kf to compare with: " + kf.failure);
+  if (!kf.averages) return append(row.remark, "no reference density of kf: " + kf.failure);
   const Marginals mine = marginals(on.grid, *found.averages);
   const Marginals of_kf = marginals(on.grid, *kf.averages);
   row.l1_y = on.grid.x1.widths().dot((mine.y - of_kf.y).cwiseAbs());
@@ -111,11 +114,11 @@ RegularisationRow study_row(const problem::Problem& problem, const Scheme& schem
   if (options.equation == Equation::km4) options.regularisation_length = row.length;
   row.nx = *options.nx;
   row.nv = *options.nv;
-  const Discretisation on = discretise(problem, options, box_of(options));
-  row.remark = on.refusal;
-  if (!on.refusal.empty()) return row;
+  const Discretisation on = discretise(problem, options, box_of_options(options));
+  row.remark = on.failure;
+  if (!on.failure.empty()) return row;
   row.symbol = largest_growth(problem, options, step);
-  const bool symbol_grows = grows(*row.symbol, problem.impulses);
+  const bool symbol_grows = is_unstable(*row.symbol, problem.impulses);
   const auto op = fokker_planck_operator(problem, options, on);
   find_eigenvalues(problem, op, symbol_grows, row);
   find_density(problem, options, on, op, symbol_grows, kf, row);
@@ -126,19 +129,20 @@ RegularisationRow study_row(const problem::Problem& problem, const Scheme& schem
 
 std::optional<double> RegularisationRow::growth(const problem::Problem& problem) const {
   if (rightmost) {
-    return rightmost->real() > kZero * frequency(problem) ? std::optional(rightmost->real())
-                                                          : std::nullopt;
+    return rightmost->real() > kUnstableRate * frequency(problem) ? std::optional(rightmost->real())
+                                                                  : std::nullopt;
   }
-  return symbol && grows(*symbol, problem.impulses) ? std::optional(symbol->rate) : std::nullopt;
+  return symbol && is_unstable(*symbol, problem.impulses) ? std::optional(symbol->rate)
+                                                          : std::nullopt;
 }
 
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const RegularisationStudyOptions& options,
                                          const std::function<void(int, int)>& progress) {
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     throw InputError(
-        "a study of the cut series beyond the paper's class (one wall at the equilibrium, constant "
-        "damping and impulses alone)");
+        "study of the regularisation: requires one wall at the equilibrium, constant damping and "
+        "impulses without noise; choose a case of that class");
   }
   const auto& law = problem.impulses.law();
   RegularisationStudy study{.default_length = default_regularisation_length(law),
@@ -149,7 +153,7 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
   std::vector<RegularisationRow> by_step;
   for (const int division : options.divisions) {
     const double step = study.default_length / division;
-    const Options on_step = options_on(problem, step, options.nx);
+    const Options on_step = options_for_step(problem, step, options.nx);
     if (progress) progress(static_cast<int>(by_step.size()), rows);
     const NullVector kf = reference(problem, on_step);
     for (const Scheme& scheme : all) {

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Wall-clock time since it was made.
+/// Wall-clock time since construction.
 class Stopwatch {
  public:
   double seconds() const {
@@ -16,17 +16,17 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// What is left of the time that a solution may take.
+/// The time limit of a solution, from construction on.
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
-  /// Of what there is no answer without.
+  /// No time limit.
   static Deadline none() { return Deadline(std::numeric_limits<double>::infinity()); }
 
-  /// Whether what takes so long may begin.
-  bool allows(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
-  bool is_over() const { return !allows(0); }
-  double in_all() const { return seconds_; }
+  /// True if a task of this duration would end before the deadline.
+  bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
+  bool has_passed() const { return !has_time_for(0); }
+  double total_seconds() const { return seconds_; }
 
  private:
   Stopwatch stopwatch_;

@@ -10,46 +10,49 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using transform::counted;
-using transform::Observer;
+using transform::count_value;
+using transform::MetricBuilder;
 
-// Densities next to 0, in units of the peak: below this one is as good as another.
-constexpr double kFaint = 1e-6;
+// Densities relative to the peak: differences below this level are insignificant.
+constexpr double kInsignificant = 1e-6;
 
-void observe_faint(Observer& observer, const std::string& path, double density) {
-  observer.add({.path = path, .value = density, .least_scale = kFaint});
+void observe_faint(MetricBuilder& builder, const std::string& path, double density) {
+  builder.add({.path = path, .value = density, .min_scale = kInsignificant});
 }
 
-void observe(Observer& observer, const ErrorEstimate& error) {
-  // Stated, and no part of the answer to which a repeated run is held: the rate is.
-  if (std::isfinite(error.impact_rate)) observer.work("error.impact_rate", error.impact_rate);
-  // Of the logarithm of a quotient of small differences.
-  observer.add({.path = "error.observed_order", .value = error.observed_order, .delicate = true});
+void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
+  // The error of the impact rate may differ in a repeated run, which must reproduce the rate only.
+  if (std::isfinite(error.impact_rate)) builder.work("error.impact_rate", error.impact_rate);
+  // The logarithm of a quotient of small differences: sensitive to rounding.
+  builder.add({.path = "error.observed_order",
+               .value = error.observed_order,
+               .is_rounding_sensitive = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // A limit has the rounding of the moment, E[y'] that of the velocities.
-    observer.add({.path = std::string("error.extrapolated.") + name,
-                  .value = error.extrapolated.*moment,
-                  .least_scale = std::max(0.1, std::abs(error.extrapolated.*size))});
+    // The scale of rounding errors in a limit is that of the moment; for E[y'] that of the
+    // velocities.
+    builder.add({.path = std::string("error.extrapolated.") + name,
+                 .value = error.extrapolated.*moment,
+                 .min_scale = std::max(0.1, std::abs(error.extrapolated.*size))});
   }
 }
 
 }  // namespace
 
-transform::Observations observations(const Summary& summary) {
-  Observer observer;
-  observer.result("nx", counted(summary.nx))
-      .result("nv", counted(summary.nv))
+transform::Metrics metrics(const Summary& summary) {
+  MetricBuilder builder;
+  builder.result("nx", count_value(summary.nx))
+      .result("nv", count_value(summary.nv))
       .result("refinement", summary.refinement)
       .result("origin_refinement", summary.origin_refinement)
       .result("x1_max", summary.x1_max)
       .result("x2_max", summary.x2_max)
-      .work("nonzeros", counted(summary.nonzeros))
+      .work("nonzeros", count_value(summary.nonzeros))
       .work("leak", summary.leak)
-      .work("steps", counted(summary.steps))
-      .work("factorisations", counted(summary.factorisations))
-      .work("rhs_evaluations", counted(summary.rhs_evaluations))
-      .work("krylov_iterations", counted(summary.krylov_iterations))
-      .work("factor_entries", counted(summary.factor_entries))
+      .work("steps", count_value(summary.steps))
+      .work("factorisations", count_value(summary.factorisations))
+      .work("rhs_evaluations", count_value(summary.rhs_evaluations))
+      .work("krylov_iterations", count_value(summary.krylov_iterations))
+      .work("factor_entries", count_value(summary.factor_entries))
       .work("factor_seconds", summary.factor_seconds)
       .work("krylov_seconds", summary.krylov_seconds)
       .work("residual", summary.residual)
@@ -57,19 +60,19 @@ transform::Observations observations(const Summary& summary) {
       .result("regularisation_length", summary.regularisation_length)
       .result("growth_rate", summary.growth_rate)
       .result("growth_wavenumber", summary.growth_wavenumber);
-  observe_faint(observer, "wall_density.y", summary.wall.x1);
-  observe_faint(observer, "wall_density.ydot", summary.wall.x2);
-  if (std::isfinite(summary.impact_rate)) observer.result("impact_rate", summary.impact_rate);
-  observe(observer, summary.balances);
+  observe_faint(builder, "wall_density.y", summary.wall.x1);
+  observe_faint(builder, "wall_density.ydot", summary.wall.x2);
+  if (std::isfinite(summary.impact_rate)) builder.result("impact_rate", summary.impact_rate);
+  add_metrics(builder, summary.balances);
   if (summary.transport == Transport::characteristics) {
-    observer.result("transport", std::string(name(summary.transport)))
-        .work("visits", counted(summary.visits))
+    builder.result("transport", std::string(name(summary.transport)))
+        .work("visits", count_value(summary.visits))
         .result("rest_mass", summary.rest_mass);
   } else {
-    observer.result("order", counted(summary.order));
+    builder.result("order", count_value(summary.order));
   }
-  if (summary.error) observe(observer, *summary.error);
-  return std::move(observer).take();
+  if (summary.error) add_metrics(builder, *summary.error);
+  return std::move(builder).take();
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "fd_fpk/applicability.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
-#include "fd_fpk/offered.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
@@ -26,20 +26,21 @@ namespace {
 
 using transform::Status;
 
-// Deviations of the start that the box holds, and cells to one of them at least.
-constexpr double kStartBox = 6;
-constexpr double kStartCells = 5;
+// Half-width of the box in standard deviations of the initial density, and the least number of
+// cells per standard deviation.
+constexpr double kInitialBoxDeviations = 6;
+constexpr double kCellsPerDeviation = 5;
 
-// The start after the options, in the problem's frame.
-Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales,
-                  const TransientOptions& transient) {
+// The initial Gaussian of the options, in wall coordinates.
+Gaussian initial_density(const problem::Problem& problem, const problem::Scales& scales,
+                         const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
   Gaussian start{
       .displacement_deviation =
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
-      .mean_displacement = problem::of_the_paper(problem) ? 0 : scales.centre};
-  // In a symmetric well it is 0 but for rounding.
+      .mean_displacement = problem::is_paper_oscillator(problem) ? 0 : scales.centre};
+  // In a symmetric well the mean is 0 except for rounding.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;
@@ -51,40 +52,43 @@ Gaussian start_of(const problem::Problem& problem, const problem::Scales& scales
   if ((left && start.mean_displacement < left->position) ||
       (right && start.mean_displacement > right->position)) {
     throw InputError(
-        fmt::format("a start in the middle of y = {:.6g} (that is behind a wall: give a "
-                    "start-mean-y between the walls)",
+        fmt::format("start-mean-y = {:.6g}: behind a wall; choose a value between the walls",
                     frame.y(start.mean_displacement)));
   }
   return start;
 }
 
-// The largest v^2/2 + V(y) on the ellipse of kStartBox deviations, as far as walls leave it.
-double most_energy(const problem::System& system, const numerics::Polynomial& potential,
-                   const Gaussian& start) {
+// The largest v^2/2 + V(y), between the walls, on an ellipse of kInitialBoxDeviations standard
+// deviations.
+double max_initial_energy(const problem::System& system, const numerics::Polynomial& potential,
+                          const Gaussian& start) {
   constexpr int kDirections = 120;
   double most = -HUGE_VAL;
   for (int n = 0; n < kDirections; ++n) {
     const double angle = 2 * std::numbers::pi * n / kDirections;
-    double y = start.mean_displacement + kStartBox * start.displacement_deviation * std::cos(angle);
+    double y = start.mean_displacement +
+               kInitialBoxDeviations * start.displacement_deviation * std::cos(angle);
     if (system.left()) y = std::max(y, system.left()->position);
     if (system.right()) y = std::min(y, system.right()->position);
-    const double v = start.mean_velocity + kStartBox * start.velocity_deviation * std::sin(angle);
+    const double v =
+        start.mean_velocity + kInitialBoxDeviations * start.velocity_deviation * std::sin(angle);
     most = std::max(most, v * v / 2 + potential(y));
   }
   return most;
 }
 
-// Holds the stationary density, the start, and what a start at rest or at the wall turns into.
-Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-           const Gaussian& start, const Deadline& deadline) {
+// A box for the stationary density, the initial density, and all states that the initial energy can
+// reach.
+Box transient_box(const problem::Problem& problem, const problem::Scales& scales,
+                  const Options& options, const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
   const problem::UndampedOrbits orbits(problem);
-  const double energy = most_energy(system, orbits.potential(), start);
-  const auto swings = orbits.swings(energy);
+  const double energy = max_initial_energy(system, orbits.potential(), start);
+  const auto half_cycles = orbits.half_cycles(energy);
   if (!options.x1_max) {
-    if (!system.left()) box.x1_min = std::min(box.x1_min, swings.front().left);
-    if (!system.right()) box.x1_max = std::max(box.x1_max, swings.back().right);
+    if (!system.left()) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
+    if (!system.right()) box.x1_max = std::max(box.x1_max, half_cycles.back().right);
   }
   if (!options.x2_max) {
     box.x2_max = std::max(box.x2_max, std::sqrt(2 * (energy - orbits.lowest_potential())));
@@ -92,19 +96,21 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   return box;
 }
 
-// A start narrower than the stationary density wants narrower cells, in both directions: it turns.
-Options resolving(const problem::Problem& problem, const problem::Scales& scales, Options options,
-                  const Lengths& of_stationary, const Gaussian& start) {
-  constexpr double kCells = 6;  // of the automatic grid to a length
-  const Lengths lengths =
-      problem::of_the_paper(problem)
-          ? Lengths{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
+// An initial density narrower than the stationary density needs narrower cells in both directions,
+// since the flow rotates it in the phase plane.
+Options refine_for_start(const problem::Problem& problem, const problem::Scales& scales,
+                         Options options, const LengthScales& of_stationary,
+                         const Gaussian& start) {
+  constexpr double kCells = 6;  // cells of the automatic grid per length scale
+  const LengthScales lengths =
+      problem::is_paper_oscillator(problem)
+          ? LengthScales{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
           : of_stationary;
   const double narrowness =
       std::max(lengths.x1 / start.displacement_deviation, lengths.x2 / start.velocity_deviation);
-  options.refinement *= std::max(1.0, narrowness * kStartCells / kCells);
-  // Steps are short against the oscillation: the narrow cells of an automatic grading would make
-  // the equations stiff for the sake of one point.
+  options.refinement *= std::max(1.0, narrowness * kCellsPerDeviation / kCells);
+  // Time steps are short compared with the period: narrow cells of an automatic grading would make
+  // the equations stiff for the benefit of a single point.
   options.origin_refinement = options.origin_refinement.value_or(1);
   return options;
 }
@@ -118,7 +124,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   Snapshot s{.time = time,
              .moments = physical_moments(frame, grid, averages, order_of(options)),
              .yv = physical_yv(frame, grid, averages, order_of(options))};
-  // U is 0 at y = 0, wherever that is.
+  // U is 0 at y = 0, for any origin of the wall coordinates.
   s.energy =
       mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
   const double energy_rate = mean_energy(system, grid, change, order_of(options));
@@ -128,7 +134,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
                                   averages, order_of(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  // The start is a Gaussian, bounded at the walls.
+  // The initial Gaussian is bounded at the walls.
   s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, order_of(options))
                             : impact_rate(system, on.excitation, options.impact, grid, averages,
                                           change, order_of(options));
@@ -145,82 +151,86 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   return s;
 }
 
-// What is wrong with a density; fills in status and reason.
-void judge(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
-           TransientResult& result) {
+// Sets status and reason where a snapshot violates a limit.
+void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
+                    TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", at.time);
-  if (std::string small = box_objection(frame, grid, at.wall, when); !small.empty()) {
+  if (std::string small = box_failure_reason(frame, grid, at.wall, when); !small.empty()) {
     result.status = Status::failed;
     result.reason = std::move(small);
-  } else if (!kBarsOverTime.allow_density(at.min_density)) {
+  } else if (!kTransientLimits.is_density_accepted(at.min_density)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
-        "at t = {:.4g} the density is negative down to {:.1g} of its peak: grid or time steps do not "
-        "resolve it (refine, start wider, take order 3 or a smaller time tolerance)",
+        "the density at t = {:.4g} is negative, {:.1g} of its peak: insufficient resolution; "
+        "refine the grid, widen the initial density, use order 3, or reduce time-tolerance",
         at.time, at.min_density);
-  } else if (!kBarsOverTime.allow_imbalance(at.power_residual)) {
+  } else if (!kTransientLimits.is_imbalance_accepted(at.power_residual)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
-        "at t = {:.4g} the balance of power is missed by {:.1g} of the input: the grid does not "
-        "resolve the density (refine it, or start wider)",
+        "the power balance at t = {:.4g} has a residual of {:.1g} of the input: insufficient "
+        "resolution; refine the grid or widen the initial density",
         at.time, at.power_residual);
   }
 }
 
-// Cells that are as narrow as the start and the stationary density want, unless there are so many that
-// stepping through time takes minutes: mass that settles in wells, or that rare impulses leave at rest,
-// is narrower than any grid. What the cells then do not resolve, the bars say.
-Discretisation affordable(const problem::Problem& problem, const Box& box, Options& options) {
-  constexpr double kAffordable = 10000;
+// A discretisation that resolves the initial and the stationary density, with at most
+// kMaxTransientCells cells: time steps on more cells take minutes. Mass that concentrates in wells,
+// or at rest under rare impulses, is narrower than any cell; kTransientLimits then detect the
+// insufficient resolution.
+Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
+                                       Options& options) {
+  constexpr double kMaxTransientCells = 10000;
   Discretisation on = discretise(problem, options, box);
-  if (options.nx || options.nv || on.cells <= kAffordable) return on;
-  options.refinement *= std::sqrt(kAffordable / on.cells);
+  if (options.nx || options.nv || on.cells <= kMaxTransientCells) return on;
+  options.refinement *= std::sqrt(kMaxTransientCells / on.cells);
   return discretise(problem, options, box);
 }
 
-void step_through(const problem::Problem& problem, const Options& options,
-                  const TransientOptions& transient, const Gaussian& gaussian,
-                  const Discretisation& on, const FokkerPlanckOperator& op,
-                  Preconditioner& preconditioner, const Deadline& deadline,
-                  TransientResult& result) {
-  constexpr long kMostSteps = 1000000;  // between two snapshots
-  // Of the local error; the rest of it goes into mass that is lost.
+void integrate_in_time(const problem::Problem& problem, const Options& options,
+                       const TransientOptions& transient, const Gaussian& gaussian,
+                       const Discretisation& on, const FokkerPlanckOperator& op,
+                       Preconditioner& preconditioner, const Deadline& deadline,
+                       TransientResult& result) {
+  constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
+  // Tolerance of GMRES as a fraction of the local error. The linear residual shows up as lost mass.
   constexpr double kLinearTolerance = 1e-3;
-  constexpr long kStepsPerFactorisation = 10000;  // L is constant: a new gamma is what asks for one
+  // L is constant: CVODE factors for a new gamma alone.
+  constexpr long kStepsPerFactorisation = 10000;
 
   const Grid& grid = on.grid;
-  const Eigen::VectorXd start = averages_of(gaussian, grid);
-  LinearCvode cvode(within(deadline, linear_system(op, preconditioner)), start,
+  const Eigen::VectorXd start = cell_averages(gaussian, grid);
+  LinearCvode cvode(with_deadline(deadline, linear_system(op, preconditioner)), start,
                     {.max_order = transient.max_order,
                      .relative_tolerance = transient.relative_tolerance,
                      .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
                      .linear_tolerance = kLinearTolerance,
                      .stop_time = transient.until,
-                     .most_steps = kMostSteps,
+                     .max_steps = kMostSteps,
                      .steps_per_factorisation = kStepsPerFactorisation});
 
   result.status = Status::ok;
   for (int n = 0; n <= transient.snapshots && result.status == Status::ok; ++n) {
     const double time =
         n == transient.snapshots ? transient.until : n * (transient.until / transient.snapshots);
-    LinearCvode::Reached to{0, 0};
+    LinearCvode::StepResult to{0, 0};
     try {
       if (n > 0) to = cvode.advance(time);
-    } catch (const OutOfTime&) {
+    } catch (const DeadlineExceeded&) {
       result.status = Status::not_converged;
       result.reason = fmt::format(
-          "max_seconds are over before t = {:.4g} (take more of them, or fewer cells)", time);
+          "t = {:.4g} not reached: max_seconds expired; increase max-seconds or use fewer cells",
+          time);
       break;
     }
     const auto [flag, reached] = to;
     if (flag < 0) {
       result.status = Status::not_converged;
-      result.reason = fmt::format("CVODE stopped at t = {:.4g} on the way to {:.4g} (flag {}): {}",
+      result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
                                   reached, time, flag, cvode.message());
       break;
     }
     result.snapshots.push_back(snapshot(problem, options, on, op, cvode.averages(), time));
-    judge(problem.frame, grid, result.snapshots.back(), result);
+    check_snapshot(problem.frame, grid, result.snapshots.back(), result);
     if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
   }
   result.steps = cvode.steps();
@@ -233,7 +243,7 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
                                   const TransientOptions& transient) {
   const problem::Scales scales = problem::scales(problem);
   const problem::Frame& frame = problem.frame;
-  const Gaussian start = start_of(problem, scales, transient);
+  const Gaussian start = initial_density(problem, scales, transient);
   TransientResult result;
   result.start_displacement = start.displacement_deviation;
   result.start_velocity = start.velocity_deviation;
@@ -241,26 +251,26 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
   result.start_mean_velocity = frame.v(start.mean_velocity);
 
   const Deadline deadline(options.max_seconds);
-  const Box box = box_of(problem, scales, options, start, deadline);
-  Options on_grid = resolving(problem, scales, options, box.lengths, start);
-  const Discretisation on = affordable(problem, box, on_grid);
+  const Box box = transient_box(problem, scales, options, start, deadline);
+  Options on_grid = refine_for_start(problem, scales, options, box.lengths, start);
+  const Discretisation on = discretise_within_limit(problem, box, on_grid);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;
-  if (!on.refusal.empty()) {
-    result.reason = on.refusal;
+  if (!on.failure.empty()) {
+    result.reason = on.failure;
     return result;
   }
-  result.y_edges = transform::y_edges_of(frame, grid.x1.faces());
-  result.v_edges = transform::v_edges_of(frame, grid.x2.faces());
-  const auto posed = posedness(problem, on_grid, on);
-  if (!posed.objection.empty()) {
+  result.y_edges = transform::to_y_edges(frame, grid.x1.faces());
+  result.v_edges = transform::transform_v_edges(frame, grid.x2.faces());
+  const auto posed = check_well_posedness(problem, on_grid, on);
+  if (!posed.ill_posed_reason.empty()) {
     result.status = Status::ill_posed;
-    result.reason = posed.objection;
+    result.reason = posed.ill_posed_reason;
     return result;
   }
   const auto op = fokker_planck_operator(problem, on_grid, on);
   Preconditioner preconditioner(problem, on.excitation, options.impact, grid);
-  step_through(problem, on_grid, transient, start, on, op, preconditioner, deadline, result);
+  integrate_in_time(problem, on_grid, transient, start, on, op, preconditioner, deadline, result);
   return result;
 }
 
@@ -269,9 +279,10 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient) {
   validate(options, transient);
-  const problem::Problem seen = problem::seen_from(problem::frame_of(problem.system), problem);
-  if (const std::string why = objection_over_time(seen, options); !why.empty()) {
-    throw InputError(fmt::format("no density over time ({})", why));
+  const problem::Problem seen =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  if (const std::string why = transient_unsupported_reason(seen, options); !why.empty()) {
+    throw InputError(fmt::format("no density over time: {}", why));
   }
   const Stopwatch stopwatch;
   TransientResult result = integrate_untimed(seen, options, transient);

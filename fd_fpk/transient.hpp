@@ -15,52 +15,53 @@ struct Snapshot {
   double time = 0;
   transform::Moments moments{};
   double yv = 0;      ///< E[y y']
-  double energy = 0;  ///< E[v^2]/2 + E[U(y)], U the spring's potential
-  double power = 0;   ///< input minus dissipation, problem::power: dE/dt if all is right
-  /// What `power` differs by from the dE/dt of dp/dt = L p, relative to D + lambda E[Y^2]/2: an
-  /// error of the grid alone.
+  double energy = 0;  ///< E[v^2]/2 + E[U(y)], with the potential U of the spring
+  /// Input minus dissipation, problem::power; equals dE/dt of the exact equation.
+  double power = 0;
+  /// Difference of `power` and the dE/dt of dp/dt = L p, relative to D + lambda E[Y^2]/2: a
+  /// discretisation error alone.
   double power_residual = 0;
-  double impact_rate = 0;  ///< int |v| p dv into the walls
+  double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
-  double min_density = 0;   ///< relative to the largest
-  WallDensity wall{0, 0};   ///< as relative_wall_density, of the problem in its frame
+  double min_density = 0;   ///< smallest density relative to the largest
+  WallDensity wall{0, 0};   ///< as relative_wall_density, for the problem in wall coordinates
   std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
   std::vector<double> v{};  ///< p(y', t), likewise
 };
 
-/// A density over time, and how it came about.
+/// A density over time and the numerical data of its computation.
 struct TransientResult {
   transform::Status status = transform::Status::failed;
-  std::string reason;             ///< one sentence; never empty unless the status is ok
+  std::string reason;             ///< one sentence; nonempty unless the status is ok
   double seconds = 0;             ///< wall-clock time
-  double start_displacement = 0;  ///< deviations as used
+  double start_displacement = 0;  ///< standard deviations of the initial density, as used
   double start_velocity = 0;
-  double start_mean_displacement = 0;  ///< the middle of the start as used
+  double start_mean_displacement = 0;  ///< means of the initial density, as used
   double start_mean_velocity = 0;
-  std::vector<double> y_edges;  ///< the grid's own
+  std::vector<double> y_edges;  ///< faces of the grid
   std::vector<double> v_edges;
-  std::vector<Snapshot> snapshots;   ///< as far as it went
-  long steps = 0;                    ///< of CVODE
-  long factorisations = 0;           ///< by KLU
-  long rhs_evaluations = 0;          ///< products L P asked for by CVODE
-  long krylov_iterations = 0;        ///< of GMRES, in all
+  std::vector<Snapshot> snapshots;   ///< up to the time at which the integration ended
+  long steps = 0;                    ///< steps of CVODE
+  long factorisations = 0;           ///< factorisations by KLU
+  long rhs_evaluations = 0;          ///< products L P evaluated for CVODE
+  long krylov_iterations = 0;        ///< total iterations of GMRES
   double regularisation_length = 0;  ///< l of km4, else 0
 };
 
-/// p(y, y', t) by the operator of solve() from a Gaussian that is cut off at the walls and has mass
-/// 1 between them: from one of mean zero in the (z, z') plane, where the wall is at y = 0. Time is
-/// stepped by CVODE: BDF of variable step and order, GMRES preconditioned by KLU.
+/// p(y, y', t) by the operator of solve(), from an initial Gaussian truncated at the walls, with
+/// mass 1 between them. The initial Gaussian has mean zero in the (z, z') plane where the wall is
+/// at y = 0. CVODE integrates in time: BDF of variable step and order, GMRES preconditioned by KLU.
 ///
-/// What the options leave free of box and grid is made to hold and to resolve both the stationary
-/// density and the start with all that its energy can turn into, as far as 10 000 cells do. Options::stepper,
-/// residual_tolerance are not used. Options::order must be 3 or 5: other operators have growing
-/// modes.
+/// Box and grid, where the options leave them free, contain and resolve the stationary density and
+/// the initial density with every state that its energy can reach, as far as 10 000 cells suffice.
+/// Options::stepper and residual_tolerance are ignored. Options::order must be 3 or 5: other
+/// operators have growing modes.
 ///
-/// Status: `ok`; `ill_posed` as solve(); `not_converged` when CVODE stopped on the way;
-/// `inadmissible` when the density at some snapshot exceeds kBarsOverTime; `failed` when the box is
-/// too small or the grid would be too large.
-/// @param problem in any coordinates: it is solved in its frame, and what comes out is physical
-/// @throws InputError when the options cannot be used, and as objection_over_time says
+/// Status: `ok`; `ill_posed` as in solve(); `not_converged` when CVODE stops before the end time;
+/// `inadmissible` when the density of a snapshot violates kTransientLimits; `failed` when the box
+/// is too small or the grid would be too large.
+/// @param problem in any coordinates: the solver uses wall coordinates, the result is physical
+/// @throws InputError for invalid options, and where transient_unsupported_reason is not empty
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient);
 

@@ -12,13 +12,14 @@ using namespace base;
 constexpr int kMostSnapshots = 10000;
 constexpr int kHighestBdfOrder = 5;
 
-// Upwind-biased operators of order 3 and 5 have no eigenvalue to the right of the imaginary axis.
-// Centred ones, and the one-sided stencils of order 7 at the walls, do: a march to stationarity
-// with long implicit steps does not see them, accurate steps in time follow them.
+// Upwind-biased operators of orders 3 and 5 have no eigenvalue with a positive real part. Centred
+// operators, and the one-sided stencils of order 7 at the walls, have some. Long implicit steps to
+// stationarity damp these modes; accurate time steps amplify them.
 void require_stable_order(int order) {
   if (order != 3 && order != 5) {
     throw InputError(fmt::format(
-        "finite-difference order {} over time (it has growing modes: use 3 or 5)", order));
+        "order {} of a density over time: the operator has growing modes; use order 3 or 5",
+        order));
   }
 }
 
@@ -28,27 +29,29 @@ Description<TransientOptions> make_transient_description() {
   return Description<T>("fd ")
       .add("until", &T::until,
            {"T",
-            "the density over time, 0 .. T, from a Gaussian start, instead of the stationary "
-            "one"},
+            "density over time, 0 .. T, from an initial Gaussian, instead of the stationary "
+            "density"},
            positive())
       .add("snapshots", &T::snapshots,
-           {"N", fmt::format("with --until: T/N apart (default {})", defaults.snapshots)},
+           {"N",
+            fmt::format("with --until: number of intervals between stored densities (default {})",
+                        defaults.snapshots)},
            between(1, kMostSnapshots))
-      .add(
-          "start_y", &T::start_displacement,
-          {"S",
-           "with --until: deviation of y in the Gaussian start (default: about half the stationary "
-           "one)"},
-          positive())
+      .add("start_y", &T::start_displacement,
+           {"S",
+            "with --until: standard deviation of y at t = 0 (default: about half of the stationary "
+            "deviation)"},
+           positive())
       .add("start_v", &T::start_velocity,
-           {"S", "with --until: deviation of y' in the start (default: likewise)"}, positive())
-      .add("start_mean_y", &T::start_mean_displacement,
-           {"M",
-            "with --until: middle of the start, of which walls cut off what is beyond (default: "
-            "about E[y]; the wall, where there is one at the equilibrium alone)"},
-           any_number())
+           {"S", "with --until: standard deviation of y' at t = 0 (default: likewise)"}, positive())
+      .add(
+          "start_mean_y", &T::start_mean_displacement,
+          {"M",
+           "with --until: mean of y at t = 0, before truncation at the walls (default: about E[y]; "
+           "the wall, if there is just one wall, at the equilibrium)"},
+          finite_number())
       .add("start_mean_v", &T::start_mean_velocity,
-           {"M", "with --until: its velocity (default: 0)"}, any_number())
+           {"M", "with --until: mean of y' at t = 0 (default: 0)"}, finite_number())
       .add("relative_tolerance", &T::relative_tolerance,
            {"R", fmt::format("with --until: local error of a time step relative to the largest "
                              "density (default {:g})",
@@ -62,7 +65,8 @@ Description<TransientOptions> make_transient_description() {
 }  // namespace
 
 const Description<TransientOptions>& transient_description() {
-  // Made elsewhere: where the making stands here, Clang 14 destroys parts of it at every call.
+  // The construction is in a function of its own: Clang 14 destroys parts of the temporaries at
+  // every call when they are in this initialiser.
   static const auto description = make_transient_description();
   return description;
 }
@@ -72,8 +76,8 @@ void validate(const Options& options, const TransientOptions& transient) {
   require_stable_order(order_of(options));
   if (options.tolerance || options.transport == Transport::characteristics) {
     throw InputError(
-        "tolerance or transport characteristics over time (they are for the stationary density: "
-        "leave them out)");
+        "tolerance or transport characteristics with a density over time: both apply to stationary "
+        "densities; leave them out");
   }
   transient_description().validate(transient);
 }

@@ -7,31 +7,32 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// What to integrate over time, and how accurately. Times in the units of the problem.
+/// Options of the density over time. Times are in the units of the problem.
 struct TransientOptions {
-  double until = 0;    ///< T > 0
-  int snapshots = 50;  ///< N: densities are kept at t = 0, T/N, .. T
-  /// Deviations of y and y' in the Gaussian to start from; automatic: half of those of
+  double until = 0;    ///< end time T > 0
+  int snapshots = 50;  ///< N: densities are stored at t = 0, T/N, .. T
+  /// Standard deviations of y and y' of the initial Gaussian; automatic: half of those of
   /// problem::Scales.
   std::optional<double> start_displacement{};
   std::optional<double> start_velocity{};
-  /// Its middle; automatic: in the paper's class the wall (the Gaussian is that of z and z'), else
-  /// the centre of problem::Scales, and no velocity.
+  /// Means of the initial Gaussian; automatic: mean velocity 0, and mean displacement at the wall
+  /// in the paper's class (a Gaussian of z and z'), else at the centre of problem::Scales.
   std::optional<double> start_mean_displacement{};
   std::optional<double> start_mean_velocity{};
-  /// Local error of a step, relative to the largest density.
+  /// Tolerance of the local error of a step, relative to the largest density.
   double relative_tolerance = 1e-6;
-  /// Highest order of BDF, 1 .. 5. Only up to 2 is it stable on the whole imaginary axis, close to
-  /// which the eigenvalues of the turning oscillator lie.
+  /// Highest order of BDF, 1 .. 5. Orders above 2 are unstable on part of the imaginary axis, next
+  /// to which the eigenvalues of the rotating oscillator lie.
   int max_order = 2;
-  /// Told the fraction of the time that is done; may be empty.
+  /// Called with the completed fraction of the time; may be empty.
   std::function<void(double)> progress{};
 };
 
-/// The options as files and the command line name them; all of them belong to --until.
+/// Names, help texts and ranges of the options, in files and on the command line; all belong to
+/// --until.
 const base::Description<TransientOptions>& transient_description();
 
-/// @throws InputError on the first option that cannot be used for a density over time
+/// @throws InputError for the first option that is invalid for a density over time
 void validate(const Options& options, const TransientOptions& transient);
 
 }  // namespace fpkcheck::fd_fpk

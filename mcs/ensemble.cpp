@@ -9,26 +9,26 @@
 
 #include "base/input_error.hpp"
 #include "mcs/estimate/estimate.hpp"
-#include "mcs/motion/start.hpp"
+#include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
+#include "mcs/simulation/parallel_for.hpp"
 #include "mcs/simulation/plan.hpp"
-#include "mcs/simulation/workers.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-// Sums are made within shares of the ensemble and then over the shares in their order, so that
-// nothing depends on the number of threads.
+// Fixed shares of the trajectories are summed first, then the shares in their order. The
+// floating-point result is therefore independent of the number of threads.
 constexpr std::uint32_t kShares = 64;
 
-// The bins of a variable; none where it has no edges.
+// The bins of a variable; empty where no edges are set.
 using Bins = std::optional<BinFinder>;
 
-/// What a share of the ensemble saw at one time.
+/// Sums over one share of the trajectories at one time.
 struct Sums {
   transform::Moments first{}, second{};  // sums of the powers, and of their squares
-  std::vector<std::uint64_t> y{}, v{};   // counts, with one bin more on either side
+  std::vector<std::uint64_t> y{}, v{};   // counts, with one outer bin on either side
 
   Sums(const Bins& y_bins, const Bins& v_bins)
       : y(y_bins ? y_bins->bins() + 2 : 0), v(v_bins ? v_bins->bins() + 2 : 0) {}
@@ -61,12 +61,13 @@ std::vector<Sums> run_share(const problem::Problem& problem, const EnsembleOptio
   std::vector<Sums> sums(options.times.size(), Sums(y_bins, v_bins));
   for (std::uint32_t n = share; n < options.trajectories; n += kShares) {
     ImpulseSource source(excitation, options.seed, n);
-    const State start = folded_start(source, options.start_displacement, options.start_velocity);
+    const State start =
+        folded_initial_state(source, options.start_displacement, options.start_velocity);
     Trajectory trajectory(oscillator, source, start, kAutomaticStep);
-    NoWitness no_witness;
+    NullObserver no_observer;
     double time = 0;
     for (std::size_t k = 0; k < options.times.size(); ++k) {
-      trajectory.advance(options.times[k] - time, no_witness);
+      trajectory.advance(options.times[k] - time, no_observer);
       time = options.times[k];
       sums[k].add(trajectory.state(), y_bins, v_bins);
     }
@@ -111,17 +112,18 @@ void validate(const EnsembleOptions& options) {
   constexpr std::uint32_t kFewest = 100;
   for (const double deviation : {options.start_displacement, options.start_velocity}) {
     require(std::isfinite(deviation) && deviation >= 0,
-            fmt::format("deviation {} of the start (must be 0 or a positive number)", deviation));
+            fmt::format("initial standard deviation {}: out of range; use 0 or a positive number",
+                        deviation));
   }
   require(
       !options.times.empty() && options.times.front() >= 0 && std::isfinite(options.times.back()) &&
           std::ranges::adjacent_find(options.times, std::greater_equal<>{}) == options.times.end(),
-      fmt::format("{} times of an ensemble (must be increasing, from 0 or later)",
+      fmt::format("{} ensemble times: not increasing from 0 or later; sort the times",
                   options.times.size()));
   require(options.trajectories >= kFewest,
-          fmt::format("{} trajectories (standard errors need at least {})", options.trajectories,
-                      kFewest));
-  // What both fronts have is described once.
+          fmt::format("{} trajectories: too few for standard errors; use at least {}",
+                      options.trajectories, kFewest));
+  // Simulation and ensemble share these options, their ranges and their messages.
   mcs::validate({.seed = options.seed, .threads = options.threads});
   if (!options.y_edges.empty()) require_edges("y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("v_edges", options.v_edges);
@@ -134,16 +136,16 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
   validate(options);
   const problem::System& system = problem.system;
   require(system.left() && system.left()->position == 0 && !system.right() &&
-              system.damping_is_constant() && problem.impulses.present() &&
-              !problem.noise.present(),
-          "ensembles have one wall at y = 0 on the left, damping c y' and impulses alone (simulate "
-          "the stationary law, or leave out what else there is)");
+              system.damping_is_constant() && problem.impulses.is_present() &&
+              !problem.noise.is_present(),
+          "unsupported ensemble: needs one left wall at y = 0, damping c y' and impulses only; "
+          "simulate the stationary law");
   const auto bins = [](const std::vector<double>& edges) {
     return edges.empty() ? Bins() : Bins(edges);
   };
   const Bins y_bins = bins(options.y_edges), v_bins = bins(options.v_edges);
   std::vector<std::vector<Sums>> shares(kShares);
-  share_work(number_of_threads(options.threads), kShares, [&](std::size_t s) {
+  parallel_for(number_of_threads(options.threads), kShares, [&](std::size_t s) {
     shares[s] = run_share(problem, options, y_bins, v_bins, static_cast<std::uint32_t>(s));
   });
   std::vector<EnsembleSnapshot> snapshots;

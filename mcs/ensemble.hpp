@@ -13,35 +13,37 @@ struct Problem;
 
 namespace fpkcheck::mcs {
 
-/// Independent trajectories from a common random start, watched at given times: what a transient
-/// solution of a density equation is compared with.
+/// Independent trajectories from a common random initial law, observed at fixed times. The ensemble
+/// is the reference for transient solutions of a density equation.
 struct EnsembleOptions {
-  /// Deviations of z and z' at t = 0: independent Gaussians of mean zero, folded to y >= 0.
+  /// Standard deviations of z and z' at t = 0: independent Gaussians of mean zero, folded to y >=
+  /// 0.
   double start_displacement = 0;
   double start_velocity = 0;
-  std::vector<double> times{};  ///< increasing, from 0 or later
+  std::vector<double> times{};  ///< increasing, the first one 0 or later
   std::uint32_t trajectories = 100000;
   std::uint64_t seed = 1;
-  /// Automatic: one per processor. The results do not depend on it.
+  /// Default: one per processor. The results are independent of the number of threads.
   std::optional<int> threads{};
-  /// Bin edges for the marginals, increasing; empty for none.
+  /// Bin edges of the marginals, increasing; empty: no marginals.
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};
 };
 
-/// The ensemble at one time.
+/// Statistics of the ensemble at one time.
 struct EnsembleSnapshot {
   double time = 0;
   transform::Moments moments{};
   transform::Moments standard_errors{};
-  /// Bin averages with 95 % intervals, normalised by all trajectories; empty without edges.
+  /// Bin averages with 95 % intervals, normalised by the number of all trajectories; empty without
+  /// edges.
   transform::Marginal y{};
   transform::Marginal v{};
 };
 
-/// Simulates the impact system itself, paper (1)-(2), from t = 0, each trajectory from random
-/// numbers of its own. The same seed gives the same result for any number of threads.
-/// @throws InputError on one line: the option, its value and what is allowed
+/// Simulates the impact system, paper (1)-(2), from t = 0. Each trajectory has its own random
+/// numbers. A seed gives the same result for any number of threads.
+/// @throws InputError in one line: the option, its value and the allowed range
 std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
                                                 const EnsembleOptions& options);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kFewestStreams = 8;
 constexpr int kMostStreams = 4096;
 constexpr int kMostThreads = 1024;
-// The series of order Flight::kOrder loses its accuracy beyond.
+// Beyond this length the Taylor series of order Flight::kOrder loses its accuracy.
 constexpr double kLongestStep = 1.2;
 constexpr double kLongestWhiteStep = 0.5;
 constexpr double kShortestStep = 1e-4;
@@ -36,53 +36,53 @@ const Description<Options>& description() {
   static const auto description =
       Description<Options>("mcs.")
           .add("equation", &Options::equation,
-               {"E", "kf: the impulses; white: Gaussian white noise of the same intensity"})
+               {"E",
+                "excitation: kf, the impulses; white, Gaussian white noise of the same "
+                "intensity"})
           .with_choices(names_of_equations())
-          .add(
-              "time", &Options::time,
-              {"T",
-               "simulated time over all streams (default: enough for the table to mean something)"},
-              positive())
-          .add("samples", &Options::samples,
-               {"N", "go on until E[y'^2] is known as well as from N independent samples"},
+          .add("time", &Options::time,
+               {"T",
+                "simulated time over all streams (default: 1.6e6 decay times, or about a minute)"},
                positive())
-          .add(
-              "target_error", &Options::target_error,
-              {"E",
-               "go on until the relative standard errors of E[y^2] and E[y'^2] and the expected L1 "
-               "errors of the densities are below E"},
-              strictly_between(0, 1))
-          .add(
-              "accuracy", &Options::accuracy,
-              {"L1",
-               "largest error of p(y) and of p(y') by chance, in 99 runs of 100, that is ok, in L1"},
-              positive().because("no simulation is exact"))
-          .with_fallback(Options{}.accuracy)
+          .add("samples", &Options::samples,
+               {"N", "simulate until E[y'^2] is as precise as from N independent samples"},
+               positive())
+          .add("target_error", &Options::target_error,
+               {"E",
+                "simulate until the relative standard errors of E[y^2] and E[y'^2] and the "
+                "expected L1 sampling errors of the densities are below E"},
+               strictly_between(0, 1))
+          .add("accuracy", &Options::accuracy,
+               {"L1",
+                "tolerance for the L1 sampling errors of p(y) and p(y'), of which it limits the "
+                "99 % quantile"},
+               positive().with_reason("no simulation is exact"))
+          .with_default(Options{}.accuracy)
           .add("seed", &Options::seed,
                {"S",
-                "seed of the simulation; the same seed gives the same result for any number of "
+                "seed of the random numbers; a seed gives the same result for any number of "
                 "threads"},
-               not_negative())
+               non_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, kMostThreads))
-          .add("streams", &Options::streams, {"N", "independent streams"},
+          .add("streams", &Options::streams, {"N", "number of independent streams"},
                between(kFewestStreams, kMostStreams)
-                   .because("standard errors come from the differences between streams"))
+                   .with_reason("standard errors come from the differences between streams"))
           .add("step", &Options::step,
-               {"RAD", "longest Taylor step in radians of the fastest motion (default 0.9)"},
+               {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
                between(kShortestStep, kLongestStep))
-          .add(
-              "white_step", &Options::white_step,
-              {"RAD",
-               "time between the kicks that make up white noise, in radians (default 0.05; 0.2 of other "
-               "oscillators than the paper's, where every wall keeps 0.6 of the speed)"},
-              between(kShortestStep, kLongestWhiteStep))
-          .add("tails", &Options::tails, {"", "importance splitting: resolve the far tails"})
+          .add("white_step", &Options::white_step,
+               {"RAD",
+                "interval between the kicks that approximate white noise, in radians (default "
+                "0.05; outside the paper's class 0.2 if every restitution coefficient is at least "
+                "0.6)"},
+               between(kShortestStep, kLongestWhiteStep))
+          .add("tails", &Options::tails, {"", "resolve the far tails by importance splitting"})
           .add("controlled", &Options::controlled,
                {"",
-                "take the noise out by control functions, as `run` does: moments to about 1e-9, "
+                "reduce the variance by control variates, as `run` does: moments to about 1e-9, "
                 "densities in smooth bins to 1e-6"})
-          .with_fallback(false);
+          .with_default(false);
   return description;
 }
 
@@ -90,18 +90,20 @@ void validate(const Options& options) {
   description().validate(options);
   if (std::ranges::find(kEquations, options.equation) == std::end(kEquations)) {
     throw InputError(
-        fmt::format("mcs.equation = {} (the simulation has kf, the impulses, and white, Gaussian "
-                    "white noise in their place)",
+        fmt::format("mcs.equation = {}: not supported by the simulation; use kf (impulses) or "
+                    "white (Gaussian white noise)",
                     name(options.equation)));
   }
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
   if (options.deposit) require_grid(*options.deposit);
   if (options.deposit && (options.equation != Equation::kf || options.tails)) {
-    throw InputError("mcs.deposit with white noise or tails (it has impulses, unsplit) leave it");
+    throw InputError(
+        "mcs.deposit with white noise or tails: deposits need impulses without "
+        "splitting; omit mcs.deposit");
   }
   if (!options.y_edges.empty() && options.y_edges.front() != 0) {
-    throw InputError(fmt::format("mcs.y_edges from {} (y >= 0 begins at the wall; start them at 0)",
+    throw InputError(fmt::format("mcs.y_edges from {}: the wall is at y = 0; start the edges at 0",
                                  options.y_edges.front()));
   }
 }

@@ -17,9 +17,9 @@
 #include "mcs/estimate/quantiles.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
-#include "mcs/go_on.hpp"
+#include "mcs/run_until.hpp"
 #include "mcs/simulation/checkpoint.hpp"
-#include "mcs/simulation/pilot.hpp"
+#include "mcs/simulation/pilot_runs.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/inelastic_collapse.hpp"
@@ -50,7 +50,7 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   set(&Moments::v4, 0, 4);
 }
 
-/// E[y' f(y, y')].
+/// Mean damping power E[y' f(y, y')].
 double damping_power(const problem::System& system, const Simulation& simulation,
                      const StreamRecord& r) {
   const auto& c = system.damping_polynomial();
@@ -66,10 +66,11 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   const auto right = [&](const StreamRecord& r, double GeneralSums::*sum) {
     return r.general ? (*r.general).*sum / simulation.stream_time() : 0.0;
   };
-  result.summary.impacts_accumulate = general && general->rests;
+  result.summary.impacts_accumulate = general && general->has_contact_atoms;
   result.summary.impact_rate = weights.estimate(each(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
-  // Linear in the averages: the average of the streams' own residuals.
+  // The residual is linear in the averages: its estimate is the weighted mean of the streams'
+  // residuals.
   const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
     return problem::energy_residual(
         problem, problem::Impact::exact,
@@ -83,8 +84,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
 
-/// Both differences are linear in the averages, like that of power, so that chance leaves no bias;
-/// they become relative by the averages over all streams.
+/// Sets the residuals of the virial and momentum balances. Both are linear in the averages, as the
+/// balance of power, and so have no sampling bias. The averages over all streams scale them.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.force();
@@ -94,18 +95,20 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   const auto right_momentum = [&](const StreamRecord& r) {
     return r.general ? r.general->right_speed / simulation.stream_time() : 0.0;
   };
-  // Of impacts that accumulate: what they bring is counted, and rest itself is none.
-  const auto held = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->rests) return 0.0;
+  // Mean contact force of the mass at rest. The sums over impacts hold the momentum of accumulating
+  // impacts already.
+  const auto contact_force_at_rest = [&](const StreamRecord& r) {
+    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralOscillator& o = simulation.plan().general->oscillator;
-    return (o.left.pressing * r.general->rest_left - o.right.pressing * r.general->rest_right) /
+    return (o.left.contact_force * r.general->rest_left -
+            o.right.contact_force * r.general->rest_right) /
            simulation.stream_samples();
   };
-  // What holds the mass at rest on the right, at y = b, takes the force from the virial.
+  // Virial of the contact force that holds the mass at rest on the right wall, y = b.
   const auto virial_at_rest = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->rests) return 0.0;
+    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralWall& wall = simulation.plan().general->oscillator.right;
-    return wall.position * std::max(wall.pressing, 0.0) * r.general->rest_right /
+    return wall.position * std::max(wall.contact_force, 0.0) * r.general->rest_right /
            simulation.stream_samples();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
@@ -123,7 +126,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
         return problem::virial_balance(
             problem, {.mean_displacement = moment(simulation, r, 1, 0),
                       .mean_square_velocity = moment(simulation, r, 0, 2),
-                      .mean_virial = mean_of(simulation, r, virial) + virial_at_rest(r),
+                      .mean_virial = polynomial_mean(simulation, r, virial) + virial_at_rest(r),
                       .right_momentum = right_momentum(r),
                       .mean_y_cubed_velocity = moment(simulation, r, 1, 3)});
       },
@@ -131,16 +134,16 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   set(
       [&](const StreamRecord& r) {
         return problem::momentum_balance(
-            problem, {.mean_force = mean_of(simulation, r, force),
+            problem, {.mean_force = polynomial_mean(simulation, r, force),
                       .impact_momentum = r.impact_speed / simulation.stream_time(),
                       .right_momentum = right_momentum(r),
                       .mean_cubed_velocity = moment(simulation, r, 0, 3),
-                      .held_at_rest = held(r)});
+                      .contact_momentum_rate = contact_force_at_rest(r)});
       },
       &transform::BalanceResiduals::momentum);
 }
 
-/// Whether the impulses followed their law, before the weights set it right.
+/// Compares the drawn impulses with their law, before the weights remove the difference.
 void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   const auto excess = plain_estimate(excess_powers(simulation));
   const double input = simulation.plan().excitation.power;
@@ -148,7 +151,7 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   summary.excess_power_error = excess.standard_error / input;
 }
 
-/// What the samples are worth without the weights, and what the weights add.
+/// Effective samples without the weights, and the variance reduction by the weights.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio = plain_estimate(moments(simulation, p, q)).standard_error / error;
@@ -163,8 +166,8 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-/// Share of the samples beyond the bins.
-double outside(const Simulation& simulation, const StreamWeights& weights) {
+/// Fraction of the samples beyond the bins.
+double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const Plan& plan = simulation.plan();
   const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
     const auto rows = record.histogram.row_sums();
@@ -178,20 +181,20 @@ double outside(const Simulation& simulation, const StreamWeights& weights) {
   return std::max(0.0, weights.estimate(beyond).mean);
 }
 
-/// In the coordinates of the frame, as the density.
+/// Sets the atoms in wall coordinates, as the density.
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   const auto& general = simulation.plan().general;
-  if (!general || !general->rests) return;
+  if (!general || !general->has_contact_atoms) return;
   const auto add = [&](const GeneralWall& wall, double GeneralSums::*rest) {
-    if (!(wall.stands && wall.pressing > 0 && wall.restitution < 1)) return;
+    if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
     const Estimate p = weights.estimate(each(simulation.streams(), [&](const StreamRecord& r) {
       return (*r.general).*rest / simulation.stream_samples();
     }));
     solution.atoms.push_back({.y = wall.position,
                               .probability = p.mean,
                               .standard_error = p.standard_error,
-                              .stated_error = {}});
+                              .error_estimate = {}});
   };
   add(general->oscillator.left, &GeneralSums::rest_left);
   add(general->oscillator.right, &GeneralSums::rest_right);
@@ -208,28 +211,29 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   };
   const SamplingL1 y = marginal(Variable::y), ydot = marginal(Variable::ydot);
   solution.sampling = transform::SamplingError{
-      .y = y.expected, .ydot = ydot.expected, .y_99 = y.in_99, .ydot_99 = ydot.in_99};
+      .y = y.expected, .ydot = ydot.expected, .y_99 = y.quantile_99, .ydot_99 = ydot.quantile_99};
   auto joint = estimate_joint_density(simulation, weights);
   estimate_atoms(simulation, weights, solution);
   solution.mass = transform::mass(joint.density);
   for (const auto& atom : solution.atoms) solution.mass += atom.probability;
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
-  summary.outside = outside(simulation, weights);
-  if (solution.atoms.empty()) {  // they are jumps of the distribution functions
+  summary.outside_fraction = outside_fraction(simulation, weights);
+  if (solution.atoms.empty()) {  // an atom is a jump of the distribution function
     summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
   }
   summary.crossings = estimate_crossings(simulation, weights);
-  // Under white noise there are infinitely many; of what is mirrored they are the minima.
+  // White noise causes infinitely many maxima. In a mirrored frame the counted maxima are minima of
+  // y.
   const Plan& plan = simulation.plan();
-  const bool noisy = plan.general && plan.general->kicks.present();
+  const bool noisy = plan.general && plan.general->kicks.is_present();
   if (!noisy && !plan.frame.mirrored) {
     summary.peaks = estimate_peaks(simulation, weights);
   }
 }
 
-void describe(const Simulation& simulation, Summary& summary) {
+void fill_summary(const Simulation& simulation, Summary& summary) {
   const Plan& plan = simulation.plan();
   summary.time = simulation.stream_time() * plan.streams;
   summary.samples =
@@ -242,8 +246,8 @@ void describe(const Simulation& simulation, Summary& summary) {
   if (plan.excitation.arrivals == Excitation::Arrivals::even) {
     summary.kick_interval = plan.excitation.interval;
   }
-  if (plan.general && plan.general->kicks.present()) {
-    summary.kick_interval = plan.general->kicks.longest;
+  if (plan.general && plan.general->kicks.is_present()) {
+    summary.kick_interval = plan.general->kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
   summary.rounds = simulation.rounds();
@@ -266,7 +270,7 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   return all;
 }
 
-/// Why the burn-in is too short; empty where it is not.
+/// Why the burn-in is too short; empty where its length suffices.
 std::string burn_in_reason(const Plan& plan, const Options& options) {
   const auto text = [&](const std::string& cause, const char* action) {
     return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
@@ -274,29 +278,32 @@ std::string burn_in_reason(const Plan& plan, const Options& options) {
   };
   switch (plan.burn_in_limit) {
     case BurnInLimit::impulses:
-      return text(fmt::format("impulses are frequent against the decay ({:.2g} per unit time)",
+      return text(fmt::format("impulses are frequent relative to the decay ({:.2g} per unit time)",
                               1 / plan.excitation.interval),
-                  options.tails ? "give more --time"
-                                : "give more --time, or simulate their limit (--equation white)");
+                  options.tails ? "increase --time"
+                                : "increase --time, or use white noise (--equation white)");
     case BurnInLimit::wells:
-      return text("the wells are rarely left, and their masses may be those of the start",
-                  "give more --time");
+      return text(
+          "transitions between the wells are rare, and their masses may still be the "
+          "initial ones",
+          "increase --time");
     case BurnInLimit::decay:
-      return text("the motion loses its energy slowly", "give more --time");
+      return text("the energy decays slowly", "increase --time");
     case BurnInLimit::none:
       break;
   }
   return "";
 }
 
-/// @param unreached why the simulation did not come to what was asked for; empty when it did
-void judge(const Plan& plan, const Options& options, const Summary& summary,
-           transform::Solution& solution, const std::string& unreached) {
-  constexpr std::uint64_t kFewestImpulses = 10;  // of a stream
+/// @param unreached_reason why the simulation did not reach its goal; empty where it did
+void set_status(const Plan& plan, const Options& options, const Summary& summary,
+                transform::Solution& solution, const std::string& unreached_reason) {
+  constexpr std::uint64_t kFewestImpulses = 10;  // per stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
-  solution.status = unreached.empty() ? transform::Status::ok : transform::Status::not_converged;
-  solution.reason = unreached;
+  solution.status =
+      unreached_reason.empty() ? transform::Status::ok : transform::Status::not_converged;
+  solution.reason = unreached_reason;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
   if (plan.burn_in_limit != BurnInLimit::none) {
     solution.status = transform::Status::not_converged;
@@ -305,19 +312,19 @@ void judge(const Plan& plan, const Options& options, const Summary& summary,
   const bool has_impulses = std::isfinite(plan.excitation.interval);
   if (has_impulses && summary.impulses < kFewestImpulses * streams) {
     solution.status = transform::Status::not_converged;
-    solution.reason = fmt::format(
-        "only {} impulses came in {} streams (errors cannot be told from so few) give more --time",
-        summary.impulses, summary.streams);
+    solution.reason =
+        fmt::format("only {} impulses in {} streams: too few for standard errors; increase --time",
+                    summary.impulses, summary.streams);
   }
   if (!finite || !(solution.mass > 0)) {
     solution.status = transform::Status::failed;
     solution.reason =
-        "the trajectories left the range of numbers, or the histogram altogether (is the problem "
-        "scaled sensibly?)";
+        "no finite density: trajectories left the histogram or the range of floating-point "
+        "numbers; rescale the problem";
   }
 }
 
-/// All that the streams tell, but for how the solution ended.
+/// Sets all estimates; set_status() sets the status.
 void estimate(const problem::Problem& problem, const Simulation& simulation, Result& result) {
   const StreamWeights weights(excess_powers(simulation));
   result.solution.standard_errors.emplace();
@@ -327,15 +334,15 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
   estimate_excess_power(simulation, result.summary);
   estimate_efficiency(simulation, result);
   estimate_densities(simulation, weights, result);
-  describe(simulation, result.summary);
+  fill_summary(simulation, result.summary);
 }
 
-void require_shareable(const Options& options) {
+void require_valid_team_options(const Options& options) {
   if (options.team.parts == 1) return;
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
     throw InputError(fmt::format(
-        "mcs {} with several processes (their parts are of one length, --time: leave it out)",
+        "mcs {} with several processes: all of them simulate the same --time; omit the option",
         option));
   };
   refuse(options.target_error.has_value(), "--target-error");
@@ -344,8 +351,8 @@ void require_shareable(const Options& options) {
   refuse(!options.resume.empty(), "--resume");
 }
 
-/// Brings the streams of all parts to the first one.
-/// @return whether this is it
+/// Collects the streams of all processes in the first one.
+/// @return whether this process is the first one
 bool gather(const Team& team, Simulation& simulation) {
   if (team.parts == 1) return true;
   std::ostringstream own;
@@ -361,22 +368,23 @@ bool gather(const Team& team, Simulation& simulation) {
 }  // namespace
 
 void require_accuracy(const Options& options, transform::Solution& solution) {
-  const auto& sampling = transform::best_sampling(solution);
+  const auto& sampling = transform::best_sampling_error(solution);
   if (!solution.is_ok() || !sampling) return;
   const double y = sampling->y_99.value_or(0), ydot = sampling->ydot_99.value_or(0);
   if (y <= options.accuracy && ydot <= options.accuracy) return;
   solution.status = transform::Status::inaccurate;
   solution.reason = fmt::format(
-      "the errors by chance exceed the accuracy {:g}: 1 run of 100 is off by more than L1 {:.2g} in "
-      "p(y) or {:.2g} in p(y'); give more --time",
+      "sampling errors above the accuracy {:g}: their 99 % quantiles are L1 {:.2g} in p(y) and "
+      "{:.2g} in p(y'); increase --time",
       options.accuracy, y, ydot);
 }
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
   const Plan plan = make_plan(problem, options);
-  require_shareable(options);
+  require_valid_team_options(options);
   if (plan.general) return;
-  if (!problem::collapse_objection(problem, options.equation).empty()) return;  // it fails
+  if (!problem::collapse_unsupported_reason(problem, options.equation).empty())
+    return;  // status failed
   [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
 
@@ -387,11 +395,11 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& summary = result.summary;
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
-  require_shareable(options);
-  // Kicks at even times would part the particle from the wall after each interval: an answer that
-  // depends on the interval and tends to no motion that is stated.
-  solution.reason = problem::collapse_objection(problem, options.equation);
-  if (!solution.reason.empty()) return result;  // failed
+  require_valid_team_options(options);
+  // Kicks at even times would lift the particle off the wall after each interval. The result would
+  // depend on the interval and converge to no defined motion.
+  solution.reason = problem::collapse_unsupported_reason(problem, options.equation);
+  if (!solution.reason.empty()) return result;  // status failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);
@@ -407,10 +415,10 @@ Result solve(const problem::Problem& problem, const Options& options) {
   } else {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
-  auto [unreached, interrupted] = go_on(simulation, options, checkpoints, fingerprint);
+  auto [unreached_reason, interrupted] = run_until(simulation, options, checkpoints, fingerprint);
 
   if (!gather(options.team, simulation)) {
-    solution.reason = "its part went to the first process";
+    solution.reason = "the first process has the result";
     return result;
   }
 
@@ -419,15 +427,15 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (plan.deposit) summary.deposits = deposits(simulation);
   if (splitting) {
     summary.thresholds = splitting->thresholds();
-    if (summary.thresholds.empty() && unreached.empty()) {
-      unreached =
-          "no energies were found at which to split, too few impulses in the pilot runs (simulate "
-          "without --tails, or with more --streams)";
+    if (summary.thresholds.empty() && unreached_reason.empty()) {
+      unreached_reason =
+          "no splitting thresholds: too few impulses in the pilot runs; omit --tails, or "
+          "increase --streams";
     }
   }
-  judge(plan, options, summary, solution, unreached);
+  set_status(plan, options, summary, solution, unreached_reason);
   if (!options.controlled) require_accuracy(options, solution);
-  solution.observations = observations(summary);
+  solution.metrics = metrics(summary);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -10,36 +10,40 @@ struct Problem;
 
 namespace fpkcheck::mcs {
 
-/// A simulated density and how it came about.
+/// A simulated density and the statistics of its simulation.
 struct Result {
   /// The joint histogram as a GridDensity, and the marginals of y and y' on the same edges with 95
-  /// % intervals. Normalised by all samples: `mass` is 1 minus what fell outside the histogram.
-  /// Moments come from the samples, not from the histogram. The expected L1 distance of a marginal
-  /// to the exact one by chance is the sum over bins of sqrt(2/pi) * standard error * width.
+  /// % intervals. All samples normalise them: `mass` is 1 minus the fraction outside the histogram.
+  /// Moments are sample averages, not moments of the histogram. The expected L1 sampling error of a
+  /// marginal is the sum over bins of sqrt(2/pi) * standard error * width.
   transform::Solution solution;
   Summary summary;
 };
 
-/// Simulates `options.streams` independent realisations, each from the equivalent-linearisation
-/// Gaussian folded to y >= 0 and past a burn-in of 20 decay times of the slowest mode, and averages
-/// over them with the weights of StreamWeights. Of any other oscillator than the paper's they begin by
-/// the averaged law (GeneralStart), with each well its mass. Problems come in their frame
-/// (problem/frame.hpp): densities, marginals and atoms are in its coordinates; moments, quantiles and
-/// levels are physical. The same seed gives the same result, bit for bit,
-/// for any number of threads, of lanes and of interruptions. A simulation that ends before what was
-/// asked for is reached has the status not_converged, and so has one whose burn-in is below 5 decay
-/// times (BurnInLimit). White noise at a restitution at
-/// which impacts accumulate (problem/inelastic_collapse.hpp) is not simulated: failed, without a
-/// density.
-/// @throws InputError as validate(), for springs that Oscillator refuses, for a checkpoint that
-///         cannot be read, and for one that could never be written
+/// Simulates `options.streams` independent realisations and averages them with the weights of
+/// StreamWeights. In the paper's class a realisation starts from the Gaussian of equivalent
+/// linearisation, folded to y >= 0. Its burn-in is 20 decay times of the slowest mode. Outside that
+/// class the initial states follow the energy-averaged law, with the mass of each well
+/// (InitialStateSampler).
+///
+/// Problems are in wall coordinates (problem/frame.hpp), and so are densities, marginals and atoms.
+/// Moments, quantiles and crossing levels are in physical coordinates.
+///
+/// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
+/// interruptions. The status is not_converged where the simulation ends before its goal, or where
+/// the burn-in is below 5 decay times (BurnInLimit). It is failed, without a density, for white
+/// noise with a restitution coefficient at which impacts accumulate
+/// (problem/inelastic_collapse.hpp).
+/// @throws InputError as validate(); for springs that Oscillator refuses; for a checkpoint file
+///        that cannot be read, or could never be written
 Result solve(const problem::Problem& problem, const Options& options);
 
-/// Makes an ok simulation `inaccurate` whose error by chance, in 99 runs of 100, is larger in L1 than
-/// Options::accuracy. solve() does so but for `controlled`, whose smooth estimates come later.
+/// Sets the status `inaccurate` where the 99 % quantile of the L1 sampling error of an ok solution
+/// exceeds Options::accuracy. solve() calls this function, but with `controlled`
+/// control_variates::solve() does, after the smooth estimates.
 void require_accuracy(const Options& options, transform::Solution& solution);
 
-/// What solve() asks of options and problem before it begins, but for the files of a checkpoint.
+/// Checks options and problem as solve() does before it begins, except the files of checkpoints.
 /// @throws InputError as solve()
 void require_solvable(const problem::Problem& problem, const Options& options);
 

@@ -7,100 +7,102 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::counted;
+using transform::count_value;
 using transform::Kind;
-using transform::Observer;
+using transform::MetricBuilder;
 
-/// A value and, beside it, its standard error.
-void observe(Observer& observer, const std::string& path, const Estimate& estimate,
-             const std::string& error_path) {
-  observer.add({.path = path, .value = estimate.mean, .error_at = error_path});
-  observer.error(error_path, estimate.standard_error);
+/// Adds a value and its standard error.
+void add_metrics(MetricBuilder& builder, const std::string& path, const Estimate& estimate,
+                 const std::string& error_path) {
+  builder.add({.path = path, .value = estimate.mean, .standard_error_path = error_path});
+  builder.error(error_path, estimate.standard_error);
 }
 
-/// The items of a list, each by `put(path of the item, item, place)`.
+/// Adds the items of a list, each by `put(path of the item, item, index)`.
 template <class Item, class Put>
-void observe_list(Observer& observer, const std::string& path, const std::vector<Item>& items,
-                  Kind kind, Put put) {
-  if (items.empty()) observer.empty_list(path, kind);
+void add_metric_list(MetricBuilder& builder, const std::string& path,
+                     const std::vector<Item>& items, Kind kind, Put put) {
+  if (items.empty()) builder.add_empty_list(path, kind);
   for (std::size_t k = 0; k < items.size(); ++k) put(fmt::format("{}[{}]", path, k), items[k], k);
 }
 
-void observe_moments(Observer& observer, const std::vector<Estimate>& moments) {
-  observe_list(observer, "joint_moments", moments, Kind::result,
-               [&](const std::string& at, const Estimate& moment, std::size_t k) {
-                 observer.result(at + ".y", counted(kPowers[k].first));
-                 observer.result(at + ".v", counted(kPowers[k].second));
-                 observe(observer, at + ".mean", moment, at + ".standard_error");
-               });
+void add_moment_metrics(MetricBuilder& builder, const std::vector<Estimate>& moments) {
+  add_metric_list(builder, "joint_moments", moments, Kind::result,
+                  [&](const std::string& at, const Estimate& moment, std::size_t k) {
+                    builder.result(at + ".y", count_value(kPowers[k].first));
+                    builder.result(at + ".v", count_value(kPowers[k].second));
+                    add_metrics(builder, at + ".mean", moment, at + ".standard_error");
+                  });
 }
 
-void observe_quantiles(Observer& observer, const std::string& path,
-                       const std::vector<Quantile>& quantiles) {
-  observe_list(observer, path, quantiles, Kind::result,
-               [&](const std::string& at, const Quantile& q, std::size_t) {
-                 const std::string error_path = at + ".standard_error";
-                 observer.result(at + ".probability", q.probability);
-                 observer.add({.path = at + ".value", .value = q.value, .error_at = error_path});
-                 observer.work(at + ".lower", q.lower);
-                 observer.work(at + ".upper", q.upper);
-                 observer.error(error_path, (q.upper - q.lower) / (2 * kNormal95));
-               });
+void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
+                          const std::vector<Quantile>& quantiles) {
+  add_metric_list(
+      builder, path, quantiles, Kind::result,
+      [&](const std::string& at, const Quantile& q, std::size_t) {
+        const std::string error_path = at + ".standard_error";
+        builder.result(at + ".probability", q.probability);
+        builder.add({.path = at + ".value", .value = q.value, .standard_error_path = error_path});
+        builder.work(at + ".lower", q.lower);
+        builder.work(at + ".upper", q.upper);
+        builder.error(error_path, (q.upper - q.lower) / (2 * kNormal95));
+      });
 }
 
-void observe_rates(Observer& observer, const std::string& path,
-                   const std::vector<LevelRate>& rates) {
-  // Of a hundred events and fewer the standard error is itself an estimate from a handful.
+void add_rate_metrics(MetricBuilder& builder, const std::string& path,
+                      const std::vector<LevelRate>& rates) {
+  // Below about a hundred events the standard error itself is poorly known.
   constexpr double kRare = 0.1;
-  observe_list(observer, path, rates, Kind::result,
-               [&](const std::string& at, const LevelRate& r, std::size_t) {
-                 observer.result(at + ".level", r.level);
-                 const std::string error_path = at + ".standard_error";
-                 observer.add({.path = at + ".rate",
-                               .value = r.rate.mean,
-                               .error_at = error_path,
-                               .delicate = r.rate.standard_error > kRare * r.rate.mean});
-                 observer.error(error_path, r.rate.standard_error);
-               });
+  add_metric_list(
+      builder, path, rates, Kind::result,
+      [&](const std::string& at, const LevelRate& r, std::size_t) {
+        builder.result(at + ".level", r.level);
+        const std::string error_path = at + ".standard_error";
+        builder.add({.path = at + ".rate",
+                     .value = r.rate.mean,
+                     .standard_error_path = error_path,
+                     .is_rounding_sensitive = r.rate.standard_error > kRare * r.rate.mean});
+        builder.error(error_path, r.rate.standard_error);
+      });
 }
 
 }  // namespace
 
-transform::Observations observations(const Summary& summary) {
-  Observer observer;
-  observer.work("time", summary.time)
-      .work("samples", counted(summary.samples))
+transform::Metrics metrics(const Summary& summary) {
+  MetricBuilder builder;
+  builder.work("time", summary.time)
+      .work("samples", count_value(summary.samples))
       .error("effective_samples", summary.effective_samples)
       .error("effective_samples_y2", summary.effective_samples_y2);
-  observe(observer, "excess_power.relative", {summary.excess_power, summary.excess_power_error},
-          "excess_power.standard_error");
-  observer.work("variance_reduction.y2", summary.variance_reduction_y2)
+  add_metrics(builder, "excess_power.relative", {summary.excess_power, summary.excess_power_error},
+              "excess_power.standard_error");
+  builder.work("variance_reduction.y2", summary.variance_reduction_y2)
       .work("variance_reduction.v2", summary.variance_reduction_v2)
-      .work("outside", summary.outside)
-      .work("seed", counted(summary.seed))
-      .work("threads", counted(summary.threads))
-      .result("streams", counted(summary.streams))
+      .work("outside", summary.outside_fraction)
+      .work("seed", count_value(summary.seed))
+      .work("threads", count_value(summary.threads))
+      .result("streams", count_value(summary.streams))
       .result("step", summary.step)
       .result("sampling_interval", summary.sampling_interval)
       .result("burn_in", summary.burn_in);
   if (!summary.impacts_accumulate) {
-    observe(observer, "impact_rate", summary.impact_rate, "impact_rate_error");
+    add_metrics(builder, "impact_rate", summary.impact_rate, "impact_rate_error");
   }
-  observe(observer, summary.balances, summary.balance_errors);
-  observer.work("impulses", counted(summary.impulses))
-      .work("flights", counted(summary.flights))
-      .work("rounds", counted(summary.rounds))
+  add_metrics(builder, summary.balances, summary.balance_errors);
+  builder.work("impulses", count_value(summary.impulses))
+      .work("flights", count_value(summary.flights))
+      .work("rounds", count_value(summary.rounds))
       .result("interrupted", summary.interrupted)
-      .result("kick_interval", transform::value_of(summary.kick_interval));
-  observe_moments(observer, summary.joint_moments);
-  observe_quantiles(observer, "quantiles.y", summary.y_quantiles);
-  observe_quantiles(observer, "quantiles.ydot", summary.v_quantiles);
-  observe_rates(observer, "upcrossings", summary.crossings);
-  observe_rates(observer, "peaks", summary.peaks);
-  observe_list(
-      observer, "splitting_thresholds", summary.thresholds, Kind::work,
-      [&](const std::string& at, double energy, std::size_t) { observer.work(at, energy); });
-  return std::move(observer).take();
+      .result("kick_interval", transform::optional_value(summary.kick_interval));
+  add_moment_metrics(builder, summary.joint_moments);
+  add_quantile_metrics(builder, "quantiles.y", summary.y_quantiles);
+  add_quantile_metrics(builder, "quantiles.ydot", summary.v_quantiles);
+  add_rate_metrics(builder, "upcrossings", summary.crossings);
+  add_rate_metrics(builder, "peaks", summary.peaks);
+  add_metric_list(
+      builder, "splitting_thresholds", summary.thresholds, Kind::work,
+      [&](const std::string& at, double energy, std::size_t) { builder.work(at, energy); });
+  return std::move(builder).take();
 }
 
 }  // namespace fpkcheck::mcs

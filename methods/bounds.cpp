@@ -10,22 +10,22 @@ compare::Bounds guaranteed_bounds(const problem::Problem& problem,
                                   const backward::Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   compare::Bounds bounds{.reason = {}, .seconds = 0, .each = {}};
-  const bool remembered = unless_out_of_memory([&] {
-    const backward::Bounds found = backward::bounds(problem, options);
-    bounds.reason = found.reason;
-    for (const auto& [functional, value] : found.each) {
+  const bool completed = try_within_memory([&] {
+    const backward::Bounds computed = backward::bounds(problem, options);
+    bounds.reason = computed.reason;
+    for (const auto& [functional, value] : computed.each) {
       bounds.each.push_back({backward::name(functional), value.lower, value.upper});
     }
   });
-  if (!remembered) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
+  if (!completed) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
   bounds.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return bounds;
 }
 
-void add_bounds(results::Case& one, int threads) {
+void add_bounds(results::Case& case_result, int threads) {
   backward::Options options{.relative_half_width = 1e-5, .seconds = 1};
   if (threads > 0) options.threads = threads;
-  one.bounds = guaranteed_bounds(one.problem, options);
+  case_result.bounds = guaranteed_bounds(case_result.problem, options);
 }
 
 }  // namespace fpkcheck::methods

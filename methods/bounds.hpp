@@ -6,13 +6,13 @@
 
 namespace fpkcheck::methods {
 
-/// backward::bounds() as comparisons and files know them; without memory for them there are none, for
-/// that reason.
+/// Converts backward::bounds() to the type that comparisons and files use. Where memory does not
+/// suffice, the result has no bounds and gives that reason.
 compare::Bounds guaranteed_bounds(const problem::Problem& problem,
                                   const backward::Options& options);
 
-/// Gives a case its bounds, as narrow as about a second allows.
+/// Computes the guaranteed bounds of a case, as narrow as about a second allows.
 /// @param threads 0 for all processors
-void add_bounds(results::Case& one, int threads);
+void add_bounds(results::Case& case_result, int threads);
 
 }  // namespace fpkcheck::methods

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::methods {
 
-Registry builtin() {
+Registry builtin_registry() {
   Registry registry;
   registry.add(epc_solver());
   registry.add(fd_solver());

@@ -5,12 +5,12 @@
 
 namespace fpkcheck::methods {
 
-/// The entries of this project's solvers, each in a file of its name.
+/// The registry entries of this project's solvers, each in a file of its name.
 Solver epc_solver();
 Solver fd_solver();
 Solver mcs_solver();
 
-/// All of them.
-Registry builtin();
+/// The registry of all these solvers.
+Registry builtin_registry();
 
 }  // namespace fpkcheck::methods

@@ -1,28 +1,29 @@
 #include "methods/complete_run.hpp"
 
 #include "methods/bounds.hpp"
-#include "methods/own_errors.hpp"
+#include "methods/moment_error_estimates.hpp"
 
 namespace fpkcheck::methods {
 
 std::vector<results::Case> complete_run(const std::vector<problem::Problem>& problems,
                                         const std::vector<Method>& methods,
-                                        const CompleteRun& how) {
-  const auto look = [&] {
-    if (how.look) how.look();
+                                        const CompleteRunSettings& settings) {
+  const auto poll = [&] {
+    if (settings.poll) settings.poll();
   };
-  // Once for the methods that have their errors measured and for the own errors of all.
-  const auto residuals = residuals_of(problems);
-  auto cases =
-      run_cases(problems, methods, how.threads, how.progress, residuals, how.case_listener);
-  look();
-  if (!how.with_dual) return cases;
+  // Shared by the methods that estimate their errors and by the moment error estimates of all
+  // solutions, so that each backward equation is solved once.
+  const auto estimators = make_error_estimators(problems);
+  auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
+                         settings.case_listener);
+  poll();
+  if (!settings.with_backward) return cases;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    add_bounds(cases[k], how.threads);
-    look();
-    add_own_errors(cases[k], residuals[k], how.threads);
-    if (how.case_listener) how.case_listener(cases[k]);
-    look();
+    add_bounds(cases[k], settings.threads);
+    poll();
+    add_moment_error_estimates(cases[k], estimators[k], settings.threads);
+    if (settings.case_listener) settings.case_listener(cases[k]);
+    poll();
   }
   return cases;
 }

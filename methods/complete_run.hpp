@@ -7,21 +7,22 @@
 
 namespace fpkcheck::methods {
 
-/// How a complete run is done, and who is told of it.
-struct CompleteRun {
-  int threads = 0;        ///< for methods side by side; 0 for all processors
-  bool with_dual = true;  ///< bounds, and every density's own error, by the backward equation
+/// Settings and callbacks of a complete run.
+struct CompleteRunSettings {
+  int threads = 0;            ///< for methods that run in parallel; 0 for all processors
+  bool with_backward = true;  ///< compute bounds and moment error estimates (backward equation)
   ProgressListener progress = {};
-  /// Told of a case when it has all its solutions, and again when it has bounds and own errors. If
-  /// there is one, nothing more is solved when the program is told to stop, as in run_cases.
+  /// Called when a case has all its solutions, and again when it has bounds and moment error
+  /// estimates. If set, a stop request prevents further solves, as in run_cases.
   CaseListener case_listener = {};
-  /// Asked between two things that take long, after the solutions; what it throws ends the run.
-  std::function<void()> look = {};
+  /// Called between two long operations after the solutions; an exception from it ends the run.
+  std::function<void()> poll = {};
 };
 
-/// Solves, compares, bounds, and measures own errors: all that the cases of a run have.
-/// @throws whatever a solver, `progress` or `look` throws
+/// Solves and compares the cases of a run, and computes their bounds and moment error estimates.
+/// @throws whatever a solver, `progress` or `poll` throws
 std::vector<results::Case> complete_run(const std::vector<problem::Problem>& problems,
-                                        const std::vector<Method>& methods, const CompleteRun& how);
+                                        const std::vector<Method>& methods,
+                                        const CompleteRunSettings& settings);
 
 }  // namespace fpkcheck::methods

@@ -1,36 +1,36 @@
-#include "epc/offered.hpp"
+#include "epc/applicability.hpp"
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 constexpr const char* kEpcUsage = R"(usage: fpkcheck epc CASE ... [options]
 
-Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, from weak
-equations. Three formulations:
-  gaussian   the paper's: p(z, z') on the whole plane, projections (23) under Gaussian weights;
-             series cut after the fourth derivative, impact as a delta function. Where Newton's
-             method finds no root, the branch of solutions from the exact density of white noise
-             at r = 1 is followed past its folds (summary.json has it)
-  moment     p(y, y') on y >= 0, exact moment equations of the impact process itself
-  polar      the same with Q_n a polynomial of amplitude and phase, which carries the jump that an
-             impact with losses leaves at the origin; where the mass comes to rest in contact with
-             a wall, of amplitude and velocity, with the probability of rest
-The error against the full problem is measured by the residuals that the density leaves in the
-stationary equation, weighted by solutions of the backward equation, in L1 of p(y) and p(y') and for
-each moment; where that gives no estimate, by the distance to the reference of the run. The status
-says what the result is worth:
-  ok             the equations are met by a density that has decayed on the whole edge of its
-                 support (gaussian: and keeps the balance of power, and is near that of order n-2),
-                 and the measured error is no larger than --accuracy
-  inaccurate     likewise, but the error is larger, or unknown
+Exponential-polynomial closure: a density C exp(Q_n), Q_n a polynomial of degree n, determined by
+weak equations. Three formulations:
+  gaussian   the paper's closure: p(z, z') on the whole plane, projections (23) with Gaussian
+             weights, Kramers-Moyal series truncated after the fourth derivative, impact as a delta
+             function. Where Newton's method finds no root, the solver follows the branch of
+             solutions from the exact density of white noise at r = 1 past its folds (branch in
+             summary.json)
+  moment     p(y, y') on y >= 0, exact moment equations of the impact process
+  polar      as moment, with Q_n a polynomial of amplitude and phase, which represents the jump of
+             the density at the origin after impacts with losses. Where the mass comes to rest in
+             contact with a wall: amplitude and velocity, with the probability of contact
+The error against the full problem is estimated from the residuals of the density in the stationary
+equation, weighted by solutions of the backward equation: in L1 of p(y) and p(y'), and for each
+moment. Where this gives no estimate, the distance to the reference of the run is used. The status:
+  ok             the density meets the equations, has decayed on the whole edge of its support
+                 (gaussian: also meets the balance of power and is close to that of order n-2), and
+                 its error estimate is at most --accuracy
+  inaccurate     as ok, but the error estimate is larger than --accuracy, or unknown
   inadmissible   the equations are met, but not by such a density (condition (19) of the paper),
                  or by a spurious one
-  not_converged  the equations are not met (gaussian with kf: or depend on the disc on which the
-                 jump integral is taken)
+  not_converged  the equations are not met (gaussian with kf: or depend on the radius of the disc
+                 of the jump integral)
 
 examples:
   fpkcheck epc case1 --order 6
@@ -39,11 +39,12 @@ examples:
   fpkcheck epc case2 --order 8 --equation kf
 )";
 
-Family family(const std::string& name, const std::string& meaning, std::vector<std::string> usual,
-              const Ramp& ramp, const std::string& symbol) {
-  return {name, transform::Role::closure, meaning, std::move(usual),
+Family family(const std::string& name, const std::string& meaning,
+              std::vector<std::string> default_ids, const ColourRamp& ramp,
+              const std::string& symbol) {
+  return {name, transform::Role::closure, meaning, std::move(default_ids),
           [&ramp, symbol](const transform::Identity& identity) {
-            return closure_look(ramp, identity, symbol);
+            return closure_style(ramp, identity, symbol);
           }};
 }
 
@@ -61,18 +62,19 @@ Solver epc_solver() {
                        {"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8"},
                        kOrange, "triangle-up"),
                    family("epc-moment",
-                          "The same form, made to meet the exact moment equations of the impact "
-                          "process on the half-plane y >= 0.",
+                          "The same form with the exact moment equations of the impact process "
+                          "on the half-plane y >= 0.",
                           {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
                    family("epc-polar",
-                          "Likewise, with a polynomial of amplitude and phase, or velocity.",
+                          "As epc-moment, with a polynomial of amplitude and phase, or of "
+                          "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
-      .set_by_a_run = {"accuracy"},
-      .parameters = nullptr,
-      .usual_options = {},
+      .run_options = {"accuracy"},
+      .option_descriptions = nullptr,
+      .default_options = {},
       .options_of = {},
       .method = {}};
-  return with_front<epc::Options>(
+  return with_traits<epc::Options>(
       std::move(entry),
       {.description = epc::description(),
        .validate = epc::validate,
@@ -80,20 +82,21 @@ Solver epc_solver() {
        .options_of = epc::options_of,
        .solve =
            [](const problem::Problem& problem, const epc::Options& options,
-              const Setting& setting) {
+              const SolveContext& context) {
              auto solution = epc::solve(problem, options).solution;
-             if (!solution.density || !options.accuracy || !setting.measure_error) {
+             if (!solution.density || !options.accuracy || !context.estimate_error) {
                return solution;
              }
-             if (setting.residuals != nullptr) {
-               state_measured_error(*setting.residuals, *options.accuracy, solution, problem.frame);
+             if (context.error_estimator != nullptr) {
+               set_residual_error_estimate(*context.error_estimator, *options.accuracy, solution,
+                                           problem.frame);
              } else {
-               state_measured_error(ProblemResiduals(problem), *options.accuracy, solution,
-                                    problem.frame);
+               set_residual_error_estimate(ResidualErrorEstimator(problem), *options.accuracy,
+                                           solution, problem.frame);
              }
              return solution;
            },
-       .objection = epc::objection});
+       .unsupported_reason = epc::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -1,35 +1,35 @@
-#include "fd_fpk/offered.hpp"
+#include "fd_fpk/applicability.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 constexpr const char* kFdUsage = R"(usage: fpkcheck fd CASE ... [options]
 
-Finite differences for the stationary density between the walls, of fifth or seventh order and
-conservative, stepped to stationarity by CVODE with KLU and checked against the null vector of the
-same operator. The excitation term of the equation:
+Conservative finite volumes of fifth or seventh order (method of lines) for the stationary density
+between the walls. CVODE with KLU integrates to the stationary state; the null vector of the same
+operator checks the result. The excitation term of the equation:
   white     Gaussian white noise of the same intensity
-  km4       the series cut after the fourth derivative, with a fixed step l of the fourth
-            difference: with l = grid step it is ill-posed, and the solver says so
+  km4       the Kramers-Moyal series truncated after the fourth derivative, with a fixed step l of
+            the fourth difference. With l = grid step the problem is ill-posed: status ill_posed
   km4-pade  the Pade approximant of that series: well-posed without a length
-  kf        the full jump integral (Kolmogorov-Feller equation), for every law of the impulses
+  kf        the full jump integral (Kolmogorov-Feller equation), for every impulse law
 
 Where impulses are rare, losses strong, or the mass comes to rest in contact with a wall, kf is
-solved along the characteristics of the motion instead (--transport). Every solution has an
-estimate of its error; finer grids follow while it is above 1e-4 and may be expected to fall below
-it in time, and above --accuracy it is not ok.
+solved along the characteristics of the motion instead (--transport). Every solution has an error
+estimate. While the estimate exceeds 1e-4, the solver refines the grid if a finer grid is expected
+to reach 1e-4 within the time limit. A solution whose estimate exceeds --accuracy is not ok.
 
 examples:
   fpkcheck fd case1
   fpkcheck fd case1 --equation km4 --impact delta                (the equation of the closure)
-  fpkcheck fd case1 --equation km4 --regularisation-length 0     (ill-posed, and says so)
+  fpkcheck fd case1 --equation km4 --regularisation-length 0     (status ill_posed)
   fpkcheck fd case4 --stepper direct --order 7 --refinement 1.5
   fpkcheck fd case1 --until 20 --snapshots 80 --out transient    (the density over time)
-  fpkcheck fd bistable --until 40 --start-mean-y 1               (of any oscillator, from one well)
+  fpkcheck fd bistable --until 40 --start-mean-y 1               (two wells, from one of them)
 )";
 
 }  // namespace
@@ -37,27 +37,27 @@ examples:
 Solver fd_solver() {
   Solver entry{
       .name = "fd",
-      .summary = "finite differences for the (generalised) Fokker-Planck-Kolmogorov equation",
+      .summary = "finite volumes for the (generalised) Fokker-Planck-Kolmogorov equation",
       .usage = kFdUsage,
       .families = {{.name = "fd",
                     .role = transform::Role::equation,
-                    .meaning = "Finite differences for the density equation that the id names.",
-                    .usual = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
-                    .look = equation_look}},
-      .set_by_a_run = {"max_seconds"},
-      .parameters = nullptr,
-      .usual_options = {},
+                    .meaning = "Finite volumes for the density equation that the id names.",
+                    .default_ids = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
+                    .plot_style = equation_style}},
+      .run_options = {"max_seconds"},
+      .option_descriptions = nullptr,
+      .default_options = {},
       .options_of = {},
       .method = {}};
-  return with_front<fd_fpk::Options>(
+  return with_traits<fd_fpk::Options>(
       std::move(entry),
       {.description = fd_fpk::description(),
        .validate = fd_fpk::validate,
        .identity = fd_fpk::identity,
        .options_of = fd_fpk::options_of,
        .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
-                   const Setting&) { return fd_fpk::solve(problem, options).solution; },
-       .objection = fd_fpk::objection});
+                   const SolveContext&) { return fd_fpk::solve(problem, options).solution; },
+       .unsupported_reason = fd_fpk::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

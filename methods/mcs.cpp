@@ -5,30 +5,31 @@
 #include <utility>
 
 #include "control_variates/solve.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/in_frame.hpp"
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
+#include "methods/solve_in_wall_coordinates.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
 constexpr const char* kMcsUsage = R"(usage: fpkcheck mcs CASE ... [options]
 
-Simulates the impact system itself: impulses at their exact times, impacts located by root
-finding, independent streams whose differences give the standard errors and 95 % intervals.
-The same seed gives the same result, bit for bit, for any number of threads.
+Simulates the impact system: impulses at their exact times, impacts located by root finding,
+independent streams whose differences give the standard errors and 95 % intervals. The same seed
+gives the same result, bit for bit, for any number of threads.
 
-Ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C ends it within
-a second or so with what has been reached as the result; a second one ends the program.
+The simulation ends after --time, or as soon as --samples and --target-error are reached. Ctrl-C
+ends the simulation within about a second and keeps the result so far; a second Ctrl-C ends the
+program.
 
---controlled takes the noise out, which is what `fpkcheck run` does: E[f] is the mean of f + L h for
-any h of the phase plane, and with h from the backward equation little is left of its noise.
+--controlled uses control variates, as `fpkcheck run` does: E[f] is the mean of f + L h for any
+function h of the phase plane. With h from the backward equation, f + L h has little variance.
 
---tails splits the trajectories that reach high energies: densities down to 1e-8 of their peak
-and beyond, with intervals, in the time of a common run.
+--tails splits the trajectories that reach high energies (rare-event splitting): densities down to
+1e-8 of their peak and below, with intervals, in the time of a run without --tails.
 
 examples:
   fpkcheck mcs case1 --seed 7
@@ -39,27 +40,28 @@ examples:
   fpkcheck mcs case1 --equation white
   fpkcheck mcs case1 --time 1e9 --checkpoint state        then, after an interruption:
   fpkcheck mcs case1 --time 1e9 --checkpoint state --resume state
-  mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, sooner
+  mpirun -n 64 fpkcheck mcs case1 --time 1e11 --streams 4096        the same bits, in less time
 )";
 
 transform::Solution solve(const problem::Problem& problem, const mcs::Options& options,
-                          const Setting& setting) {
-  mcs::Options on_axes = options;
-  on_axes.y_edges = setting.axes.y_edges;
-  on_axes.v_edges = setting.axes.v_edges;
-  on_axes.progress = [&](const mcs::Progress& at) {
-    if (!setting.progress) return;
-    setting.progress(at.fraction, at.y_l1 && at.ydot_l1
-                                      ? fmt::format("L1 by chance {:.1e} in p(y), {:.1e} in p(y')",
+                          const SolveContext& context) {
+  mcs::Options axis_options = options;
+  axis_options.y_edges = context.axes.y_edges;
+  axis_options.v_edges = context.axes.v_edges;
+  axis_options.progress = [&](const mcs::Progress& at) {
+    if (!context.progress) return;
+    context.progress(at.fraction, at.y_l1 && at.ydot_l1
+                                      ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
                                                     *at.y_l1, *at.ydot_l1)
                                       : std::string());
   };
-  if (options.controlled) return control_variates::solve(problem, {.simulation = on_axes});
-  return mcs::solve(problem, on_axes).solution;
+  if (options.controlled) return control_variates::solve(problem, {.simulation = axis_options});
+  return mcs::solve(problem, axis_options).solution;
 }
 
-// In a list of methods the simulation is what all others are measured by.
-std::optional<mcs::Options> without_noise(std::string_view id) {
+// In a list of methods the simulation serves as the reference. Control variates are available for
+// the equation kf.
+std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::Equation::kf;
   return options;
@@ -67,7 +69,7 @@ std::optional<mcs::Options> without_noise(std::string_view id) {
 
 }  // namespace
 
-Method under_control(Method simulation, const SimulationControl& control) {
+Method with_control(Method simulation, const SimulationControl& control) {
   mcs::Options options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
@@ -75,12 +77,14 @@ Method under_control(Method simulation, const SimulationControl& control) {
   options.warn = control.warn;
   options.team = control.team;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
-                                                    const Setting& setting) {
-    return solve_in_frame(
-        problem, setting,
-        [&](const problem::Problem& seen) { return mcs::objection(seen, options); },
-        [&](const problem::Problem& seen, const Setting& there) {
-          return solve(seen, options, there);
+                                                    const SolveContext& context) {
+    return solve_in_wall_coordinates(
+        problem, context,
+        [&](const problem::Problem& transformed) {
+          return mcs::unsupported_reason(transformed, options);
+        },
+        [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
+          return solve(transformed, options, transformed_context);
         });
   };
   return simulation;
@@ -88,27 +92,28 @@ Method under_control(Method simulation, const SimulationControl& control) {
 
 Solver mcs_solver() {
   Solver entry{.name = "mcs",
-               .summary = "Monte Carlo simulation of the impact system itself",
+               .summary = "Monte Carlo simulation of the impact system",
                .usage = kMcsUsage,
                .families = {{.name = "mcs",
                              .role = transform::Role::simulation,
-                             .meaning = "Simulation of the impact system itself; bands are 95 % "
-                                        "intervals.",
-                             .usual = {"mcs"},
-                             .look = simulation_look}},
-               .parallel = true,
-               .set_by_a_run = {"time", "seed", "threads"},
-               .parameters = nullptr,
-               .usual_options = {},
+                             .meaning = "Monte Carlo simulation of the impact system; bands are "
+                                        "95 % confidence intervals.",
+                             .default_ids = {"mcs"},
+                             .plot_style = simulation_style}},
+               .uses_all_processors = true,
+               .run_options = {"time", "seed", "threads"},
+               .option_descriptions = nullptr,
+               .default_options = {},
                .options_of = {},
                .method = {}};
-  return with_front<mcs::Options>(std::move(entry), {.description = mcs::description(),
-                                                     .validate = mcs::validate,
-                                                     .identity = mcs::identity,
-                                                     .options_of = without_noise,
-                                                     .solve = solve,
-                                                     .check = mcs::require_solvable,
-                                                     .objection = mcs::objection});
+  return with_traits<mcs::Options>(std::move(entry),
+                                   {.description = mcs::description(),
+                                    .validate = mcs::validate,
+                                    .identity = mcs::identity,
+                                    .options_of = options_with_control_variates,
+                                    .solve = solve,
+                                    .check = mcs::require_solvable,
+                                    .unsupported_reason = mcs::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

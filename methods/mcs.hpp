@@ -8,17 +8,17 @@
 
 namespace fpkcheck::methods {
 
-/// How a simulation is followed, interrupted and resumed: what is no part of its options in files.
+/// Checkpoints, interruption and processes of a simulation: settings that files do not store.
 struct SimulationControl {
   std::string checkpoint = {};      ///< file to write the state to; empty for none
-  std::string resume = {};          ///< file of a checkpoint to go on from; empty for none
-  std::function<bool()> stop = {};  ///< true ends it, with what was reached as the result
-  std::function<void(const std::string&)> warn = {};  ///< told of what could not be written
-  mcs::Team team = {};                                ///< processes that share it
+  std::string resume = {};          ///< file of the checkpoint to resume; empty for none
+  std::function<bool()> stop = {};  ///< true ends the simulation and keeps the result so far
+  std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
+  mcs::Team team = {};                                ///< processes that share the simulation
 };
 
-/// The same simulation under control.
+/// The method `simulation` with these settings.
 /// @param simulation a method of mcs_solver
-Method under_control(Method simulation, const SimulationControl& control);
+Method with_control(Method simulation, const SimulationControl& control);
 
 }  // namespace fpkcheck::methods

@@ -5,38 +5,37 @@
 
 #include "base/options/value.hpp"
 #include "compare/axes.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::methods {
 
-/// Told the fraction of a method's work that is done, 0 .. 1, and what else there is to say of it
-/// (may be empty).
-using Fraction = std::function<void(double, const std::string& note)>;
+/// Receives the completed fraction of a method's work, 0 .. 1, and a note on its state (may be
+/// empty).
+using ProgressCallback = std::function<void(double, const std::string& note)>;
 
-/// What a method is given besides the problem.
-struct Setting {
-  const compare::ComparisonAxes& axes;  ///< a simulation makes its histogram on these
-  const Fraction& progress;             ///< may be empty
-  /// Of the problem, by which a method that cannot tell its own error has it measured
-  /// (state_measured_error). Null where nobody keeps them.
-  const ProblemResiduals* residuals = nullptr;
-  /// Whether it has its error measured; not where the caller knows a better measure.
-  bool measure_error = true;
+/// The input of a method besides the problem.
+struct SolveContext {
+  const compare::ComparisonAxes& axes;  ///< bins of a simulation's histogram
+  const ProgressCallback& progress;     ///< may be empty
+  /// Residual-based error estimator of the problem, for methods without an error estimate of their
+  /// own (set_residual_error_estimate). Null where the caller shares none.
+  const ResidualErrorEstimator* error_estimator = nullptr;
+  /// False where the caller obtains the error in another way, as by the distance to the reference.
+  bool estimate_error = true;
 };
 
-/// One way to solve a problem, ready to run.
+/// A solver with fixed options.
 struct Method {
-  transform::Identity identity;  ///< of the solution it yields
-  base::Values options = {};     ///< as files keep them
-  /// True when it uses all processors itself, so that nothing else should run beside it.
-  bool parallel = false;
-  /// The solution's identity and options are filled in by whoever calls it (solve_by).
-  std::function<transform::Solution(const problem::Problem&, const Setting&)> solve;
-  /// Whether the method can be asked to solve a problem at all, told before any method has begun on
-  /// any problem. May be empty: then it can.
-  /// @throws InputError when options and problem do not go together
+  transform::Identity identity;  ///< of its solutions
+  base::Values options = {};     ///< as stored in files
+  /// True when the method uses all processors: no other method should run at the same time.
+  bool uses_all_processors = false;
+  /// Solves a problem. The caller sets the solution's identity and options (solve_with).
+  std::function<transform::Solution(const problem::Problem&, const SolveContext&)> solve;
+  /// Checks that the options suit a problem, before any method starts on any problem. May be empty.
+  /// @throws InputError when the options and the problem are incompatible
   std::function<void(const problem::Problem&)> check = {};
 
   const std::string& id() const { return identity.id; }

@@ -5,17 +5,17 @@
 
 namespace fpkcheck::methods {
 
-/// What is said of a solution, or of bounds, for which memory did not suffice.
+/// The reason of a solution, or of bounds, for which memory did not suffice.
 inline constexpr const char* kOutOfMemory =
-    "out of memory (this machine's, or what this process may have) coarser grids and fewer threads "
-    "need less";
+    "out of memory: the machine or the limit of this process has too little; use coarser grids or "
+    "fewer threads";
 
-/// Does one part of a run, so that the others go on where there is no memory for this one: what it
-/// had is given back on the way here. A thread that has no room for its stack counts too.
-/// @return whether the part was done
-/// @throws whatever else the part throws
+/// Runs one task of a run and catches a lack of memory, so that the other tasks continue. Unwinding
+/// the stack frees the memory of the task. A thread that cannot allocate its stack counts as well.
+/// @return whether the task was completed
+/// @throws any other exception of the task
 template <class Part>
-bool unless_out_of_memory(const Part& part) {
+bool try_within_memory(const Part& part) {
   try {
     part();
     return true;

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -21,25 +21,25 @@ using base::Values;
 using transform::Identity;
 using transform::Solution;
 
-bool belongs(std::string_view id, const std::string& family) {
+bool is_in_family(std::string_view id, const std::string& family) {
   return id == family || id.starts_with(family + '-');
 }
 
-Values replaced(Values options, const Values& given) {
-  for (const auto& [name, value] : given) {
-    const auto own = std::ranges::find(options, name, &NamedValue::name);
-    if (own != options.end()) own->value = value;
+Values with_overrides(Values options, const Values& overrides) {
+  for (const auto& [name, value] : overrides) {
+    const auto entry = std::ranges::find(options, name, &NamedValue::name);
+    if (entry != options.end()) entry->value = value;
   }
   return options;
 }
 
-// The ids that an item of a list stands for: a family's, a solver's, or itself.
-std::vector<std::string> ids_of(const Registry& registry, const std::string& item) {
+// The ids that an item of a list selects: the default ids of a family or solver, or the id itself.
+std::vector<std::string> selected_ids(const Registry& registry, const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
       if (family.name != item && solver.name != item) continue;
-      ids.insert(ids.end(), family.usual.begin(), family.usual.end());
+      ids.insert(ids.end(), family.default_ids.begin(), family.default_ids.end());
     }
   }
   if (ids.empty()) ids.push_back(item);
@@ -74,100 +74,105 @@ std::vector<const Family*> Registry::families() const {
   return all;
 }
 
-void Registry::present(Identity& identity) const {
+void Registry::annotate(Identity& identity) const {
   const auto all = families();
-  const auto own = std::ranges::find_if(
-      all, [&](const Family* family) { return belongs(identity.id, family->name); });
-  if (own == all.end()) return;
-  const Family& family = **own;
+  const auto entry = std::ranges::find_if(
+      all, [&](const Family* family) { return is_in_family(identity.id, family->name); });
+  if (entry == all.end()) return;
+  const Family& family = **entry;
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Families by their place, their members by order or by their place among the usual ones.
-  constexpr int kMembers = 1000;
-  const auto place = std::ranges::find(family.usual, identity.id) - family.usual.begin();
-  identity.trust = static_cast<int>(own - all.begin()) * kMembers +
+  // Trust increases with the index of the family, then with the order of the member or its index
+  // among the default ids.
+  constexpr int kMaxFamilySize = 1000;
+  const auto place =
+      std::ranges::find(family.default_ids, identity.id) - family.default_ids.begin();
+  identity.trust = static_cast<int>(entry - all.begin()) * kMaxFamilySize +
                    identity.order.value_or(static_cast<int>(place));
-  identity.look = family.look(identity);
+  identity.plot_style = family.plot_style(identity);
 }
 
-Method Registry::presented(Method method) const {
-  present(method.identity);
+Method Registry::annotated_method(Method method) const {
+  annotate(method.identity);
   return method;
 }
 
 Method Registry::method(const Solver& solver, const Values& options) const {
-  return presented(solver.method(options));
+  return annotated_method(solver.method(options));
 }
 
-std::optional<Method> Registry::by_id(std::string_view id, const Values& given) const {
+std::optional<Method> Registry::method_by_id(std::string_view id, const Values& overrides) const {
   for (const auto& solver : solvers_) {
     if (const auto options = solver.options_of(id)) {
-      return method(solver, replaced(*options, given));
+      return method(solver, with_overrides(*options, overrides));
     }
   }
   return std::nullopt;
 }
 
-std::vector<Method> Registry::select(const std::string& list, const Values& given) const {
+std::vector<Method> Registry::select(const std::string& list, const Values& overrides) const {
   std::map<std::string, Method> methods;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
-    for (const auto& id : ids_of(*this, item)) {
-      auto found = by_id(id, given);
+    for (const auto& id : selected_ids(*this, item)) {
+      auto found = method_by_id(id, overrides);
       if (!found) {
-        throw InputError(fmt::format("--methods: {} is no method (use {})", base::in_quotes(item),
-                                     what_to_select(*this)));
+        throw InputError(fmt::format("--methods: unknown method {}; use {}", base::in_quotes(item),
+                                     selectable_items_text(*this)));
       }
       methods.emplace(found->id(), std::move(*found));
     }
   }
   if (methods.empty()) {
-    throw InputError(fmt::format("--methods: the list is empty (use {}, separated by commas)",
-                                 what_to_select(*this)));
+    throw InputError(fmt::format("--methods: the list is empty; use {}, separated by commas",
+                                 selectable_items_text(*this)));
   }
   std::vector<Method> ordered;
   for (auto& [id, method] : methods) ordered.push_back(std::move(method));
-  std::ranges::stable_sort(ordered, less_trusted, &Method::identity);
+  std::ranges::stable_sort(ordered, is_less_trusted, &Method::identity);
   return ordered;
 }
 
-std::optional<Method> Registry::that_made(const Solution& solution, const Values& given) const {
+std::optional<Method> Registry::method_for_solution(const Solution& solution,
+                                                    const Values& overrides) const {
   const auto& identity = solution.identity;
-  if (transform::is_guest(identity)) return std::nullopt;
+  if (transform::is_external(identity)) return std::nullopt;
   const Solver* solver = find(identity.method);
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
-    throw InputError(fmt::format("method {} (must be {} or {})", base::in_quotes(identity.method),
-                                 fmt::join(names, ", "), transform::kGivenInFile));
+    throw InputError(fmt::format("unknown method {}: must be {} or {}",
+                                 base::in_quotes(identity.method), fmt::join(names, ", "),
+                                 transform::kExternalFile));
   }
-  Method made = method(*solver, replaced(solution.options, given));
+  Method made = method(*solver, with_overrides(solution.options, overrides));
   if (made.id() != identity.id) {
-    throw InputError(fmt::format("its options are those of {} (run again)", made.id()));
+    throw InputError(fmt::format("the options belong to {}; run again", made.id()));
   }
   return made;
 }
 
-void Registry::introduce(results::Run& run) const {
+void Registry::annotate(results::Run& run) const {
   for (auto& one : run.cases) {
     for (auto& solution : one.solutions) {
       if (!solution.identity.family.empty()) continue;
-      if (const auto method = by_id(solution.id())) solution.identity = method->identity;
+      if (const auto method = method_by_id(solution.id())) solution.identity = method->identity;
     }
   }
 }
 
-bool less_trusted(const Identity& one, const Identity& other) {
-  return std::tie(one.role, one.trust, one.id) < std::tie(other.role, other.trust, other.id);
+bool is_less_trusted(const Identity& first, const Identity& second) {
+  return std::tie(first.role, first.trust, first.id) <
+         std::tie(second.role, second.trust, second.id);
 }
 
-std::string what_to_select(const Registry& registry) {
+std::string selectable_items_text(const Registry& registry) {
   std::vector<std::string> names, examples;
   for (const auto& solver : registry.solvers()) {
     names.push_back(solver.name);
     for (const auto& family : solver.families) {
-      if (!family.usual.empty()) examples.push_back(family.usual.back());
+      if (!family.default_ids.empty()) examples.push_back(family.default_ids.back());
     }
   }
   return fmt::format("{}, or ids such as {}", fmt::join(names, ", "), fmt::join(examples, ", "));

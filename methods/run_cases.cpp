@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "base/process/stop.hpp"
-#include "methods/error_by_reference.hpp"
+#include "methods/complete_error_estimates.hpp"
 #include "methods/out_of_memory.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -20,38 +20,38 @@ struct Task {
   std::size_t method;
 };
 
-// The cells of the table problems x methods as they get filled.
-class Run {
+// The table problems x methods while it is filled.
+class CaseTable {
  public:
-  Run(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
-      const ProgressListener& listener, const std::vector<ProblemResiduals>& residuals,
-      const CaseListener& case_listener)
+  CaseTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
+            const ProgressListener& listener, const std::vector<ResidualErrorEstimator>& estimators,
+            const CaseListener& case_listener)
       : problems_(problems),
         methods_(methods),
         listener_(listener),
-        residuals_(residuals),
+        estimators_(estimators),
         case_listener_(case_listener),
-        missing_(problems.size()),
+        unsolved_(problems.size()),
         cases_(problems.size()) {
     for (const auto& problem : problems) axes_.push_back(compare::comparison_axes(problem));
     solutions_.assign(problems.size(), std::vector<std::optional<Solution>>(methods.size()));
-    for (auto& missing : missing_) missing = methods.size();
+    for (auto& missing : unsolved_) missing = methods.size();
   }
 
   void solve(const Task& task) {
     if (case_listener_ && base::stop_requested()) return;
     const Method& method = methods_[task.method];
-    tell(task, 0, "");
-    const Fraction progress = [this, &task](double fraction, const std::string& note) {
-      tell(task, std::min(fraction, 0.999), note);
+    report_progress(task, 0, "");
+    const ProgressCallback progress = [this, &task](double fraction, const std::string& note) {
+      report_progress(task, std::min(fraction, 0.999), note);
     };
     solutions_[task.problem][task.method] =
-        solve_by(method, problems_[task.problem],
-                 {axes_[task.problem], progress, &residuals_[task.problem],
-                  residuals_[task.problem].refused().empty()});
+        solve_with(method, problems_[task.problem],
+                   {axes_[task.problem], progress, &estimators_[task.problem],
+                    estimators_[task.problem].unsupported_reason().empty()});
     ++done_;
-    if (--missing_[task.problem] == 0) finish(task.problem);
-    tell(task, 1, "");
+    if (--unsolved_[task.problem] == 0) finish(task.problem);
+    report_progress(task, 1, "");
   }
 
   std::vector<results::Case> cases() {
@@ -66,12 +66,12 @@ class Run {
   void finish(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
-    complete_errors(methods_, axes_[p], residuals_[p], solutions);
+    complete_error_estimates(methods_, axes_[p], estimators_[p], solutions);
     cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
     if (case_listener_) case_listener_(*cases_[p]);
   }
 
-  void tell(const Task& task, double fraction, const std::string& note) {
+  void report_progress(const Task& task, double fraction, const std::string& note) {
     if (!listener_) return;
     const std::lock_guard lock(listener_mutex_);
     listener_({.done = done_,
@@ -85,11 +85,11 @@ class Run {
   const std::vector<problem::Problem>& problems_;
   const std::vector<Method>& methods_;
   const ProgressListener& listener_;
-  const std::vector<ProblemResiduals>& residuals_;
+  const std::vector<ResidualErrorEstimator>& estimators_;
   const CaseListener& case_listener_;
   std::vector<compare::ComparisonAxes> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
-  std::vector<std::atomic<std::size_t>> missing_;  // solutions of each case
+  std::vector<std::atomic<std::size_t>> unsolved_;  // solutions of each case
   std::vector<std::optional<results::Case>> cases_;
   std::atomic<std::size_t> done_ = 0;
   std::mutex listener_mutex_;
@@ -97,18 +97,20 @@ class Run {
 
 }  // namespace
 
-Solution solve_by(const Method& method, const problem::Problem& problem, const Setting& setting) {
+Solution solve_with(const Method& method, const problem::Problem& problem,
+                    const SolveContext& context) {
   Solution solution;
-  if (!unless_out_of_memory([&] { solution = method.solve(problem, setting); })) {
+  if (!try_within_memory([&] { solution = method.solve(problem, context); })) {
     solution.status = transform::Status::failed;
     solution.reason = kOutOfMemory;
   }
   solution.identity = method.identity;
   solution.options = method.options;
-  // Of others, what is there beside them may measure it (complete_errors).
+  // The errors of closures and external densities may follow from the reference
+  // (complete_error_estimates).
   const auto role = method.identity.role;
   if (role == transform::Role::equation || role == transform::Role::simulation) {
-    transform::require_stated_error(solution);
+    transform::require_error_estimate(solution);
   }
   return solution;
 }
@@ -124,25 +126,26 @@ void require_solvable(const std::vector<problem::Problem>& problems,
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener) {
-  return run_cases(problems, methods, threads, listener, residuals_of(problems), {});
+  return run_cases(problems, methods, threads, listener, make_error_estimators(problems), {});
 }
 
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,
-                                     const std::vector<ProblemResiduals>& residuals,
+                                     const std::vector<ResidualErrorEstimator>& estimators,
                                      const CaseListener& case_listener) {
   require_solvable(problems, methods);
-  Run run(problems, methods, listener, residuals, case_listener);
-  std::vector<Task> several;
-  std::vector<Task> alone;
+  CaseTable run(problems, methods, listener, estimators, case_listener);
+  std::vector<Task> single_threaded;
+  std::vector<Task> all_processors;
   for (std::size_t p = 0; p < problems.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      (methods[m].parallel ? alone : several).push_back({p, m});
+      (methods[m].uses_all_processors ? all_processors : single_threaded).push_back({p, m});
     }
   }
-  side_by_side(several.size(), threads, [&](std::size_t t) { run.solve(several[t]); });
-  for (const Task& task : alone) run.solve(task);
+  parallel_for(single_threaded.size(), threads,
+               [&](std::size_t t) { run.solve(single_threaded[t]); });
+  for (const Task& task : all_processors) run.solve(task);
   return run.cases();
 }
 

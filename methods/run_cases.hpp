@@ -5,54 +5,55 @@
 #include <vector>
 
 #include "methods/method.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::methods {
 
-/// Where a run stands.
+/// The progress of a run.
 struct RunProgress {
   std::size_t done;   ///< solutions finished
-  std::size_t total;  ///< solutions asked for
+  std::size_t total;  ///< solutions requested
   std::string case_name;
   std::string method;
-  double fraction;        ///< of this method's work: 1 when it has just finished
-  std::string note = {};  ///< what else the method has to say; may be empty
+  double fraction;        ///< of this method's work; 1 when the method has just finished
+  std::string note = {};  ///< the method's note on its state; may be empty
 };
 
-/// Told of progress; called from several threads, never two at once.
+/// Receives progress. Several threads call it, never two at the same time.
 using ProgressListener = std::function<void(const RunProgress&)>;
 
-/// Solves a problem by a method on the axes of its case; the solution knows who it is and what was
-/// asked for. Where memory does not suffice it has failed for that reason. Of a density equation or a
-/// simulation it is not `ok` without a stated error; of others complete_errors() sees to that.
-transform::Solution solve_by(const Method& method, const problem::Problem& problem,
-                             const Setting& setting);
+/// Solves a problem with a method on the axes of its case, and sets the solution's identity and
+/// options. Where memory does not suffice, the status is `failed`. A solution of a density equation
+/// or a simulation without an error estimate is not `ok`; complete_error_estimates() does the same
+/// for all others.
+transform::Solution solve_with(const Method& method, const problem::Problem& problem,
+                               const SolveContext& context);
 
-/// @throws InputError when a method cannot be asked to solve one of the problems (Method::check)
+/// @throws InputError when the options of a method do not suit one of the problems (Method::check)
 void require_solvable(const std::vector<problem::Problem>& problems,
                       const std::vector<Method>& methods);
 
-/// Solves every problem by every method and compares, if all can be asked to (require_solvable).
-/// Methods that use one processor run side by side; those that use all of them run alone.
+/// Solves every problem with every method and compares the solutions, after require_solvable().
+/// Methods that use one processor run in parallel; methods that use all processors run alone.
 /// @param methods by increasing trust
 /// @param threads processors to use; 0 for all
-/// @throws whatever a solver throws, after the others have ended
+/// @throws whatever a solver throws, after the other solvers have ended
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener);
 
-/// Told of a case as soon as it has all its solutions; called from several threads.
+/// Receives a case as soon as it has all its solutions. Several threads call it.
 using CaseListener = std::function<void(const results::Case&)>;
 
-/// The same with residuals that the caller keeps, one for each problem.
-/// @param case_listener if there is one, nothing more is begun when the program is told to stop
-///                      (base/process/stop.hpp), and what is returned may lack the last cases
+/// Does the same with error estimators that the caller owns, one for each problem.
+/// @param case_listener if set, a stop request (base/process/stop.hpp) prevents further solves, and
+///                      the returned list lacks the incomplete cases
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,
-                                     const std::vector<ProblemResiduals>& residuals,
+                                     const std::vector<ResidualErrorEstimator>& estimators,
                                      const CaseListener& case_listener);
 
 }  // namespace fpkcheck::methods

@@ -8,83 +8,89 @@
 #include <vector>
 
 #include "base/options/description.hpp"
-#include "methods/in_frame.hpp"
 #include "methods/method.hpp"
+#include "methods/solve_in_wall_coordinates.hpp"
 
 namespace fpkcheck::methods {
 
-/// Solutions that belong together: what lists, glossaries, legends and the order of trust know of
-/// them.
+/// A family of solutions: its entry in lists, glossaries, legends and the order of trust.
 struct Family {
   std::string name;  ///< ids are NAME or begin with NAME-: "epc-gaussian", "fd", "mcs"
   transform::Role role;
-  std::string meaning;             ///< one sentence, for glossaries
-  std::vector<std::string> usual;  ///< ids that the name stands for in a list, by increasing trust
-  std::function<transform::Look(const transform::Identity&)> look;
+  std::string meaning;  ///< one sentence, for glossaries
+  std::vector<std::string>
+      default_ids;  ///< ids that the name selects in a list, by increasing trust
+  std::function<transform::PlotStyle(const transform::Identity&)> plot_style;
 };
 
-/// A solver as the program knows it: an entry of the registry. What the program does with methods
-/// (list, solve, tabulate, draw, save, repeat, study) it does by these entries alone.
+/// A solver: an entry of the registry. The program lists, runs, tabulates, plots, saves, repeats
+/// and studies methods through these entries alone.
 struct Solver {
-  std::string name;                            ///< its command, and "method" in files: "epc"
-  std::string summary;                         ///< a line of `fpkcheck --help`
-  std::string usage;                           ///< the head of `fpkcheck NAME --help`
-  std::vector<Family> families;                ///< by increasing trust
-  bool parallel = false;                       ///< Method::parallel
-  std::vector<std::string> set_by_a_run = {};  ///< names of options that `run` offers too
+  std::string name;                           ///< command, and "method" in files: "epc"
+  std::string summary;                        ///< a line of `fpkcheck --help`
+  std::string usage;                          ///< first part of `fpkcheck NAME --help`
+  std::vector<Family> families;               ///< by increasing trust
+  bool uses_all_processors = false;           ///< Method::uses_all_processors
+  std::vector<std::string> run_options = {};  ///< names of options that `run` has as well
 
-  const base::Descriptions* parameters;  ///< of its options
-  base::Values usual_options;            ///< where nobody asks for anything else
-  /// The options that belong to an id; nothing where the id is of no solution of this solver.
+  const base::DescriptionBase* option_descriptions;  ///< descriptions of the options
+  base::Values default_options;                      ///< default values of the options
+  /// The options of an id; no value where the id belongs to no solution of this solver.
   std::function<std::optional<base::Values>(std::string_view id)> options_of;
   /// The method with these options.
-  /// @throws InputError when they cannot be read or used
+  /// @throws InputError when the options cannot be read or are invalid
   std::function<Method(const base::Values&)> method;
 };
 
-/// What a solver's room offers: its front.
+/// The functions of a solver's library from which its registry entry is made.
 template <class Options>
-struct Front {
+struct SolverTraits {
   const base::Description<Options>& description;
-  /// @throws InputError when the options cannot be used
+  /// @throws InputError when the options are invalid
   void (*validate)(const Options&);
   transform::Identity (*identity)(const Options&);
   std::optional<Options> (*options_of)(std::string_view id);
-  /// Of a problem in its frame (problem/frame.hpp), with axes in its coordinates.
-  std::function<transform::Solution(const problem::Problem&, const Options&, const Setting&)> solve;
+  /// Solves a problem in wall coordinates (problem/frame.hpp), with axes in the same coordinates.
+  std::function<transform::Solution(const problem::Problem&, const Options&, const SolveContext&)>
+      solve;
   /// Method::check; may be null.
   void (*check)(const problem::Problem&, const Options&) = nullptr;
-  /// Why the solver does not treat a problem, in one phrase; empty where it does. Null where it treats
-  /// all.
-  std::string (*objection)(const problem::Problem&, const Options&) = nullptr;
+  /// Why the solver does not support a problem, in one phrase; empty where it does. Null where the
+  /// solver supports every problem.
+  std::string (*unsupported_reason)(const problem::Problem&, const Options&) = nullptr;
 };
 
-/// Completes an entry by a front: options become values, and values methods.
+/// Completes a registry entry by the solver's functions: converts options to values, and values to
+/// methods.
 template <class Options>
-Solver with_front(Solver solver, const Front<Options>& front) {
-  solver.parameters = &front.description;
-  solver.usual_options = front.description.values(Options{});
-  solver.options_of = [front](std::string_view id) -> std::optional<base::Values> {
-    const auto options = front.options_of(id);
+Solver with_traits(Solver solver, const SolverTraits<Options>& traits) {
+  solver.option_descriptions = &traits.description;
+  solver.default_options = traits.description.values(Options{});
+  solver.options_of = [traits](std::string_view id) -> std::optional<base::Values> {
+    const auto options = traits.options_of(id);
     if (!options) return std::nullopt;
-    return front.description.values(*options);
+    return traits.description.values(*options);
   };
-  solver.method = [front, parallel = solver.parallel](const base::Values& values) {
-    const Options options = front.description.read(values, "options");
-    front.validate(options);
-    Method method{front.identity(options), front.description.values(options), parallel,
-                  [front, options](const problem::Problem& problem, const Setting& setting) {
-                    const auto objection = [&](const problem::Problem& seen) {
-                      return front.objection == nullptr ? "" : front.objection(seen, options);
-                    };
-                    return solve_in_frame(
-                        problem, setting, objection,
-                        [&](const problem::Problem& seen, const Setting& setting_there) {
-                          return front.solve(seen, options, setting_there);
-                        });
-                  }};
-    if (front.check != nullptr) {
-      method.check = [check = front.check, options](const problem::Problem& problem) {
+  solver.method = [traits,
+                   uses_all_processors = solver.uses_all_processors](const base::Values& values) {
+    const Options options = traits.description.read(values, "options");
+    traits.validate(options);
+    Method method{
+        traits.identity(options), traits.description.values(options), uses_all_processors,
+        [traits, options](const problem::Problem& problem, const SolveContext& context) {
+          const auto unsupported_reason = [&](const problem::Problem& transformed) {
+            return traits.unsupported_reason == nullptr
+                       ? ""
+                       : traits.unsupported_reason(transformed, options);
+          };
+          return solve_in_wall_coordinates(
+              problem, context, unsupported_reason,
+              [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
+                return traits.solve(transformed, options, transformed_context);
+              });
+        }};
+    if (traits.check != nullptr) {
+      method.check = [check = traits.check, options](const problem::Problem& problem) {
         check(problem, options);
       };
     }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -18,7 +18,7 @@ using Kind = AmplitudeTable::Kind;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
-// As of a case file's own numbers: powers of them must be numbers too.
+// The bound of numbers in case files (kLargestMagnitude): their powers must be finite.
 constexpr double kLargest = 1e30;
 
 std::string_view name_of(Kind kind) { return kind == Kind::probability ? kProbability : kDensity; }
@@ -37,10 +37,10 @@ std::optional<double> number_of(std::string_view text) {
   return whole && std::abs(number) <= kLargest ? std::optional(number) : std::nullopt;
 }
 
-/// A table from its rows, each of which is looked at where it stands.
-class Rows {
+/// Builds a table row by row and checks each row, so that a message names its line.
+class TableBuilder {
  public:
-  explicit Rows(Kind kind) { table_.kind = kind; }
+  explicit TableBuilder(Kind kind) { table_.kind = kind; }
 
   /// @throws InputError AT: ..
   void add(std::string_view row, char separator, const std::string& at) {
@@ -49,7 +49,7 @@ class Rows {
     const auto weight =
         cut == std::string_view::npos ? std::nullopt : number_of(row.substr(cut + 1));
     if (!amplitude || !weight) {
-      fail(at, fmt::format("{} (a row is two finite numbers, amplitude{}{})", in_quotes(row),
+      fail(at, fmt::format("{}: a row must be two finite numbers, amplitude{}{}", in_quotes(row),
                            separator, name_of(table_.kind)));
     }
     if (!table_.amplitude.empty() && !(*amplitude > table_.amplitude.back())) {
@@ -61,8 +61,8 @@ class Rows {
       fail(at, fmt::format("{} = {} (must be {})", name_of(table_.kind), *weight,
                            table_.kind == Kind::density ? "0 or above" : "above 0"));
     }
-    if (table_.amplitude.size() == kMostTableRows) {
-      fail(at, fmt::format("more than {} rows (a table may have as many)", kMostTableRows));
+    if (table_.amplitude.size() == kMaxTableRows) {
+      fail(at, fmt::format("more than {} rows: that is the limit of a table", kMaxTableRows));
     }
     table_.amplitude.push_back(*amplitude);
     table_.weight.push_back(*weight);
@@ -70,7 +70,7 @@ class Rows {
 
   /// @throws InputError AT: ..
   AmplitudeTable table(const std::string& at) && {
-    if (table_.amplitude.size() < 2) fail(at, "a table of less than two rows (Y must vary)");
+    if (table_.amplitude.size() < 2) fail(at, "fewer than two rows: Y must vary");
     double sum = 0;
     for (std::size_t k = 0; k < table_.weight.size(); ++k) {
       if (table_.kind == Kind::probability) {
@@ -80,24 +80,24 @@ class Rows {
                (table_.weight[k] + table_.weight[k - 1]) / 2;
       }
     }
-    if (!(std::abs(sum - 1) <= kTableTolerance)) {
-      fail(at, fmt::format("the table ends here, and its {} {} {:.6g} (must be 1 within {})",
-                           name_of(table_.kind),
+    if (!(std::abs(sum - 1) <= kTableSumTolerance)) {
+      fail(at, fmt::format("the table's {} {} {:.6g} (must be 1 within {})", name_of(table_.kind),
                            table_.kind == Kind::probability ? "sums to" : "integrates to", sum,
-                           kTableTolerance));
+                           kTableSumTolerance));
     }
-    // A deviation that rounding leaves, and powers of what lies outside it that are numbers.
+    // The deviation must exceed rounding errors, and powers of standardised amplitudes must be
+    // finite.
     constexpr double kLeastSpread = 1e-30, kLeastOfSize = 1e-9, kLeastShare = 1e-20;
     const double first = table_.amplitude.front(), last = table_.amplitude.back();
     const double spread = last - first, size = std::max(std::abs(first), std::abs(last));
     if (spread < std::max(kLeastSpread, kLeastOfSize * size) ||
         table_.variance() < kLeastShare * spread * spread) {
       fail(at,
-           fmt::format("the table ends here, and its amplitudes, {} .. {}, are as good as one (Y "
-                       "must vary)",
+           fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // What a sum of rounded numbers is off by stays: a table that was read once reads the same.
+    // A smaller deviation is rounding. Without division a table is unchanged when it is written and
+    // read again.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;
@@ -113,7 +113,7 @@ class Rows {
   AmplitudeTable table_;
 };
 
-// E[(Y - about)^power], power 1 or 2: Simpson's rule has cubics exactly.
+// E[(Y - about)^power], power 1 or 2. Simpson's rule is exact for the cubic integrands.
 double moment_about(const AmplitudeTable& table, double about, int power) {
   const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
   double sum = 0;
@@ -133,7 +133,8 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 }  // namespace
 
 double AmplitudeTable::mean() const {
-  constexpr double kRounding = 1e-15;  // of the table's width: a mean of 0 is 0
+  // Relative to the table's width; below it the mean is set to 0.
+  constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
   const double mean = middle + moment_about(*this, middle, 1);
   return std::abs(mean) < kRounding * (last - first) ? 0 : mean;
@@ -143,16 +144,16 @@ double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2);
 
 AmplitudeTable AmplitudeTable::mirrored() const {
   AmplitudeTable table = *this;
-  for (double& y : table.amplitude) y = 0 - y;  // no -0
+  for (double& y : table.amplitude) y = 0 - y;  // avoids -0
   std::ranges::reverse(table.amplitude);
   std::ranges::reverse(table.weight);
   return table;
 }
 
-AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& where) {
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
-  std::optional<Rows> rows;
+  std::optional<TableBuilder> rows;
   int number = 0;
   std::string at = fmt::format("{}:1:", where);
   while (!csv.empty()) {
@@ -179,12 +180,13 @@ AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& w
   }
   if (!rows) {
     throw InputError(fmt::format(
-        "{} no line (the first one must be amplitude,probability or amplitude,density)", at));
+        "{} the table is empty (the first line must be amplitude,probability or amplitude,density)",
+        at));
   }
   return std::move(*rows).table(at);
 }
 
-std::string text_of(const AmplitudeTable& table) {
+std::string table_literal(const AmplitudeTable& table) {
   std::string text = fmt::format("{}(", name_of(table.kind));
   for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
     text += fmt::format("{}{}:{}", k == 0 ? "" : ",", table.amplitude[k], table.weight[k]);
@@ -192,17 +194,17 @@ std::string text_of(const AmplitudeTable& table) {
   return text + ')';
 }
 
-bool is_amplitude_table(std::string_view text) {
+bool is_table_literal(std::string_view text) {
   return text.starts_with("probability(") || text.starts_with("density(");
 }
 
-AmplitudeTable amplitude_table_of_text(std::string_view text) {
+AmplitudeTable parse_table_literal(std::string_view text) {
   const std::string at = fmt::format("impulse.table = {}:", in_quotes(text));
-  if (!is_amplitude_table(text) || text.back() != ')') {
+  if (!is_table_literal(text) || text.back() != ')') {
     throw InputError(
-        fmt::format("{} no table (name a CSV file, or write probability(-1:0.5,1:0.5))", at));
+        fmt::format("{} not a table; name a CSV file, or write probability(-1:0.5,1:0.5)", at));
   }
-  Rows rows(text.front() == 'p' ? Kind::probability : Kind::density);
+  TableBuilder rows(text.front() == 'p' ? Kind::probability : Kind::density);
   const auto open = text.find('(');
   std::string_view list = text.substr(open + 1, text.size() - open - 2);
   while (!list.empty()) {
@@ -213,8 +215,8 @@ AmplitudeTable amplitude_table_of_text(std::string_view text) {
   return std::move(rows).table(at);
 }
 
-std::string summary_of(std::string_view text) {
-  const AmplitudeTable table = amplitude_table_of_text(text);
+std::string table_summary(std::string_view text) {
+  const AmplitudeTable table = parse_table_literal(text);
   return fmt::format("{} {} from {:g} to {:g}", table.amplitude.size(),
                      table.kind == Kind::probability ? "probabilities" : "densities",
                      table.amplitude.front(), table.amplitude.back());

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::problem {
 
-/// A law of amplitudes as a table: what each is worth, or a density that is linear from one to the
-/// next and 0 beyond the ends. The amplitudes increase; probabilities sum to 1, densities integrate
-/// to 1.
+/// A law of impulse amplitudes as a table: probabilities of discrete amplitudes, or a density that
+/// is linear between the amplitudes and 0 outside. Amplitudes increase; probabilities sum to 1,
+/// densities integrate to 1.
 struct AmplitudeTable {
   enum class Kind { probability, density };
 
@@ -19,27 +19,28 @@ struct AmplitudeTable {
   double mean() const;
   /// E[(Y - E[Y])^2].
   double variance() const;
-  /// Of -Y.
+  /// The law of -Y.
   AmplitudeTable mirrored() const;
 };
 
-inline constexpr std::size_t kMostTableRows = 1000;
-/// By how much the sum of a table may differ from 1; it is divided by it.
-inline constexpr double kTableTolerance = 1e-3;
+inline constexpr std::size_t kMaxTableRows = 1000;
+/// Largest deviation of a table's sum (or integral) from 1; the table is then divided by the sum.
+inline constexpr double kTableSumTolerance = 1e-3;
 
-/// Of a CSV with the columns amplitude,probability or amplitude,density.
-/// @param where how messages name the file
-/// @throws InputError WHERE:LINE: on one line what is wrong there, and what is allowed
-AmplitudeTable amplitude_table_of_csv(std::string_view csv, const std::string& where);
+/// Parses a CSV text with the columns amplitude,probability or amplitude,density.
+/// @param where name of the file in messages
+/// @throws InputError "WHERE:LINE: .." on one line: the error and what is allowed
+AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where);
 
-/// As one word of a case file, "probability(-1:0.25,3:0.75)", that says all of it.
-std::string text_of(const AmplitudeTable& table);
-/// Whether it begins as such a word does.
-bool is_amplitude_table(std::string_view text);
-/// @throws InputError impulse.table = ..
-AmplitudeTable amplitude_table_of_text(std::string_view text);
+/// The table as one word of a case file, "probability(-1:0.25,3:0.75)"; complete and exact.
+std::string table_literal(const AmplitudeTable& table);
+/// Whether a text begins like such a word.
+bool is_table_literal(std::string_view text);
+/// Parses such a word.
+/// @throws InputError "impulse.table = .."
+AmplitudeTable parse_table_literal(std::string_view text);
 
-/// "37 probabilities from -1 to 3": for people.
-std::string summary_of(std::string_view table_text);
+/// A short description for people: "37 probabilities from -1 to 3".
+std::string table_summary(std::string_view table_text);
 
 }  // namespace fpkcheck::problem

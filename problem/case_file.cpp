@@ -16,20 +16,20 @@
 #include "base/files/ini_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/amplitude_table.hpp"
 #include "problem/named_cases.hpp"
 #include "problem/table_setting.hpp"
-#include "problem/untreated.hpp"
+#include "problem/unsupported_features.hpp"
 
 namespace fpkcheck::problem {
 
 using base::in_quotes;
-using base::shown;
+using base::sanitise;
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
-  std::vector<std::string> known;  // "wall.{left, right}": there are many
-  for (const base::Descriptions* section : case_descriptions()) {
+  std::vector<std::string> known;  // grouped, since there are many: "wall.{left, right}"
+  for (const base::DescriptionBase* section : case_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->all()) {
       if (section->prefix() + parameter.name == key) return parameter;
@@ -37,46 +37,46 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
     }
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
   }
-  if (const std::string text = untreated_text(key); !text.empty()) {
+  if (const std::string text = unsupported_feature_text(key); !text.empty()) {
     throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
   }
-  throw InputError(fmt::format("{}: unknown key {} (known keys: {})", where, in_quotes(key),
+  throw InputError(fmt::format("{}: unknown key {}; known keys: {}", where, in_quotes(key),
                                fmt::join(known, ", ")));
 }
 
 namespace {
 
-/// What a key is set to, and where.
+/// The text of a setting and its location for messages.
 struct Setting {
   std::string text, where;
 };
-using Settings = std::map<std::string, Setting>;  // of keys
+using Settings = std::map<std::string, Setting>;  // by key
 
-Settings known_settings(const std::vector<base::IniSetting>& lines) {
+Settings checked_settings(const std::vector<base::IniSetting>& lines) {
   Settings settings;
   for (const auto& line : lines) {
     case_parameter(line.path(), line.where);
     if (!settings.emplace(line.path(), Setting{line.text, line.where}).second) {
       throw InputError(
-          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+          fmt::format("{}: key '{}' is given twice; keep one", line.where, line.path()));
     }
   }
   return settings;
 }
 
-void apply(const std::vector<std::string>& overrides, const std::string& where,
-           Settings& settings) {
+void apply_overrides(const std::vector<std::string>& overrides, const std::string& where,
+                     Settings& settings) {
   std::set<std::string> set;
   for (const auto& pair : overrides) {
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
-      throw InputError(
-          fmt::format("--set {} (not key=value; write e.g. --set system.cubic=1.0)", shown(pair)));
+      throw InputError(fmt::format("--set {}: not key=value; write e.g. --set system.cubic=1.0",
+                                   sanitise(pair)));
     }
     const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
     case_parameter(key, "--set");
     if (!set.insert(key).second) {
-      throw InputError(fmt::format("--set {} is given twice (keep one)", key));
+      throw InputError(fmt::format("--set {} is given twice; keep one", key));
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
@@ -85,23 +85,23 @@ void apply(const std::vector<std::string>& overrides, const std::string& where,
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces a file of amplitudes by what it holds.
-void read_table(Settings& settings, const std::filesystem::path& folder) {
+// Replaces the name of an amplitude file by the table in it.
+void load_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
   try {
-    table->second.text = table_setting(table->second.text, folder);
+    table->second.text = resolve_table_setting(table->second.text, folder);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", table->second.where, error.what()));
   }
 }
 
-// What a table says of mean and intensity, where nobody else does.
+// Takes mean and intensity from the table where no setting gives them.
 void complete_from_table(Settings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
     if (found == settings.end()) return std::nullopt;
-    const auto value = case_parameter(key, key).parsed(found->second.text);
+    const auto value = case_parameter(key, key).parse(found->second.text);
     const auto* as_number = value ? std::get_if<double>(&*value) : nullptr;
     return as_number != nullptr ? std::optional(*as_number) : std::nullopt;
   };
@@ -109,7 +109,7 @@ void complete_from_table(Settings& settings) {
   if (law == settings.end() || said == settings.end() || law->second.text != TabulatedLaw::kName) {
     return;
   }
-  const AmplitudeTable table = amplitude_table_of_text(said->second.text);
+  const AmplitudeTable table = parse_table_literal(said->second.text);
   const std::string where = said->second.where;
   if (!settings.contains(kMean)) settings[kMean] = {fmt::format("{}", table.mean()), where};
   const auto rate = number(kRate), mean = number(kMean);
@@ -117,8 +117,8 @@ void complete_from_table(Settings& settings) {
   settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
 }
 
-// The section's part of a case file, from the texts of its keys; nothing where it has none.
-std::optional<Section> section(const base::Descriptions& description, const Settings& settings) {
+// Parses the settings of one section; nothing when the case file has none.
+std::optional<Section> section(const base::DescriptionBase& description, const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
@@ -129,17 +129,17 @@ std::optional<Section> section(const base::Descriptions& description, const Sett
     const auto found = settings.find(key);
     if (found != settings.end()) {
       section.values.push_back(
-          {parameter.name, base::value_from(parameter, found->second.text, key + " =")});
-    } else if (!parameter.fallback) {
+          {parameter.name, base::parse_value(parameter, found->second.text, key + " =")});
+    } else if (!parameter.default_value) {
       throw InputError(
-          fmt::format("key '{}' is missing (add it, or give --set {}=VALUE)", key, key));
+          fmt::format("key '{}' is missing; add it, or give --set {}=VALUE", key, key));
     }
   }
   return section;
 }
 
-// The line of the key that a message begins with.
-std::optional<std::string> place_of(const std::string& message, const Settings& settings) {
+// The location of the setting whose key begins the message.
+std::optional<std::string> location_of_key(const std::string& message, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
   }
@@ -154,48 +154,49 @@ bool is_utf8(const std::string& text) {
   return true;
 }
 
-// A case's name goes into tables, file names, JSON, netCDF names and pictures.
-void require_presentable(const std::string& name) {
+// The name of a case appears in tables, file names, JSON, netCDF names and figures.
+void require_valid_name(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
       std::ranges::none_of(name, [](unsigned char c) { return std::iscntrl(c) != 0; });
   const bool utf8 = is_utf8(name);
   if (plain && utf8 && !name.empty() && name.size() <= kLongest) return;
   throw InputError(fmt::format(
-      "the case's name, that of its file, {} (rename the file: 1 .. {} bytes of UTF-8 without "
-      "control characters)",
+      "the name of the case, taken from its file, {}; rename the file (1 .. {} bytes of UTF-8 "
+      "without control characters)",
       !utf8    ? "is not UTF-8"
-      : !plain ? "holds control characters"
+      : !plain ? "contains control characters"
                : fmt::format("has {} bytes", name.size()),
       kLongest));
 }
 
-// ", r = 0.9, laplace impulses": each parameter that is not as the file has it. Here, where both
-// are known, and once: tables, pictures, the page and JSON name a case by Problem::name, and files
-// by its plain form (results::file_stem).
-std::string changes(const Settings& of_file, const Problem& problem) {
+// The parameters that differ from the file: ", r = 0.9, laplace impulses". The name is composed
+// once, here, where file and overrides are known. Tables, figures, the page and JSON use
+// Problem::name, and file names its plain form (results::file_stem).
+std::string changes_text(const Settings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
   int count = 0;
-  for (const auto& shown : shown_parameters(problem)) {
-    const std::string key = shown.section + '.' + shown.name;
+  for (const auto& displayed : displayed_parameters(problem)) {
+    const std::string key = displayed.section + '.' + displayed.name;
     const auto& parameter = case_parameter(key, key);
-    const auto before = of_file.find(key);
+    const auto before = from_file.find(key);
     auto value =
-        before == of_file.end() ? parameter.fallback : parameter.parsed(before->second.text);
-    if (value) value = value_shown(parameter, *value);
-    if (value == shown.value) continue;
+        before == from_file.end() ? parameter.default_value : parameter.parse(before->second.text);
+    if (value) value = display_value(parameter, *value);
+    if (value == displayed.value) continue;
     ++count;
-    // All digits: what differs is called differently.
-    if (const auto* number = std::get_if<double>(&shown.value)) {
-      text += fmt::format(", {} = {}", shown.symbol, *number);
-    } else if (parameter.shown) {
-      text += fmt::format(", another {}", shown.symbol);
-    } else if (const auto* law = std::get_if<std::string>(&shown.value)) {
+    // All digits, so that different problems have different names.
+    if (const auto* number = std::get_if<double>(&displayed.value)) {
+      text += fmt::format(", {} = {}", displayed.symbol, *number);
+    } else if (parameter.display_text) {
+      text += fmt::format(", another {}", displayed.symbol);
+    } else if (const auto* law = std::get_if<std::string>(&displayed.value)) {
       text += fmt::format(", {} impulses", *law);
     } else {
-      text += std::holds_alternative<bool>(shown.value) ? std::string(", no wall")
-                                                        : fmt::format(", without {}", shown.symbol);
+      text += std::holds_alternative<bool>(displayed.value)
+                  ? std::string(", no wall")
+                  : fmt::format(", without {}", displayed.symbol);
     }
   }
   return text.size() <= kLongest ? text : fmt::format(", {} keys changed", count);
@@ -204,40 +205,40 @@ std::string changes(const Settings& of_file, const Problem& problem) {
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides, Naming naming) {
-  const std::string where = fmt::format("case {}", shown(source));
-  return case_from(base::ini_settings(ini, where), name, where, overrides, naming,
-                   std::filesystem::path(source).parent_path());
+                  const std::vector<std::string>& overrides, CaseNaming naming) {
+  const std::string where = fmt::format("case {}", sanitise(source));
+  return case_from_settings(base::ini_settings(ini, where), name, where, overrides, naming,
+                            std::filesystem::path(source).parent_path());
 }
 
-Problem case_from(const std::vector<base::IniSetting>& lines, const std::string& name,
-                  const std::string& where, const std::vector<std::string>& overrides,
-                  Naming naming, const std::filesystem::path& folder) {
-  require_presentable(name);
-  Settings of_file = known_settings(lines);
-  read_table(of_file, folder);
-  Settings settings = of_file;
-  apply(overrides, where, settings);
-  read_table(settings, {});
-  complete_from_table(of_file);
+Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std::string& name,
+                           const std::string& where, const std::vector<std::string>& overrides,
+                           CaseNaming naming, const std::filesystem::path& folder) {
+  require_valid_name(name);
+  Settings from_file = checked_settings(lines);
+  load_table(from_file, folder);
+  Settings settings = from_file;
+  apply_overrides(overrides, where, settings);
+  load_table(settings, {});
+  complete_from_table(from_file);
   complete_from_table(settings);
   try {
     std::vector<Section> sections;
-    for (const base::Descriptions* description : case_descriptions()) {
+    for (const base::DescriptionBase* description : case_descriptions()) {
       if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
     }
-    Problem problem = problem_from(name, sections);
-    if (naming == Naming::of_changes) problem.name += changes(of_file, problem);
+    Problem problem = problem_from_sections(name, sections);
+    if (naming == CaseNaming::with_overrides) problem.name += changes_text(from_file, problem);
     return problem;
   } catch (const InputError& error) {
-    throw InputError(
-        fmt::format("{}: {}", place_of(error.what(), settings).value_or(where), error.what()));
+    throw InputError(fmt::format("{}: {}", location_of_key(error.what(), settings).value_or(where),
+                                 error.what()));
   }
 }
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                  Naming naming) {
-  if (const NamedCase* named = find_named_case(name_or_path)) {
+                  CaseNaming naming) {
+  if (const BuiltinCase* named = find_builtin_case(name_or_path)) {
     std::istringstream ini(named->text);
     return read_case(ini, named->name, named->name, overrides, naming);
   }
@@ -245,10 +246,10 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
   const auto text = base::read_input_file(name_or_path, kMostBytes);
   if (!text) {
     std::vector<std::string_view> names;
-    for (const auto* cases : {&named_cases(), &shipped_systems()}) {
+    for (const auto* cases : {&paper_cases(), &example_systems()}) {
       for (const auto& named : *cases) names.emplace_back(named.name);
     }
-    throw InputError(fmt::format("no case {} (neither a readable file nor one of {})",
+    throw InputError(fmt::format("no case {}: neither a readable file nor one of {}",
                                  in_quotes(name_or_path), fmt::join(names, ", ")));
   }
   const std::string name = std::filesystem::path(name_or_path).stem().string();

@@ -8,28 +8,29 @@
 
 namespace fpkcheck::problem {
 
-void require_stationary(const Problem& problem) {
-  if (!problem.impulses.present() && !problem.noise.present()) {
+void require_stationary_density(const Problem& problem) {
+  if (!problem.impulses.is_present() && !problem.noise.is_present()) {
     throw InputError(
-        "nothing excites the oscillator (add [impulse] with rate, law and intensity, or [noise] with "
-        "intensity)");
+        "nothing excites the oscillator: add [impulse] with rate, law and intensity, or [noise] "
+        "with intensity");
   }
   const UndampedOrbits orbits(problem);
-  for (const auto& [held, side] : {std::pair{orbits.held_on_the_left(), "left"},
-                                   std::pair{orbits.held_on_the_right(), "right"}}) {
+  for (const auto& [held, side] : {std::pair{orbits.is_confining_on_left(), "left"},
+                                   std::pair{orbits.is_confining_on_right(), "right"}}) {
     if (held) continue;
     throw InputError(fmt::format(
-        "there is no stationary density: the restoring force does not hold the mass on the {0} "
-        "(give its highest power the sign that does, or a wall: wall.{0})",
+        "there is no stationary density: the restoring force does not confine the mass on the {0}; "
+        "change the sign of its highest power, or add wall.{0}",
         side));
   }
-  // Known without a calculation: nothing of these gives energy, and something takes it.
-  if (of_the_paper(problem)) return;
+  // The base class needs no calculation: none of its terms supplies energy, and damping dissipates
+  // it.
+  if (is_paper_oscillator(problem)) return;
   const EnergyAveraging averaging(problem);
-  if (const auto& why = averaging.unconfined()) {
+  if (const auto& why = averaging.unconfined_reason()) {
     throw InputError(fmt::format(
-        "there is no stationary density: {} (give system.damping, system.van_der_pol or "
-        "system.rayleigh a positive value that prevails, or walls restitutions below 1)",
+        "there is no stationary density: {}; raise system.damping, system.van_der_pol or "
+        "system.rayleigh, or give a wall a restitution below 1",
         *why));
   }
 }

@@ -4,9 +4,9 @@
 
 namespace fpkcheck::problem {
 
-/// Refuses what has no stationary density, by name: no excitation, a spring that does not hold, or
-/// energy that is not taken out again (EnergyAveraging).
-/// @throws InputError saying which, and what to change
-void require_stationary(const Problem& problem);
+/// Requires that a stationary density exists: excitation, a restoring force that confines the
+/// motion, and dissipation that prevails at large energies (EnergyAveraging).
+/// @throws InputError naming the condition that fails, and what to change
+void require_stationary_density(const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -8,24 +8,26 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr double kDepth = 60;  // exp(-60) of the largest density is nothing
-constexpr int kBands = 300;
-constexpr const char* kGivesEnergy = "damping and impacts take no energy from large motions";
-constexpr std::size_t kMostBranches = 4;  // wells of a potential of degree 6, between walls
+constexpr double kDepth = 60;  // exp(-60) of the largest density is negligible
+constexpr int kBandCount = 300;
+constexpr const char* kNoDissipation =
+    "damping and impacts dissipate no energy at large amplitudes";
+// The largest number of wells of a potential of degree 6 between walls.
+constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
 
 EnergyAveraging::EnergyAveraging(const Problem& problem)
     : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
   double low = 0, high = 0;
-  if (find_range(low, high)) fill(low, high);
+  if (find_range(low, high)) fill_bands(low, high);
 }
 
 double EnergyAveraging::slope(const Orbit& orbit) const {
   return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
 }
 
-// Up from the bottom in steps that grow, over all orbits of an energy together.
+// Integrates Phi upwards from the lowest potential in growing steps, over all orbits of an energy.
 bool EnergyAveraging::find_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
@@ -33,11 +35,11 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   struct Level {
     double above, phi;
   };
-  // dPhi/dh over all orbits of an energy together; nothing where there is none.
+  // dPhi/dh over all orbits of an energy; nothing when there is no orbit.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
-    for (const Swing& swing : orbits_.swings(bottom + above)) {
-      const Orbit orbit = orbits_.orbit(swing, bottom + above);
+    for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
+      const Orbit orbit = orbits_.orbit(half_cycle, bottom + above);
       loss += orbit.loss;
       action += orbit.action;
     }
@@ -55,16 +57,16 @@ bool EnergyAveraging::find_range(double& low, double& high) {
     levels.push_back({above, phi});
     least = std::min(least, phi);
     if (phi > least + 2 * kDepth) {
-      // A term of the damping that gives energy may prevail farther out.
+      // A damping term that supplies energy may prevail at still larger energies.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
-        unconfined_ = kGivesEnergy;
+        unconfined_reason_ = kNoDissipation;
         return false;
       }
       const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
       const auto first = std::ranges::find_if(levels, within);
       low = bottom + (first == levels.begin() ? 0.0 : std::prev(first)->above);
-      // Not to the end of a step: Phi may have grown by far more than asked for in one.
+      // Interpolated within the last step, over which Phi may grow by far more than kDepth.
       const auto last = std::find_if(levels.rbegin(), levels.rend(), within);
       const auto next = std::prev(last);
       const double share = (least + kDepth - last->phi) / (next->phi - last->phi);
@@ -72,29 +74,29 @@ bool EnergyAveraging::find_range(double& low, double& high) {
       return true;
     }
   }
-  unconfined_ = levels.back().phi > least
-                    ? "the damping at large energies is too weak to hold the motion"
-                    : kGivesEnergy;
+  unconfined_reason_ = levels.back().phi > least
+                           ? "the damping at large energies is too weak to confine the motion"
+                           : kNoDissipation;
   return false;
 }
 
-void EnergyAveraging::fill(double low, double high) {
-  step_ = (high - low) / kBands;
-  // From the top, so that each band knows the one that it merges into.
+void EnergyAveraging::fill_bands(double low, double high) {
+  step_ = (high - low) / kBandCount;
+  // From the top downwards, so that each band finds the band above in the tree.
   std::vector<Band> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
-  for (int n = kBands - 1; n >= 0; --n) {
+  for (int n = kBandCount - 1; n >= 0; --n) {
     const double energy = low + (n + 0.5) * step_;
     const std::size_t begin = from_top.size();
-    for (const Swing& swing : orbits_.swings(energy)) {
+    for (const HalfCycle& half_cycle : orbits_.half_cycles(energy)) {
       Band band{.energy = energy,
-                .orbit = orbits_.orbit(swing, energy),
+                .orbit = orbits_.orbit(half_cycle, energy),
                 .potential = 0,
                 .above = from_top.size()};
       if (!(band.orbit.period > 0)) continue;
-      const double middle = (swing.left + swing.right) / 2;
+      const double middle = (half_cycle.left + half_cycle.right) / 2;
       for (std::size_t u = upper_begin; u < upper_end; ++u) {
-        const Swing& upper = from_top[u].orbit.swing;
+        const HalfCycle& upper = from_top[u].orbit.half_cycle;
         if (middle < upper.left || middle > upper.right) continue;
         band.above = u;
         band.potential =
@@ -119,12 +121,14 @@ void EnergyAveraging::fill(double low, double high) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// K u = gamma M u on the tree, M the masses and K the conductances between a band and the one above
-// it, by inverse iteration: with no flux at the ends K has the constants as its kernel, which the
-// iteration stays away from. K is solved by elimination from the leaves, without fill-in.
-double EnergyAveraging::relaxation() const {
+// Solves K u = gamma M u on the tree by inverse iteration. M are the probabilities, K the
+// conductances between each band and the band above it. Without flux at the ends the kernel of K is
+// the constants, which the iteration projects out. K is solved by elimination from the leaves,
+// which creates no new nonzeros.
+double EnergyAveraging::relaxation_rate() const {
   const std::size_t n = bands_.size();
-  // Only relative masses enter; those of exp(-60) would only add rounding errors.
+  // Conductances are divided by the same total as the masses. Bands of a weight below exp(-60) are
+  // excluded: they would only add rounding errors.
   std::vector<double> conductance(n, 0);
   const double unit = [&] {
     double total = 0;
@@ -139,7 +143,7 @@ double EnergyAveraging::relaxation() const {
                      std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) / unit;
   }
   std::vector<double> u(n);
-  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.swing.left + bands_[b].energy;
+  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.half_cycle.left + bands_[b].energy;
   const auto centre_and_scale = [&] {
     double mean = 0, square = 0;
     for (std::size_t b = 0; b < n; ++b) mean += bands_[b].mass * u[b];
@@ -151,8 +155,8 @@ double EnergyAveraging::relaxation() const {
   centre_and_scale();
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    // The flux from a band upwards is all that enters below it, or what leaves elsewhere: the sum
-    // over the smaller mass, since the other one is its negative only up to rounding errors.
+    // The flux upwards from a band is the sum of sources below it, or minus the sum of all others.
+    // The side of smaller probability is summed: the sums are opposite only up to rounding errors.
     std::vector<double> below(n), mass_below(n), elsewhere(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += bands_[b].mass * u[b];
@@ -166,11 +170,11 @@ double EnergyAveraging::relaxation() const {
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t above = bands_[b].above;
       if (above == b) continue;
-      double beside = 0;  // other branches that merge there
-      for (std::size_t other = b; other-- > 0 && b - other < kMostBranches;) {
+      double beside = 0;  // other branches that merge at the same band
+      for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (bands_[other].above == above) beside += below[other];
       }
-      for (std::size_t other = b + 1; other < n && other - b < kMostBranches; ++other) {
+      for (std::size_t other = b + 1; other < n && other - b < kMaxBranches; ++other) {
         if (other != above && bands_[other].above == above) beside += below[other];
       }
       elsewhere[b] = elsewhere[above] + bands_[above].mass * u[above] + beside;

@@ -9,7 +9,7 @@ namespace fpkcheck::problem {
 
 namespace {
 
-// The root of a function that grows without bound from a negative value at 0.
+// The positive root of a function that is negative at 0 and grows without bound.
 template <class Function>
 double positive_root(const Function& f) {
   double upper = 1;
@@ -47,7 +47,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
     // sigma_2 / sigma_1 = sqrt(k_eq)
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
-  // sigma_1^2 k_eq c_eq = D2: the left side grows from 0 without bound, so there is one root.
+  // sigma_1^2 k_eq c_eq = D2: the left side increases from 0 without bound, so there is one root.
   const auto excess = [&](double s1) {
     const double k_eq = stiffness(s1);
     return s1 * s1 * k_eq * damping(k_eq) - d2;
@@ -57,15 +57,15 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   return {damping(k_eq), k_eq, s1, s1 * std::sqrt(k_eq)};
 }
 
-double slowest_decay(const EquivalentLinearisation& linear) {
+double slowest_decay_rate(const EquivalentLinearisation& linear) {
   const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
   if (discriminant <= 0) return linear.damping / 2;
-  // Without the cancellation of c - sqrt(c^2 - 4k).
+  // Avoids the cancellation of c - sqrt(c^2 - 4k).
   return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
 }
 
 double impulses_per_decay_time(const Problem& problem) {
-  return problem.impulses.arrival_rate() / slowest_decay(equivalent_linearisation(problem));
+  return problem.impulses.arrival_rate() / slowest_decay_rate(equivalent_linearisation(problem));
 }
 
 double static_deflection(const Problem& problem) {

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::problem {
 
-/// The Gaussian that equivalent linearisation gives for (z, z') under white noise of the same
-/// intensity. Independent, zero-mean components.
+/// Equivalent linearisation: the Gaussian density of (z, z') under white noise of the same
+/// intensity, with independent components of mean zero.
 struct EquivalentLinearisation {
   double damping;                     ///< c_eq
   double stiffness;                   ///< k_eq
@@ -20,19 +20,21 @@ struct EquivalentLinearisation {
 ///     sigma_2^2 = D2 / c_eq,   sigma_1 = sigma_2 / sqrt(k_eq).
 EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 
-/// The rate at which the slowest mode of the linearised oscillator decays, per unit time:
-/// Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2. That is c_eq/2 below critical damping, about k_eq/c_eq
-/// far above it.
-double slowest_decay(const EquivalentLinearisation& linear);
+/// Decay rate of the slowest mode of the linearised oscillator, per unit time:
+///
+///     Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2,
+///
+/// c_eq/2 below critical damping, about k_eq/c_eq far above it.
+double slowest_decay_rate(const EquivalentLinearisation& linear);
 
-/// Impulses in the time in which the slowest mode of equivalent linearisation falls by a factor e.
-/// Between impulses an amplitude a decays like exp(-kappa t): with lambda/kappa of them the mass
-/// within a is like a^(lambda/kappa), so that the joint density is unbounded at rest below 2 and
-/// its marginals are below 1.
+/// Mean number of impulses, lambda/kappa, in the time in which the slowest mode of equivalent
+/// linearisation decays by a factor e. Between impulses an amplitude a decays like exp(-kappa t).
+/// The probability within a then behaves like a^(lambda/kappa): the joint density is unbounded at
+/// rest for values below 2, its marginal densities for values below 1.
 double impulses_per_decay_time(const Problem& problem);
 
-/// Where the mean of the impulses alone would hold the oscillator: g(y) = lambda E[Y] when
-/// they push away from the wall, else 0. The Gaussian above knows nothing of it.
+/// Equilibrium displacement under the mean force of the impulses: g(y) = lambda E[Y] where the
+/// impulses push away from the wall, else 0. The Gaussian above does not include this deflection.
 double static_deflection(const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -5,37 +5,38 @@
 
 namespace fpkcheck::problem {
 
-bool of_the_paper(const Problem& problem) {
+bool is_paper_oscillator(const Problem& problem) {
   const System& system = problem.system;
   const auto& g = system.force().coefficients();
   return system.left() && system.left()->position == 0 && !system.right() &&
          system.damping_is_constant() && system.damping() > 0 && g[0] == 0 && g[1] >= 0 &&
-         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.present() &&
-         !problem.noise.present();
+         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.is_present() &&
+         !problem.noise.is_present();
 }
 
 Features features(const Problem& problem) {
   const System& system = problem.system;
-  Features found{.original = of_the_paper(problem),
-                 .no_wall = !system.left() && !system.right(),
-                 .two_walls = system.left() && system.right(),
-                 .noise = problem.noise.present(),
-                 .impulses = problem.impulses.present(),
-                 .constant_damping = system.damping_is_constant()};
+  Features result{.is_paper_oscillator = is_paper_oscillator(problem),
+                  .no_wall = !system.left() && !system.right(),
+                  .two_walls = system.left() && system.right(),
+                  .noise = problem.noise.is_present(),
+                  .impulses = problem.impulses.is_present(),
+                  .constant_damping = system.damping_is_constant()};
   const auto& c = system.coefficients();
-  found.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
-  const auto look_at = [&](const std::optional<Wall>& wall, double towards) {
+  result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
+  const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
-    // The force on the mass is -g: it presses on a wall at its left where g > 0.
+    // The force on the mass is -g: it presses against a left wall where g > 0.
     const double pressing = -towards * system.force()(wall->position);
-    if (pressing != 0) found.offset_wall = true;
-    if (pressing > 0 && wall->restitution < 1 && !found.noise) found.rests_in_contact = true;
-    if (found.noise && wall->restitution <= kCollapseRestitution) found.collapse = true;
+    if (pressing != 0) result.offset_wall = true;
+    if (pressing > 0 && wall->restitution < 1 && !result.noise) result.rests_in_contact = true;
+    if (result.noise && wall->restitution <= kCollapseRestitution) result.collapse = true;
   };
-  look_at(system.left(), -1);
-  look_at(system.right(), 1);
-  if (!found.original) found.wells = static_cast<int>(UndampedOrbits(problem).minima().size());
-  return found;
+  inspect_wall(system.left(), -1);
+  inspect_wall(system.right(), 1);
+  if (!result.is_paper_oscillator)
+    result.wells = static_cast<int>(UndampedOrbits(problem).minima().size());
+  return result;
 }
 
 }  // namespace fpkcheck::problem

@@ -4,19 +4,19 @@
 
 namespace fpkcheck::problem {
 
-Frame frame_of(const System& system) {
+Frame wall_frame(const System& system) {
   if (system.left()) return {.origin = system.left()->position, .mirrored = false};
   if (system.right()) return {.origin = system.right()->position, .mirrored = true};
   return {};
 }
 
-Problem seen_from(const Frame& frame, const Problem& problem) {
+Problem to_wall_coordinates(const Frame& frame, const Problem& problem) {
   if (frame.is_identity()) return problem;
-  Problem seen = problem;
-  seen.system = problem.system.seen_from(frame);
-  seen.frame = frame;
-  if (frame.mirrored) seen.impulses = problem.impulses.mirrored();
-  return seen;
+  Problem transformed = problem;
+  transformed.system = problem.system.to_wall_coordinates(frame);
+  transformed.frame = frame;
+  if (frame.mirrored) transformed.impulses = problem.impulses.mirrored();
+  return transformed;
 }
 
 }  // namespace fpkcheck::problem

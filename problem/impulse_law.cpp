@@ -18,14 +18,14 @@ void validate(const Law& law) {
   const double deviation = law.standard_deviation();
   if (std::isfinite(law.mean) && std::isfinite(deviation) && deviation > 0) return;
   throw InputError(
-      fmt::format("{0} impulse law with mean {1} and {2} {3} (the {2} must be positive, and both "
-                  "must be finite)",
+      fmt::format("{0} impulse law with mean {1} and {2} {3}: the {2} must be positive, and both "
+                  "must be finite",
                   Law::kName, law.mean, Law::kWidthName, law.width()));
 }
 
 // E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n]
 template <class Law>
-double moment_of(const Law& law, int j) {
+double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
   double sum = 0;
   for (int n = 0; n <= j; ++n) {
@@ -37,34 +37,34 @@ double moment_of(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean says which is that of -Y.
+// A law that is not symmetric about its mean defines the law of -Y by mirrored().
 template <class Law>
 concept Asymmetric = requires(Law law) {
   law.mirrored();
 };
 template <class Law>
 concept Shaped = requires(LawShape shape) {
-  Law::with(0, 1, shape);
+  Law::from_moments(0, 1, shape);
 };
 
 template <class Law>
-Law law_with(double mean, double deviation, const LawShape& shape) {
+Law make_law(double mean, double deviation, const LawShape& shape) {
   if constexpr (Shaped<Law>) {
-    return Law::with(mean, deviation, shape);
+    return Law::from_moments(mean, deviation, shape);
   } else {
     if (shape.skewness.value_or(0) != 0) {
       throw InputError(
-          fmt::format("impulse.skewness = {} (impulse.law = {} has none: leave it out, or take "
-                      "exponential or gamma)",
+          fmt::format("impulse.skewness = {}: impulse.law = {} has no skewness; omit it, or take "
+                      "exponential or gamma",
                       *shape.skewness, Law::kName));
     }
-    return Law::with(mean, deviation);
+    return Law::from_moments(mean, deviation);
   }
 }
 
 template <class Function>
 void for_each_law(const Function& function) {
-  boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // of each, a value of no meaning
+  boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // passes a default value of each type
 }
 
 }  // namespace
@@ -74,25 +74,27 @@ ImpulseLaw::ImpulseLaw(const Kind& kind) : kind_(kind) {
   for (int j = 0; j < kMomentCount; ++j) moments_[j] = moment(j);
 }
 
-std::vector<std::string> ImpulseLaw::known() {
+std::vector<std::string> ImpulseLaw::known_names() {
   std::vector<std::string> list;
   for_each_law([&](const auto& law) { list.emplace_back(law.kName); });
   return list;
 }
 
-ImpulseLaw ImpulseLaw::named(std::string_view name, double mean, double deviation,
-                             const LawShape& shape) {
+ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double deviation,
+                                 const LawShape& shape) {
   if (!shape.table.empty() && name != TabulatedLaw::kName) {
     throw InputError(fmt::format(
-        "impulse.table beside impulse.law = {} (leave it out, or take the law tabulated)", name));
+        "impulse.table beside impulse.law = {}: this law takes no table; omit it, or set "
+        "impulse.law = tabulated",
+        name));
   }
   std::optional<Kind> kind;
   for_each_law([&]<class Law>(const Law&) {
-    if (Law::kName == name) kind = law_with<Law>(mean, deviation, shape);
+    if (Law::kName == name) kind = make_law<Law>(mean, deviation, shape);
   });
   if (kind) return ImpulseLaw(*kind);
   throw InputError(
-      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known(), ", ")));
+      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known_names(), ", ")));
 }
 
 ImpulseLaw ImpulseLaw::mirrored() const {
@@ -113,7 +115,7 @@ std::string_view ImpulseLaw::name() const {
 }
 
 double ImpulseLaw::moment(int order) const {
-  return std::visit([&](const auto& law) { return moment_of(law, order); }, kind_);
+  return std::visit([&](const auto& law) { return raw_moment(law, order); }, kind_);
 }
 
 double ImpulseLaw::mean() const {
@@ -144,8 +146,8 @@ std::vector<Atom> ImpulseLaw::atoms() const {
   return std::visit([](const auto& law) { return law.atoms(); }, kind_);
 }
 
-std::vector<double> ImpulseLaw::smooth_pieces() const {
-  return std::visit([](const auto& law) { return law.smooth_pieces(); }, kind_);
+std::vector<double> ImpulseLaw::density_breakpoints() const {
+  return std::visit([](const auto& law) { return law.density_breakpoints(); }, kind_);
 }
 
 std::complex<double> ImpulseLaw::characteristic_function(double u) const {

@@ -18,11 +18,11 @@
 
 namespace fpkcheck::problem {
 
-/// Number of moments of the impulse amplitude that summaries hold: E[Y^0] .. E[Y^6].
+/// Number of moments of the impulse amplitude that summaries state: E[Y^0] .. E[Y^6].
 inline constexpr int kMomentCount = 7;
 
-/// The law of an impulse amplitude Y of the Poisson train, paper (3). A further law is a file in
-/// problem/laws, one more alternative of Kind, and how to draw from it (mcs/impulses).
+/// The law of an impulse amplitude Y of the Poisson train, paper (3). To add a law: a file in
+/// problem/laws, an alternative of Kind, and a sampler (mcs/impulses).
 class ImpulseLaw {
  public:
   using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
@@ -31,13 +31,13 @@ class ImpulseLaw {
   /// @throws InputError when the mean is not finite or the width is not a positive number
   explicit ImpulseLaw(const Kind& kind);
 
-  /// Names of all laws, as case files have them.
-  static std::vector<std::string> known();
-  /// The law of a name with a mean and a standard deviation.
-  /// @throws InputError as above, where the law has no such shape, and listing the known names when
-  /// there is no such law
-  static ImpulseLaw named(std::string_view name, double mean, double deviation,
-                          const LawShape& shape = {});
+  /// Names of all laws in case files.
+  static std::vector<std::string> known_names();
+  /// The law of this name, mean and standard deviation.
+  /// @throws InputError as above; where the law has no such shape parameter; or, for an unknown
+  /// name, listing all names
+  static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
+                              const LawShape& shape = {});
   /// The law of -Y.
   ImpulseLaw mirrored() const;
 
@@ -55,20 +55,19 @@ class ImpulseLaw {
   double deviation() const;
   /// E[(Y - E[Y])^3] / deviation^3.
   double skewness() const;
-  /// Whether Y - E[Y] and E[Y] - Y have one law.
+  /// Whether Y - E[Y] and E[Y] - Y have the same law.
   bool symmetric() const;
 
-  /// The law is a continuous part with this density, and atoms. A law without a continuous part
-  /// has the density 0.
+  /// Density of the continuous part of the law, which may have atoms besides; 0 without such a
+  /// part.
   double density(double amplitude) const;
   /// P(Y <= amplitude).
   double cumulative(double amplitude) const;
-  /// The values that Y takes with a positive probability, increasing; none for a law with a
-  /// density.
+  /// Amplitudes of positive probability, increasing; none for a law that has a density.
   std::vector<Atom> atoms() const;
-  /// Increasing break points. Between neighbours the density is smooth; less than 1e-18 of the
-  /// probability lies outside. None for a law without a density.
-  std::vector<double> smooth_pieces() const;
+  /// Increasing break points between which the density is smooth. Less than 1e-18 of the
+  /// probability is outside. None for a law without a density.
+  std::vector<double> density_breakpoints() const;
 
   /// E[exp(i u Y)].
   std::complex<double> characteristic_function(double u) const;

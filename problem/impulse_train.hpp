@@ -11,29 +11,29 @@ namespace fpkcheck::problem {
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< lambda > 0
-  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known()
+  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known_names()
   double intensity;     ///< lambda E[Y^2] > 0
   double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Of Y about its mean, for laws that are not symmetric; theirs unless given.
+  /// Skewness of Y, for laws that are not symmetric; the default of the law where absent.
   std::optional<double> skewness = {};
-  /// Of a tabulated law: the whole table in a word (problem/amplitude_table.hpp).
+  /// The table of a tabulated law as one word (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
 };
 
-/// The parameters as case files, tables and files name them.
+/// The description of these parameters.
 const base::Description<ImpulseParameters>& impulse_description();
 
 /// The excitation xi(t) of paper (3): impulses Y_k at the times of a Poisson process.
 class ImpulseTrain {
  public:
-  /// No impulses: the rate is 0, and so is every rate_moment. (The law is that of none.)
+  /// No impulses: the rate and every rate_moment are 0. (The law is a placeholder.)
   ImpulseTrain();
-  /// The law is given the variance that makes E[Y^2] = intensity / arrival_rate.
+  /// The law gets the variance that makes E[Y^2] = intensity / arrival_rate.
   /// @throws InputError naming the parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& parameters() const { return parameters_; }
-  bool present() const { return arrival_rate() > 0; }
+  bool is_present() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 
@@ -42,7 +42,7 @@ class ImpulseTrain {
   /// lambda E[Y^2], the intensity of the Gaussian white noise of equal power.
   double intensity() const { return rate_moment(2); }
 
-  /// Impulses -Y.
+  /// The train of impulses -Y.
   ImpulseTrain mirrored() const;
 
  private:

@@ -15,8 +15,8 @@ void require_magnitudes(const std::string& prefix, const base::Values& values) {
     const double magnitude = std::abs(*number);
     if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) continue;
     throw InputError(
-        fmt::format("{}{} = {} (magnitudes must lie within {} .. {}: choose other units of time "
-                    "and length)",
+        fmt::format("{}{} = {}: magnitudes must lie within {} .. {}; choose other units of time "
+                    "and length",
                     prefix, name, *number, kSmallestMagnitude, kLargestMagnitude));
   }
 }

@@ -6,15 +6,14 @@
 
 namespace fpkcheck::problem {
 
-/// Bounds of a parameter that is not zero. Beyond them powers of the deviations, of which the
-/// solvers form the twelfth and more, leave the range of double precision; a change of the units of
-/// time and length brings any problem inside.
+/// Bounds of the magnitude of a nonzero parameter. Outside, powers of the deviations (solvers form
+/// the twelfth and higher) exceed the range of double precision. A change of the units of time and
+/// length brings any problem into these bounds.
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 
-/// @param values with the prefix of their names in case files
-/// @throws InputError naming the first number, its value and the bounds, that is outside them and
-/// not zero
+/// @param prefix of the names in case files
+/// @throws InputError naming the first nonzero number outside the bounds, its value and the bounds
 void require_magnitudes(const std::string& prefix, const base::Values& values);
 
 template <class Owner>

@@ -3,38 +3,38 @@
 #include <span>
 #include <string_view>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 
-/// What may be called "the equation": a method says which of these it solves, so that two answers
-/// are compared only as far as they answer the same question.
+/// The model that a method solves, as equation and impact condition. Each method states its model,
+/// so that solutions of different models are not compared as if they solved the same problem.
 namespace fpkcheck::problem {
 
 /// The excitation term of the density equation.
 enum class Equation {
   white,     ///< -lambda E[Y] p' + D2 p'', D2 = lambda E[Y^2]/2
-  km4,       ///< the Kramers-Moyal series cut after the fourth derivative: paper (16), (20)
-  km4_pade,  ///< the Pade approximant of that series: the same four coefficients, and well-posed
+  km4,       ///< Kramers-Moyal series truncated after the fourth derivative: paper (16), (20)
+  km4_pade,  ///< Pade approximant of that series: the same four coefficients, and well-posed
   kf         ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
-inline constexpr base::Named<Equation> kEquationNames[] = {
+inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
     {Equation::white, "white", "white noise"},
     {Equation::km4, "km4", "Kramers-Moyal series to the fourth derivative"},
     {Equation::km4_pade, "km4-pade", "Pade approximant of the Kramers-Moyal series"},
     {Equation::kf, "kf", "full jump integral"}};
-constexpr std::span<const base::Named<Equation>> names(Equation) { return kEquationNames; }
+constexpr std::span<const base::EnumEntry<Equation>> names(Equation) { return kEquationNames; }
 constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
 
-/// How the impact enters a density equation.
+/// The impact condition.
 enum class Impact {
   map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
   delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
-  exact   ///< the trajectory itself is reflected, paper (2)
+  exact   ///< simulated: each trajectory is reflected, paper (2)
 };
-inline constexpr base::Named<Impact> kImpactNames[] = {
+inline constexpr base::EnumEntry<Impact> kImpactNames[] = {
     {Impact::map, "map", "exact"},
     {Impact::delta, "delta", "to first order in 1-r"},
     {Impact::exact, "exact", "simulated"}};
-constexpr std::span<const base::Named<Impact>> names(Impact) { return kImpactNames; }
+constexpr std::span<const base::EnumEntry<Impact>> names(Impact) { return kImpactNames; }
 constexpr std::string_view name(Impact impact) { return base::name_of(impact); }
 
 }  // namespace fpkcheck::problem

@@ -21,7 +21,7 @@ Balance momentum_balance(const Problem& problem, const MomentumTerms& terms) {
   if (system.rayleigh() != 0) taken += system.rayleigh() * terms.mean_cubed_velocity;
   double given = 0, from_walls = 0;
   if (system.left()) given += (1 + system.restitution()) * terms.impact_momentum;
-  given += terms.held_at_rest;
+  given += terms.contact_momentum_rate;
   from_walls = std::abs(given);
   if (const auto& wall = system.right()) {
     const double back = (1 + wall->restitution) * terms.right_momentum;
@@ -30,7 +30,7 @@ Balance momentum_balance(const Problem& problem, const MomentumTerms& terms) {
   }
   return {.left = taken,
           .right = problem.impulses.rate_moment(1) + given,
-          .scale = std::max({std::abs(taken), from_walls, terms.size_of_force})};
+          .scale = std::max({std::abs(taken), from_walls, terms.mean_absolute_force})};
 }
 
 }  // namespace fpkcheck::problem

@@ -7,18 +7,18 @@
 namespace fpkcheck::problem {
 
 /// A case file that is compiled into the program.
-struct NamedCase {
+struct BuiltinCase {
   std::string name;
   std::string text;  ///< the contents of cases/NAME.ini
 };
 
-/// The paper's four cases (Table 1), in its order.
-const std::vector<NamedCase>& named_cases();
+/// The four cases of the paper (Table 1), in its order.
+const std::vector<BuiltinCase>& paper_cases();
 
-/// Other oscillators, each the smallest example of its kind (docs/systems.md).
-const std::vector<NamedCase>& shipped_systems();
+/// Example oscillators, each the smallest of its kind (docs/systems.md).
+const std::vector<BuiltinCase>& example_systems();
 
-/// The paper's or a shipped one, or null.
-const NamedCase* find_named_case(std::string_view name);
+/// The compiled-in case with this name; null when there is none.
+const BuiltinCase* find_builtin_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -8,9 +8,9 @@ const Description<Noise>& noise_description() {
   static const auto description =
       Description<Noise>("noise.")
           .add("intensity", &Noise::intensity, {"I", "intensity of the Gaussian white noise"},
-               not_negative())
+               non_negative())
           .with_symbol("2D", "2D")
-          .with_fallback(0.0);
+          .with_default(0.0);
   return description;
 }
 

@@ -18,8 +18,8 @@ const Section* section_of(const std::vector<Section>& sections, const std::strin
 }
 
 template <class Owner>
-Owner owner_of(const std::vector<Section>& sections, const std::string& name,
-               const base::Description<Owner>& description) {
+Owner read_section(const std::vector<Section>& sections, const std::string& name,
+                   const base::Description<Owner>& description) {
   const Section* section = section_of(sections, name);
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
@@ -35,69 +35,71 @@ double total_intensity(const Problem& problem) {
   return problem.impulses.rate_moment(2) + problem.noise.intensity;
 }
 
-const std::vector<const base::Descriptions*>& case_descriptions() {
-  static const std::vector<const base::Descriptions*> all{
+const std::vector<const base::DescriptionBase*>& case_descriptions() {
+  static const std::vector<const base::DescriptionBase*> all{
       &system_description(), &wall_description(), &impulse_description(), &noise_description()};
   return all;
 }
 
 std::vector<Section> sections(const Problem& problem) {
   std::vector<Section> all{
-      {"system", system_description().named_values(problem.system.coefficients())}};
+      {"system", system_description().stored_values(problem.system.coefficients())}};
   const WallParameters& walls = problem.system.wall_parameters();
-  if (!walls.empty()) all.push_back({"wall", wall_description().named_values(walls)});
-  if (problem.impulses.present()) {
-    all.push_back({"impulse", impulse_description().named_values(problem.impulses.parameters())});
+  if (!walls.empty()) all.push_back({"wall", wall_description().stored_values(walls)});
+  if (problem.impulses.is_present()) {
+    all.push_back({"impulse", impulse_description().stored_values(problem.impulses.parameters())});
   }
-  if (problem.noise.present()) {
+  if (problem.noise.is_present()) {
     all.push_back({"noise", noise_description().values(problem.noise)});
   }
   return all;
 }
 
-Problem problem_from(const std::string& name, const std::vector<Section>& sections) {
+Problem problem_from_sections(const std::string& name, const std::vector<Section>& sections) {
   const Section* system = section_of(sections, "system");
   if (system == nullptr) {
-    throw InputError("system is missing (of another version of the program? run again)");
+    throw InputError(
+        "system is missing: the file may be from another version of the program; run again");
   }
-  const auto noise = owner_of(sections, "noise", noise_description());
+  const auto noise = read_section(sections, "noise", noise_description());
   noise_description().validate(noise);
   require_magnitudes(noise_description(), noise);
   Problem problem{.name = name,
                   .system = System(system_description().read(system->values, "system"),
-                                   owner_of(sections, "wall", wall_description())),
+                                   read_section(sections, "wall", wall_description())),
                   .impulses = {},
                   .noise = noise};
   if (const Section* impulse = section_of(sections, "impulse")) {
     problem.impulses = ImpulseTrain(impulse_description().read(impulse->values, "impulse"));
   }
-  require_stationary(problem);
+  require_stationary_density(problem);
   return problem;
 }
 
-base::Value value_shown(const base::Parameter& parameter, const base::Value& value) {
+base::Value display_value(const base::Parameter& parameter, const base::Value& value) {
   const auto* word = std::get_if<std::string>(&value);
-  return word != nullptr && parameter.shown ? base::Value(parameter.shown(*word)) : value;
+  return word != nullptr && parameter.display_text ? base::Value(parameter.display_text(*word))
+                                                   : value;
 }
 
-std::vector<ShownParameter> shown_parameters(const Problem& problem) {
-  std::vector<ShownParameter> shown;
+std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
+  std::vector<DisplayedParameter> displayed;
   for (const Section& section : sections(problem)) {
     const auto description =
-        std::ranges::find(case_descriptions(), section.name + '.', &base::Descriptions::prefix);
+        std::ranges::find(case_descriptions(), section.name + '.', &base::DescriptionBase::prefix);
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
-      shown.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
-                       value_shown(parameter, value), parameter.fallback == value});
+      displayed.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
+                           display_value(parameter, value), parameter.default_value == value});
     }
   }
-  return shown;
+  return displayed;
 }
 
 std::string parameters_text(const Problem& problem, bool typeset) {
   std::vector<std::string> of_system, of_excitation;
-  for (const auto& p : shown_parameters(problem)) {
-    if (p.usual) continue;
+  for (const auto& p : displayed_parameters(problem)) {
+    if (p.is_default) continue;
     const bool moves = p.section == "system" || p.section == "wall";
     auto& part = moves ? of_system : of_excitation;
     const auto& symbol = typeset ? p.typeset : p.symbol;

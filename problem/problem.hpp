@@ -12,11 +12,11 @@ namespace fpkcheck::problem {
 
 /// One stationary problem: an oscillator and its excitation.
 struct Problem {
-  std::string name;  ///< the case's name, used in reports
+  std::string name;  ///< name of the case, used in reports
   System system;
-  ImpulseTrain impulses = {};  ///< none, where there is noise alone
-  Noise noise = {};            ///< none, where there are impulses alone
-  /// Where the system's coordinate lies on the physical axis; a solver states moments by it.
+  ImpulseTrain impulses = {};  ///< absent where noise is the only excitation
+  Noise noise = {};            ///< absent where impulses are the only excitation
+  /// Transformation between the system's coordinate and the physical y; solvers state moments of y.
   Frame frame = {};
 };
 
@@ -26,36 +26,37 @@ double total_intensity(const Problem& problem);
 /// A section of a case file: "system", "wall", "impulse", "noise".
 struct Section {
   std::string name;
-  base::Values values;  ///< in the order of its description
+  base::Values values;  ///< in the order of the description
 };
 
-/// The sections of case files, in their order.
-const std::vector<const base::Descriptions*>& case_descriptions();
+/// The descriptions of the sections of case files, in their order.
+const std::vector<const base::DescriptionBase*>& case_descriptions();
 
-/// What defines a problem besides its name, as case files hold it: [system], and what else there is.
+/// The sections of a case file that define the problem: [system], and those that apply.
 std::vector<Section> sections(const Problem& problem);
 
-/// The problem that such sections define.
-/// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range; or
-/// saying why there is no stationary density (problem/confinement.hpp)
-Problem problem_from(const std::string& name, const std::vector<Section>& sections);
+/// Builds the problem that such sections define.
+/// @throws InputError naming the key that is missing, unknown, of the wrong type or out of range;
+/// or stating why there is no stationary density (problem/confinement.hpp)
+Problem problem_from_sections(const std::string& name, const std::vector<Section>& sections);
 
-/// A parameter as tables, titles and files show it.
-struct ShownParameter {
+/// A parameter as tables, titles and files display it.
+struct DisplayedParameter {
   std::string section, name;    ///< "system", "damping"
   std::string symbol, typeset;  ///< "mu", "μ"; empty for a word
   std::string meaning;          ///< "cubic stiffness"
   base::Value value;
-  bool usual;  ///< as in a file that leaves it out: need not be shown
+  bool is_default;  ///< whether the value is the default, which displays omit
 };
 
 /// All parameters of a problem, in the order of case files.
-std::vector<ShownParameter> shown_parameters(const Problem& problem);
-/// A parameter's value as those have it: a long word by what says which it is.
-base::Value value_shown(const base::Parameter& parameter, const base::Value& value);
+std::vector<DisplayedParameter> displayed_parameters(const Problem& problem);
+/// The value as displayed: a long word is replaced by its display text.
+base::Value display_value(const base::Parameter& parameter, const base::Value& value);
 
-/// A problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ..".
-/// @param typeset with the letters of formulas: "μ = 0.1"
+/// The parameters of a problem in one line: "c = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses,
+/// lambda = 1, ..".
+/// @param typeset use typeset symbols: "μ = 0.1"
 std::string parameters_text(const Problem& problem, bool typeset = false);
 
 }  // namespace fpkcheck::problem

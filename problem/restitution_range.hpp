@@ -4,7 +4,7 @@
 
 namespace fpkcheck::problem {
 
-/// What is allowed of a coefficient of restitution.
+/// The admissible range of a coefficient of restitution.
 inline base::Range restitution_range() {
   return {[](double r) { return r > 0 && r <= 1; }, "above 0 and at most 1"};
 }

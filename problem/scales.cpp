@@ -23,13 +23,13 @@ Scales by_linearisation(const Problem& problem) {
           .y_high = centre + kDeviations * linear.displacement_deviation,
           .v_high = kDeviations * linear.velocity_deviation,
           .frequency = std::sqrt(linear.stiffness),
-          .slowest_decay = slowest_decay(linear)};
+          .slowest_decay_rate = slowest_decay_rate(linear)};
 }
 
-// Far above critical damping the displacement creeps, v = -V'/c: a diffusion with the coefficient
-// D_eff / c^2 in the potential c V / D_eff. The eigenvalue next to 0, by inverse iteration on a line
-// of cells.
-double creeping_relaxation(const Problem& problem, const Scales& scales, double damping) {
+// Far above critical damping the motion is overdamped, v = -V'/c: a diffusion of the displacement
+// with the coefficient D_eff / c^2 in the potential c V / D_eff. Its smallest positive eigenvalue,
+// by inverse iteration on a uniform grid.
+double overdamped_relaxation_rate(const Problem& problem, const Scales& scales, double damping) {
   constexpr int kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
   const numerics::Polynomial potential = effective_potential(problem);
@@ -58,8 +58,8 @@ double creeping_relaxation(const Problem& problem, const Scales& scales, double 
     const double before = gamma;
     if (iteration > 0) gamma = 1 / std::sqrt(square);
     if (iteration > 1 && std::abs(gamma - before) < 1e-6 * gamma) break;
-    // The flux is the sum on the side of the smaller mass: the other one is its negative only up to
-    // rounding errors.
+    // The flux is summed on the side of smaller probability: the sums of both sides are opposite
+    // only up to rounding errors.
     std::vector<double> beyond(kCells + 1), next(kCells);
     for (int n = kCells; n-- > 0;) beyond[n] = beyond[n + 1] + mass[n] * u[n];
     double before_here = 0, mass_before = 0;
@@ -81,19 +81,19 @@ Scales by_averaging(const Problem& problem) {
   const auto& bands = averaging.bands();
   const double bottom = averaging.orbits().lowest_potential();
   Scales scales;
-  double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.swing.left,
-         highest = bands.front().orbit.swing.right;
+  double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.half_cycle.left,
+         highest = bands.front().orbit.half_cycle.right;
   for (const auto& band : bands) {
     const Orbit& orbit = band.orbit;
     const double rate = band.mass / orbit.period;
-    scales.centre += rate * orbit.time_y;
-    y2 += rate * orbit.time_y2;
+    scales.centre += rate * orbit.time_integral_y;
+    y2 += rate * orbit.time_integral_y2;
     v2 += rate * orbit.action;  // the closed integral of v dy is T times the mean of v^2
-    damping += rate * orbit.time_damping;
+    damping += rate * orbit.time_integral_damping;
     scales.frequency += rate * 2 * std::numbers::pi;
     if (band.potential > kLevel) continue;
-    lowest = std::min(lowest, orbit.swing.left);
-    highest = std::max(highest, orbit.swing.right);
+    lowest = std::min(lowest, orbit.half_cycle.left);
+    highest = std::max(highest, orbit.half_cycle.right);
     scales.v_high = std::max(scales.v_high, std::sqrt(2 * (band.energy - bottom)));
   }
   scales.displacement_deviation =
@@ -101,11 +101,11 @@ Scales by_averaging(const Problem& problem) {
   scales.velocity_deviation = std::sqrt(v2);
   scales.y_low = lowest;
   scales.y_high = highest;
-  // The amplitude decays half as fast as the energy.
-  scales.slowest_decay = averaging.relaxation() / 2;
+  // The decay rate of the amplitude is half of that of the energy.
+  scales.slowest_decay_rate = averaging.relaxation_rate() / 2;
   if (damping > 0) {
-    scales.slowest_decay =
-        std::min(scales.slowest_decay, creeping_relaxation(problem, scales, damping));
+    scales.slowest_decay_rate =
+        std::min(scales.slowest_decay_rate, overdamped_relaxation_rate(problem, scales, damping));
   }
   return scales;
 }
@@ -113,11 +113,11 @@ Scales by_averaging(const Problem& problem) {
 }  // namespace
 
 Scales scales(const Problem& problem) {
-  return of_the_paper(problem) ? by_linearisation(problem) : by_averaging(problem);
+  return is_paper_oscillator(problem) ? by_linearisation(problem) : by_averaging(problem);
 }
 
 double impulses_per_decay_time(const Problem& problem, const Scales& scales) {
-  return problem.impulses.arrival_rate() / scales.slowest_decay;
+  return problem.impulses.arrival_rate() / scales.slowest_decay_rate;
 }
 
 }  // namespace fpkcheck::problem

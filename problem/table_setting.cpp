@@ -4,23 +4,23 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/amplitude_table.hpp"
 
 namespace fpkcheck::problem {
 
-std::string table_setting(const std::string& said, const std::filesystem::path& folder) {
+std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder) {
   constexpr std::size_t kMostBytes = 1 << 17;
-  if (is_amplitude_table(said)) return text_of(amplitude_table_of_text(said));
-  const std::filesystem::path file = folder / said;
+  if (is_table_literal(setting)) return table_literal(parse_table_literal(setting));
+  const std::filesystem::path file = folder / setting;
   const auto csv = base::read_input_file(file, kMostBytes);
   if (!csv) {
     throw InputError(
-        fmt::format("impulse.table = {} (no file that can be read; name a CSV with the columns "
-                    "amplitude,probability or amplitude,density)",
+        fmt::format("impulse.table = {}: the file cannot be read; name a CSV file with the columns "
+                    "amplitude,probability or amplitude,density",
                     base::in_quotes(file.string())));
   }
-  return text_of(amplitude_table_of_csv(*csv, base::shown(file.string())));
+  return table_literal(parse_amplitude_csv(*csv, base::sanitise(file.string())));
 }
 
 }  // namespace fpkcheck::problem

@@ -5,11 +5,11 @@
 
 namespace fpkcheck::problem {
 
-/// What `impulse.table` of a case file says, as the word that holds the whole table
-/// (problem/amplitude_table.hpp): so that a problem needs no file once it was read. Such a word
-/// stays as it is; all else is the name of a CSV file.
-/// @param folder which relative names start from; the working directory where it is empty
-/// @throws InputError on one line: the file cannot be read, is too large, or WHERE it is wrong
-std::string table_setting(const std::string& said, const std::filesystem::path& folder);
+/// Converts the value of `impulse.table` in a case file to the word that contains the whole table
+/// (problem/amplitude_table.hpp), so that a problem needs no file once it is read. Such a word is
+/// returned unchanged; any other value is the name of a CSV file.
+/// @param folder directory of relative names; the working directory where it is empty
+/// @throws InputError on one line when the file cannot be read, is too large or has an invalid line
+std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder);
 
 }  // namespace fpkcheck::problem

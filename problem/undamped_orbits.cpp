@@ -11,7 +11,7 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Where a function changes its sign between two places.
+// The root of a function between two points of opposite sign.
 template <class Function>
 double sign_change(const Function& f, double from, double to) {
   std::uintmax_t iterations = 200;
@@ -20,13 +20,13 @@ double sign_change(const Function& f, double from, double to) {
   return (left + right) / 2;
 }
 
-struct Ends {
+struct SearchInterval {
   double low, high;
 };
 
-// The walls, and at open ends what no root is beyond. Where the polynomial is of a single term its
-// root is 0, which a bound of 1 + 0 holds too.
-Ends ends_of(const numerics::Polynomial& polynomial, const System& system) {
+// The walls; at open ends a bound of all roots. A polynomial of a single term has the root 0 and
+// the root bound 1, which the bound here includes.
+SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_bound(polynomial) + 1;
   return {.low = system.left() ? system.left()->position : -bound,
           .high = system.right() ? system.right()->position : bound};
@@ -36,7 +36,7 @@ Ends ends_of(const numerics::Polynomial& polynomial, const System& system) {
 
 std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
                                                const System& system) {
-  const auto [low, high] = ends_of(polynomial, system);
+  const auto [low, high] = search_interval(polynomial, system);
   return low < high ? numerics::sign_changes(polynomial, low, high) : std::vector<double>{};
 }
 
@@ -49,11 +49,11 @@ numerics::Polynomial effective_potential(const Problem& problem) {
 UndampedOrbits::UndampedOrbits(const Problem& problem)
     : system_(problem.system), potential_(effective_potential(problem)) {
   const numerics::Polynomial slope = potential_.derivative();
-  const auto [low, high] = ends_of(slope, system_);
-  turns_ = sign_changes_between_walls(slope, system_);
-  // V is monotone between neighbours; what it does after each of them tells which are minima.
+  const auto [low, high] = search_interval(slope, system_);
+  extrema_ = sign_changes_between_walls(slope, system_);
+  // V is monotone between neighbouring knots; its slope after each knot decides which are minima.
   std::vector<double> knots{low};
-  knots.insert(knots.end(), turns_.begin(), turns_.end());
+  knots.insert(knots.end(), extrema_.begin(), extrema_.end());
   knots.push_back(high);
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const double after = slope((knots[n] + knots[n + 1]) / 2);
@@ -64,22 +64,22 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   }
 }
 
-bool UndampedOrbits::held_on_the_right() const {
+bool UndampedOrbits::is_confining_on_right() const {
   const numerics::Polynomial slope = potential_.derivative();
   return system_.right() || slope.coefficient(slope.degree()) > 0;
 }
 
-bool UndampedOrbits::held_on_the_left() const {
+bool UndampedOrbits::is_confining_on_left() const {
   const numerics::Polynomial slope = potential_.derivative();
   const double sign = slope.degree() % 2 == 0 ? 1 : -1;
   return system_.left() || sign * slope.coefficient(slope.degree()) < 0;
 }
 
-double UndampedOrbits::deepest() const {
+double UndampedOrbits::deepest_minimum() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// Where V = energy beyond a knot at which V is lower, on the side `outwards` where V grows.
+// The point with V = energy beyond a knot of lower V, on the side `outwards` where V grows.
 double UndampedOrbits::end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
@@ -89,15 +89,15 @@ double UndampedOrbits::end(double knot, double outwards, double energy) const {
   return knot + outwards * sign_change(above, 0, step);
 }
 
-std::vector<Swing> UndampedOrbits::swings(double energy) const {
-  std::vector<double> knots = turns_;
+std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
+  std::vector<double> knots = extrema_;
   if (system_.left()) knots.insert(knots.begin(), system_.left()->position);
   if (system_.right()) knots.push_back(system_.right()->position);
   if (knots.empty()) return {};
   const auto above = [&](double y) { return potential_(y) - energy; };
   const auto below = [&](double y) { return above(y) < 0; };
-  std::vector<Swing> all;
-  Swing open{};
+  std::vector<HalfCycle> all;
+  HalfCycle open{};
   bool inside = below(knots.front());
   if (inside) {
     open.at_left = system_.left().has_value();
@@ -124,26 +124,28 @@ std::vector<Swing> UndampedOrbits::swings(double energy) const {
   return all;
 }
 
-Orbit UndampedOrbits::orbit(const Swing& swing, double energy) const {
+Orbit UndampedOrbits::orbit(const HalfCycle& half_cycle, double energy) const {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
-  Orbit orbit{.swing = swing};
-  const double middle = (swing.left + swing.right) / 2, half = (swing.right - swing.left) / 2;
+  Orbit orbit{.half_cycle = half_cycle};
+  const double middle = (half_cycle.left + half_cycle.right) / 2,
+               half = (half_cycle.right - half_cycle.left) / 2;
   const auto speed = [&](double y) {
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
-  // y = middle + half sin(phase): at a turning point v falls like cos(phase), and dy / v is smooth.
+  // Substitution y = middle + half sin(phase): at a turning point v decreases like cos(phase), so
+  // that dy / v is smooth.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
-    const double dy = 2 * weight * half * std::cos(phase);  // there and back
+    const double dy = 2 * weight * half * std::cos(phase);  // both half-cycles
     const double v = speed(y);
     const double damping = system_.damping_polynomial()(y) + system_.rayleigh() * v * v;
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
     if (v <= 0) return;
     orbit.period += dy / v;
-    orbit.time_y += y * dy / v;
-    orbit.time_y2 += y * y * dy / v;
-    orbit.time_damping += damping * dy / v;
+    orbit.time_integral_y += y * dy / v;
+    orbit.time_integral_y2 += y * y * dy / v;
+    orbit.time_integral_damping += damping * dy / v;
   };
   constexpr double kQuarter = std::numbers::pi / 2;
   for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
@@ -155,8 +157,8 @@ Orbit UndampedOrbits::orbit(const Swing& swing, double energy) const {
     const double u = speed(wall.position), r = wall.restitution;
     orbit.loss += (1 - r * r) * u * u / 2;
   };
-  if (swing.at_left) bounce(*system_.left());
-  if (swing.at_right) bounce(*system_.right());
+  if (half_cycle.at_left) bounce(*system_.left());
+  if (half_cycle.at_right) bounce(*system_.right());
   return orbit;
 }
 

@@ -6,58 +6,57 @@
 
 namespace fpkcheck::problem {
 
-/// An interval in which the mass swings at one energy.
-struct Swing {
+/// The interval of y between the ends of a half-cycle of the undamped motion at one energy.
+struct HalfCycle {
   double left, right;      ///< turning points, or walls
-  bool at_left, at_right;  ///< it ends at a wall
+  bool at_left, at_right;  ///< whether this end is a wall
 };
 
-/// What one period of the undamped motion holds, at energy h = v^2/2 + V(y).
+/// Integrals over one period of the undamped motion at energy h = v^2/2 + V(y).
 struct Orbit {
-  Swing swing;
-  double period = 0;        ///< T = closed integral of dy / v
-  double action = 0;        ///< closed integral of v dy
-  double loss = 0;          ///< closed integral of f dy, and (1 - r^2) u^2 / 2 at each wall
-  double time_y = 0;        ///< T times the mean of y over the period
-  double time_y2 = 0;       ///< T times that of y^2
-  double time_damping = 0;  ///< T times that of c(y) + c_vv v^2
+  HalfCycle half_cycle;
+  double period = 0;            ///< T = closed integral of dy / v
+  double action = 0;            ///< closed integral of v dy
+  double loss = 0;              ///< closed integral of f dy, plus (1 - r^2) u^2 / 2 at each wall
+  double time_integral_y = 0;   ///< T times the mean of y over the period
+  double time_integral_y2 = 0;  ///< T times the mean of y^2
+  double time_integral_damping = 0;  ///< T times the mean of c(y) + c_vv v^2
 };
 
-/// V = U - lambda E[Y] y: of the spring and of the mean of the impulses.
+/// The potential V = U - lambda E[Y] y of the spring and of the mean force of the impulses.
 numerics::Polynomial effective_potential(const Problem& problem);
 
-/// Where a polynomial changes its sign between the walls, increasing; of V' the turns of V.
+/// The sign changes of a polynomial between the walls, increasing; for V' the extrema of V.
 std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polynomial,
                                                const System& system);
 
-/// The motion without damping and excitation but for the mean of the impulses: in the effective
-/// potential, elastic at the walls.
+/// The motion in the effective potential, without damping and fluctuations, elastic at the walls.
 class UndampedOrbits {
  public:
   explicit UndampedOrbits(const Problem& problem);
 
   const numerics::Polynomial& potential() const { return potential_; }
-  /// Where V has a minimum, increasing; a wall to which it presses is one.
+  /// The minima of V, increasing; a wall against which V presses the mass counts as one.
   const std::vector<double>& minima() const { return minima_; }
-  /// The deepest of them. @pre confined()
-  double deepest() const;
-  double lowest_potential() const { return potential_(deepest()); }
+  /// The minimum with the lowest V. @pre is_confining()
+  double deepest_minimum() const;
+  double lowest_potential() const { return potential_(deepest_minimum()); }
 
-  /// V grows without bound at every open end.
-  bool held_on_the_left() const;
-  bool held_on_the_right() const;
-  bool confined() const { return held_on_the_left() && held_on_the_right(); }
+  /// Whether V grows without bound at the left, right or every end without a wall.
+  bool is_confining_on_left() const;
+  bool is_confining_on_right() const;
+  bool is_confining() const { return is_confining_on_left() && is_confining_on_right(); }
 
-  /// The intervals of an energy, from left to right. @pre confined()
-  std::vector<Swing> swings(double energy) const;
-  Orbit orbit(const Swing& swing, double energy) const;
+  /// The half-cycles of an energy, from left to right. @pre is_confining()
+  std::vector<HalfCycle> half_cycles(double energy) const;
+  Orbit orbit(const HalfCycle& half_cycle, double energy) const;
 
  private:
   double end(double knot, double outwards, double energy) const;
 
   const System system_;
   numerics::Polynomial potential_;
-  std::vector<double> turns_;  // of V, increasing: where V' changes its sign
+  std::vector<double> extrema_;  // extrema of V, increasing
   std::vector<double> minima_;
 };
 

@@ -16,22 +16,22 @@ const Description<WallParameters>& wall_description() {
   using W = WallParameters;
   static const auto description =
       Description<W>("wall.")
-          .add("left", &W::left, {"A", "position of the wall on the left"}, any_number())
+          .add("left", &W::left, {"A", "position of the wall on the left"}, finite_number())
           .with_symbol("a", "a")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("left_restitution", &W::left_restitution, {"R", "its coefficient of restitution"},
                restitution_range())
           .with_symbol("r_a", "r_a")
-          .without_naming(Value())
-          .add("right", &W::right, {"B", "position of the wall on the right"}, any_number())
+          .with_omitted_default(Value())
+          .add("right", &W::right, {"B", "position of the wall on the right"}, finite_number())
           .with_symbol("b", "b")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("right_restitution", &W::right_restitution, {"R", "its coefficient of restitution"},
                restitution_range())
           .with_symbol("r_b", "r_b")
-          .without_naming(Value())
+          .with_omitted_default(Value())
           .add("none", &W::none, {"", "there is no wall"})
-          .without_naming(false);
+          .with_omitted_default(false);
   return description;
 }
 
@@ -41,8 +41,8 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
                          const std::optional<double>& restitution) {
   if (position.has_value() != restitution.has_value()) {
     throw InputError(fmt::format(
-        "wall.{0}{1} is missing (a wall has a position and a restitution: give wall.{0} and "
-        "wall.{0}_restitution)",
+        "wall.{0}{1} is missing: a wall has a position and a restitution; give wall.{0} and "
+        "wall.{0}_restitution",
         side, position ? "_restitution" : ""));
   }
   if (!position) return std::nullopt;
@@ -51,26 +51,26 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
 
 }  // namespace
 
-Walls walls_of(const WallParameters& parameters, const std::optional<double>& restitution) {
+Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution) {
   wall_description().validate(parameters);
   require_magnitudes(wall_description(), parameters);
   if (parameters.empty()) {
     if (restitution) return {.left = Wall{0, *restitution}, .right = {}};
     throw InputError(
-        "key 'system.restitution' is missing (add it for a wall at y = 0 on the left; or give "
+        "key 'system.restitution' is missing: add it for a wall at y = 0 on the left, or give "
         "wall.left and wall.left_restitution, wall.right and wall.right_restitution, or "
-        "wall.none = true)");
+        "wall.none = true");
   }
   if (restitution) {
     throw InputError(fmt::format(
-        "system.restitution = {} beside [wall] (it is that of a wall at y = 0: move it to "
-        "wall.left_restitution or wall.right_restitution)",
+        "system.restitution = {} beside [wall]: it belongs to a wall at y = 0; move it to "
+        "wall.left_restitution or wall.right_restitution",
         *restitution));
   }
   const Walls walls{.left = wall("left", parameters.left, parameters.left_restitution),
                     .right = wall("right", parameters.right, parameters.right_restitution)};
   if (parameters.none && (walls.left || walls.right)) {
-    throw InputError("wall.none = true beside a wall (keep one of them)");
+    throw InputError("wall.none = true beside a wall; keep one of them");
   }
   if (walls.left && walls.right && !(walls.left->position < walls.right->position)) {
     throw InputError(fmt::format("wall.left = {} (must be below wall.right = {})",

@@ -9,65 +9,67 @@
 #include "compare/reference.hpp"
 #include "report/table.hpp"
 #include "report/text/columns.hpp"
-#include "report/text/outward.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/round_outward.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using compare::Bound;
 using compare::Bounds;
-using compare::Outside;
+using compare::BoundViolation;
 
 std::string text(const Bound& bound) {
-  const auto [lower, upper] = outward(bound.lower, bound.upper);
+  const auto [lower, upper] = round_outward(bound.lower, bound.upper);
   return fmt::format("{} in [{}, {}]", bound.functional, lower, upper);
 }
 
-std::string contradiction(const Outside& found) {
-  const auto [lower, upper] = outward(found.bound->lower, found.bound->upper);
+std::string contradiction_text(const BoundViolation& violation) {
+  const auto [lower, upper] = round_outward(violation.bound->lower, violation.bound->upper);
   return fmt::format(
-      "OUTSIDE THE BOUNDS: {} solves the problem itself and says {}, but has {} = {:.8g}, which is "
-      "guaranteed to lie in [{}, {}]: it is wrong by {:.1e} at least, more than the {:.1e} that it "
-      "states.",
-      found.solution->id(), transform::name(found.solution->status), found.bound->functional,
-      found.value, lower, upper, found.by, found.own_error);
+      "OUTSIDE THE BOUNDS: {} (full problem, status {}) has {} = {:.8g}, guaranteed to lie in "
+      "[{}, {}]. The error is at least {:.1e}, above the stated error of {:.1e}.",
+      violation.solution->id(), transform::name(violation.solution->status),
+      violation.bound->functional, violation.value, lower, upper, violation.excess,
+      violation.error_estimate);
 }
 
 }  // namespace
 
-std::vector<std::string> bounds_findings(const results::Case& one) {
-  if (!one.bounds) return {};
-  const Bounds& bounds = *one.bounds;
+std::vector<std::string> bounds_findings(const results::Case& case_result) {
+  if (!case_result.bounds) return {};
+  const Bounds& bounds = *case_result.bounds;
   if (bounds.each.empty()) {
     return {fmt::format("There are no guaranteed bounds: {}.", bounds.reason)};
   }
   std::vector<std::string> sentences, shown, ids;
-  for (const Outside& found : compare::contradictions(bounds, one.solutions)) {
-    sentences.push_back(contradiction(found));
+  for (const BoundViolation& violation : compare::contradictions(bounds, case_result.solutions)) {
+    sentences.push_back(contradiction_text(violation));
   }
-  for (const Outside& found : compare::outside(bounds, one.solutions)) {
-    // One of the problem itself that is out by less than it states is as good as it says.
-    if (compare::solves_the_problem(*found.solution)) continue;
-    if (ids.empty() || ids.back() != found.solution->id()) ids.push_back(found.solution->id());
+  for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
+    // Here a solution of the full problem is bound_violations excess no more than its stated error: consistent.
+    if (compare::is_solution_of_full_problem(*violation.solution)) continue;
+    if (ids.empty() || ids.back() != violation.solution->id())
+      ids.push_back(violation.solution->id());
   }
   for (const auto moment : {&transform::Moments::y2, &transform::Moments::v2}) {
     if (const Bound* bound = compare::bound_of(bounds, moment)) shown.push_back(text(*bound));
   }
-  sentences.push_back(fmt::format("Guaranteed: {}. Outside the bounds: {}.", fmt::join(shown, ", "),
+  sentences.push_back(fmt::format("Guaranteed bounds: {}. Outside the bounds: {}.",
+                                  fmt::join(shown, ", "),
                                   ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, ", "))));
   return sentences;
 }
 
 std::string bounds_table(const problem::Problem& problem, const Bounds& bounds,
                          const TextFormat& format) {
-  std::string all = wrapped(case_title(problem), format.width, 2);
-  if (bounds.each.empty()) return all + wrapped("none: " + bounds.reason, format.width, 2);
+  std::string all = wrap_text(case_title(problem), format.width, 2);
+  if (bounds.each.empty()) return all + wrap_text("no bounds: " + bounds.reason, format.width, 2);
   Column functional{"", "functional", true, kAlwaysShown}, lower{"", "lower", false, kAlwaysShown},
       upper{"", "upper", false, kAlwaysShown}, half{"", "half-width", false, 2},
       relative{"", "relative", false, 1};
   for (const Bound& bound : bounds.each) {
-    const auto ends = outward(bound.lower, bound.upper);
+    const auto ends = round_outward(bound.lower, bound.upper);
     const double middle = std::abs(bound.lower + bound.half_width());
     functional.cells.push_back(bound.functional);
     lower.cells.push_back(ends.lower);
@@ -77,7 +79,7 @@ std::string bounds_table(const problem::Problem& problem, const Bounds& bounds,
                                         : kAbsent);
   }
   all += rows({functional, lower, upper, half, relative}, format);
-  if (!bounds.reason.empty()) all += wrapped(bounds.reason, format.width, 2);
+  if (!bounds.reason.empty()) all += wrap_text(bounds.reason, format.width, 2);
   return all;
 }
 

@@ -9,15 +9,15 @@
 
 namespace fpkcheck::report {
 
-/// What the guaranteed bounds of a case say, in sentences; none where they were not computed:
+/// Findings on the guaranteed bounds of a case, in sentences. Empty if no bounds were computed.
 ///
-///   - a solution of the problem itself that is outside by more than it states of its own error,
-///     first of all: it is wrong;
-///   - the bounds of E[y^2] and E[y'^2], and who is outside any bound: what an approximation does;
-///   - or why there are none.
-std::vector<std::string> bounds_findings(const results::Case& one);
+///   - First each solution of the full problem whose moment lies outside its bounds by more than
+///     the stated error: this solution is wrong.
+///   - Then the bounds of E[y^2] and E[y'^2], and the approximations with a moment outside a bound.
+///   - Without bounds, the reason.
+std::vector<std::string> bounds_findings(const results::Case& case_result);
 
-/// Functional, lower and upper bound, half-width absolute and relative, a line each.
+/// A table with a row for each functional: lower and upper bound, absolute and relative half-width.
 std::string bounds_table(const problem::Problem& problem, const compare::Bounds& bounds,
                          const TextFormat& format);
 

@@ -16,16 +16,17 @@ using transform::Solution;
 
 int order_of(const Solution* solution) { return *solution->identity.order; }
 
-std::vector<Level> levels(const Convergence& found) {
-  std::vector<Level> all;
-  for (const Solution* other : references(*found.one)) {
-    const double l1 = found.l1(*other);
+std::vector<UncertaintyLine> uncertainty_lines(const Convergence& distances) {
+  std::vector<UncertaintyLine> all;
+  for (const Solution* other : references(*distances.case_result)) {
+    const double l1 = distances.l1(*other);
     if (l1 > 0)
-      all.push_back({fmt::format("{} to {}", other->id(), found.reference->id()), l1, "dot"});
+      all.push_back(
+          {fmt::format("distance of {} to {}", other->id(), distances.reference->id()), l1, "dot"});
   }
-  const double own = compare::own_error(*found.reference, found.variable);
+  const double own = compare::error_estimate(*distances.reference, distances.variable);
   if (std::isfinite(own) && own > 0) {
-    all.push_back({"error of " + found.reference->id() + ", by its own account", own, "dash"});
+    all.push_back({"error estimate of " + distances.reference->id(), own, "dash"});
   }
   return all;
 }
@@ -33,7 +34,7 @@ std::vector<Level> levels(const Convergence& found) {
 }  // namespace
 
 double Convergence::l1(const Solution& solution) const {
-  return one->l1(solution.id(), reference->id(), variable).value_or(0);
+  return case_result->l1(solution.id(), reference->id(), variable).value_or(0);
 }
 
 std::pair<int, int> Convergence::orders() const {
@@ -43,37 +44,39 @@ std::pair<int, int> Convergence::orders() const {
     last = std::max(last, order_of(solution));
   };
   for (const Family& family : families) std::ranges::for_each(family.solutions, include);
-  for (const Solution* guest : guests) {
-    if (guest->identity.order) include(guest);
+  for (const Solution* external_density : external_densities) {
+    if (external_density->identity.order) include(external_density);
   }
   return {first, last};
 }
 
-std::optional<Convergence> convergence(const results::Case& one, transform::Variable variable) {
-  const Solution* reference = compare::reference(one.solutions);
+std::optional<Convergence> convergence(const results::Case& case_result,
+                                       transform::Variable variable) {
+  const Solution* reference = compare::reference(case_result.solutions);
   if (reference == nullptr) return std::nullopt;
-  Convergence found{.one = &one,
-                    .reference = reference,
-                    .variable = variable,
-                    .families = {},
-                    .guests = {},
-                    .levels = {}};
+  Convergence distances{.case_result = &case_result,
+                        .reference = reference,
+                        .variable = variable,
+                        .families = {},
+                        .external_densities = {},
+                        .uncertainty_lines = {}};
   std::vector<const Solution*> by_order;
-  for (const auto& solution : one.solutions) {
-    if (!(found.l1(solution) > 0)) continue;
-    if (transform::is_by_order(solution.identity)) {
+  for (const auto& solution : case_result.solutions) {
+    if (!(distances.l1(solution) > 0)) continue;
+    if (transform::is_distinguished_by_order(solution.identity)) {
       by_order.push_back(&solution);
-    } else if (transform::is_guest(solution.identity)) {
-      found.guests.push_back(&solution);
+    } else if (transform::is_external(solution.identity)) {
+      distances.external_densities.push_back(&solution);
     }
   }
-  found.families = families(by_order);
+  distances.families = families(by_order);
   const bool any = std::ranges::any_of(
-      found.families, [](const Family& family) { return family.solutions.size() > 1; });
+      distances.families, [](const Family& family) { return family.solutions.size() > 1; });
   if (!any) return std::nullopt;
-  for (Family& family : found.families) std::ranges::stable_sort(family.solutions, {}, order_of);
-  found.levels = levels(found);
-  return found;
+  for (Family& family : distances.families)
+    std::ranges::stable_sort(family.solutions, {}, order_of);
+  distances.uncertainty_lines = uncertainty_lines(distances);
+  return distances;
 }
 
 }  // namespace fpkcheck::report

@@ -8,13 +8,13 @@
 
 namespace fpkcheck::report {
 
-/// The solutions of one family, in their own order.
+/// The solutions of one family, in the order of the input.
 struct Family {
   std::string name;
   std::vector<const transform::Solution*> solutions;
 };
 
-/// All families, in the order of their first members.
+/// The solutions grouped by family, ordered by the first members.
 std::vector<Family> families(const std::vector<const transform::Solution*>& solutions);
 std::vector<Family> families(std::span<const transform::Solution> solutions);
 

@@ -30,12 +30,12 @@ using transform::Variable;
 
 using Sentences = std::vector<std::string>;
 
-std::string numbers(const MarginalDistances& pair) {
-  if (pair.whole()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
+std::string number_pair_text(const MarginalDistances& pair) {
+  if (pair.has_both()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
   return fmt::format("{:.2g}", pair.y ? *pair.y : pair.ydot.value_or(0));
 }
 
-MarginalDistances l1_of(const Case& one, const Solution& a, const Solution& b) {
+MarginalDistances l1_distances(const Case& one, const Solution& a, const Solution& b) {
   return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
 }
 
@@ -45,13 +45,13 @@ std::optional<double> l1_standard_error(const Case& one, const Solution& a, cons
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Whether their distances are those over the smooth bins of one of them.
-bool is_measured(const Case& one, const Solution& a, const Solution& b) {
+/// Whether the distances of both marginals are over smooth bins: only these have standard errors.
+bool has_smooth_distances(const Case& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
 
-// Of a solution of the problem itself.
-std::string words_for(const Solution& solution) {
+// Describes a solution of the full problem.
+std::string solution_description(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
       solution.identity.role == Role::simulation ? "simulation" : "full jump equation",
@@ -63,10 +63,10 @@ std::string capitalised(std::string sentence) {
   return sentence;
 }
 
-void say_discretisation_errors(const Case& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // it has them
+void add_discretisation_errors(const Case& one, Sentences& sentences) {
+  if (!one.budget.empty()) return;  // the error budget contains these errors
   Sentences ids;
-  transform::StatedError largest;
+  transform::ErrorEstimate largest;
   for (const auto& solution : one.solutions) {
     if (solution.identity.role != Role::equation || !solution.error) continue;
     const auto& error = *solution.error;
@@ -83,11 +83,11 @@ void say_discretisation_errors(const Case& one, Sentences& sentences) {
       "The discretisation error{} of {}, by {} own estimate: {}L1 {}, {:.1g} in E[y^2] and {:.1g} "
       "in E[y'^2].",
       several ? "s" : "", fmt::join(ids, ", "), several ? "their" : "its",
-      several ? "at most " : "", text_of(MarginalDistances{largest.y_l1, largest.ydot_l1}),
+      several ? "at most " : "", distances_text(MarginalDistances{largest.y_l1, largest.ydot_l1}),
       largest.moments.y2, largest.moments.v2));
 }
 
-void say_what_approximations_cost(const Case& one, Sentences& sentences) {
+void add_approximation_errors(const Case& one, Sentences& sentences) {
   Sentences of_equations, of_impacts;
   for (const auto& a : one.solutions) {
     for (const auto& b : one.solutions) {
@@ -100,83 +100,85 @@ void say_what_approximations_cost(const Case& one, Sentences& sentences) {
       const bool other_impact = approximate.impact != exact.impact;
       const bool costs = other_equation ? !other_impact && exact.equation == Equation::kf
                                         : other_impact && approximate.impact == Impact::delta;
-      const MarginalDistances cost = l1_of(one, a, b);
-      if (!known || !costs || !cost.whole()) continue;
+      const MarginalDistances cost = l1_distances(one, a, b);
+      if (!known || !costs || !cost.has_both()) continue;
       const std::string what =
           other_equation ? fmt::format("{} in place of the {}", meaning_of(*approximate.equation),
                                        meaning_of(*exact.equation))
                          : fmt::format("the impact {} in place of {}",
                                        meaning_of(*approximate.impact), meaning_of(*exact.impact));
       (other_equation ? of_equations : of_impacts)
-          .push_back(fmt::format("{} ({}) {}", what, a.id(), text_of(cost)));
+          .push_back(fmt::format("{} ({}) {}", what, a.id(), distances_text(cost)));
     }
   }
   of_equations.insert(of_equations.end(), of_impacts.begin(), of_impacts.end());
   if (of_equations.empty()) return;
   sentences.push_back(
-      fmt::format("What approximations cost in L1: {}.", fmt::join(of_equations, "; ")));
+      fmt::format("L1 error of each approximation: {}.", fmt::join(of_equations, "; ")));
 }
 
-void say_what_residuals_tell(const Case& one, Sentences& sentences) {
+void add_residual_based_errors(const Case& one, Sentences& sentences) {
   Sentences parts;
   double largest_gap = 0;
-  const results::OwnError* first = nullptr;
-  for (const auto& own : one.own_errors) {
+  const results::MomentErrorEstimate* first = nullptr;
+  for (const auto& own : one.moment_error_estimates) {
     const Solution* solution = one.find(own.solution);
-    if (solution == nullptr || !compare::solves_the_problem(*solution)) continue;
+    if (solution == nullptr || !compare::is_solution_of_full_problem(*solution)) continue;
     if (first == nullptr) first = &own;
     parts.push_back(
         fmt::format("{:.1e} and {:.1e} in {}", own.error.y2, own.error.v2, own.solution));
   }
   if (parts.empty()) return;
   for (const auto& solution : one.solutions) {
-    if (!solution.smooth_sampling || !compare::solves_the_problem(solution)) continue;
+    if (!solution.smooth_sampling || !compare::is_solution_of_full_problem(solution)) continue;
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
-  // As many as the simulation confirms; without it the usual ones.
+  // As many significant digits as the simulation confirms; the default number without one.
   const auto digits = [&](double value) {
-    constexpr int kUsual = 7, kMost = 10;
-    if (!(largest_gap > 0)) return kUsual;
-    // A double as long as it may be infinite.
-    const double sure = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
-    return sure > 2 ? static_cast<int>(std::min<double>(sure, kMost)) : 2;
+    constexpr int kDefaultDigits = 7, kMaxDigits = 10;
+    if (!(largest_gap > 0)) return kDefaultDigits;
+    // Clamped as a double: the number may be infinite.
+    const double confirmed_digits = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
+    return confirmed_digits > 2 ? static_cast<int>(std::min<double>(confirmed_digits, kMaxDigits))
+                                : 2;
   };
   sentences.push_back(fmt::format(
-      "By their own residuals E[y^2] and E[y'^2] are off by {}; corrected, those of {} are {:.{}g} "
-      "and {:.{}g}{}.",
+      "Errors of E[y^2] and E[y'^2], estimated from residuals: {}. Corrected moments of {}: "
+      "{:.{}g} and {:.{}g}{}.",
       fmt::join(parts, ", "), first->solution, first->corrected.y2, digits(first->corrected.y2),
       first->corrected.v2, digits(first->corrected.v2),
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
 }
 
-void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
+void add_closest_closures(const Case& one, Sentences& sentences) {
   const Solution* reference = compare::reference(one.solutions);
   const bool any = std::ranges::any_of(
       one.solutions, [](const Solution& s) { return s.identity.role == Role::closure; });
   if (reference == nullptr || !any) return;
-  auto ranks = compare::closures_by_distance(one.solutions, one.pairs);
+  auto ranks = compare::closures_by_reference_distance(one.solutions, one.pairs);
   if (ranks.empty()) {
-    sentences.emplace_back("No closure is ok.");
+    sentences.emplace_back("No closure has status ok.");
     return;
   }
   const auto nearest = ranks.front();
   std::erase_if(ranks, [](const auto& rank) { return std::max(rank.y, rank.ydot) > kCloseL1; });
   if (ranks.empty()) {
     sentences.push_back(
-        fmt::format("No closure that is ok is within L1 {} of {}: {}, the nearest, is off by {}.",
+        fmt::format("No closure with status ok is within L1 {} of {}: the closest, {}, has L1 {}.",
                     kCloseL1, reference->id(), nearest.solution->id(),
-                    text_of(MarginalDistances{nearest.y, nearest.ydot})));
+                    distances_text(MarginalDistances{nearest.y, nearest.ydot})));
     return;
   }
-  // By family and formulation: the closest, and those that nobody can tell from it.
-  std::map<std::pair<std::string, std::string>, std::vector<const compare::Rank*>> groups;
+  // For each family and formulation: the closest closure and those is_indistinguishable from it.
+  std::map<std::pair<std::string, std::string>, std::vector<const compare::ReferenceDistance*>>
+      groups;
   bool several = false;
   for (const auto& rank : ranks) {
     const auto& identity = rank.solution->identity;
     auto& closest = groups[{identity.family, identity.formulation}];
     const bool first = closest.empty();
-    if (first || compare::indistinguishable(*closest.front(), rank, *reference)) {
+    if (first || compare::is_indistinguishable(*closest.front(), rank, *reference)) {
       closest.push_back(&rank);
       several = several || !first;
     }
@@ -192,155 +194,163 @@ void say_which_closures_are_closest(const Case& one, Sentences& sentences) {
     const bool tie = ids.size() > 1;
     parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
                                 tie ? " (indistinguishable)" : "", tie ? "at most " : "",
-                                text_of(most)));
+                                distances_text(most)));
   }
   sentences.push_back(fmt::format(
-      "Closest to {} of the closures that are ok: {}.{}", reference->id(), fmt::join(parts, "; "),
-      several ? " Indistinguishable: their distances differ by no more than the reference's own "
-                "error."
-              : ""));
+      "Closest to {} among the closures with status ok: {}.{}", reference->id(),
+      fmt::join(parts, "; "),
+      several
+          ? " Indistinguishable: the distances differ by no more than the error estimate of the "
+            "reference."
+          : ""));
 }
 
-/// The errors of a solution by chance that are expected.
-/// @param smooth whether the difference is one over smooth bins
-MarginalDistances chance_of(const Solution& solution, bool smooth = false) {
-  const auto& stated = smooth ? best_sampling(solution) : solution.sampling;
+/// Expected sampling errors of both marginals of a solution.
+/// @param smooth whether the distance is over smooth bins
+MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
+  const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-// The errors of a difference whose parts are independent.
-MarginalDistances together(const MarginalDistances& one, const MarginalDistances& other) {
+// Sampling errors of a difference of independent estimates: the variances add.
+MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
   };
   return {sum(one.y, other.y), sum(one.ydot, other.ydot)};
 }
 
-MarginalDistances largest_explained(const Solution& one, const Solution& other, bool smooth) {
-  return {compare::largest_explained(one, other, Variable::y, smooth),
-          compare::largest_explained(one, other, Variable::ydot, smooth)};
+MarginalDistances critical_l1(const Solution& one, const Solution& other, bool smooth) {
+  return {compare::critical_l1(one, other, Variable::y, smooth),
+          compare::critical_l1(one, other, Variable::ydot, smooth)};
 }
 
-// "; WHOSE EXPECTED; all errors explain up to .. (1 run of 1000 is beyond), and so this".
-std::string whether_explained(const MarginalDistances& gap, const MarginalDistances& expected,
-                              const MarginalDistances& explained, const std::string& whose) {
+// "; WHOSE EXPECTED; all errors explain up to .. (exceeded by chance in 1 run of 1000): the
+// densities agree".
+std::string agreement_text(const MarginalDistances& gap, const MarginalDistances& expected,
+                           const MarginalDistances& explained, const std::string& error_source) {
   const auto within = [](const auto& difference, const auto& most) {
     return !difference || !most || *difference <= *most;
   };
   const bool agree = within(gap.y, explained.y) && within(gap.ydot, explained.ydot);
   return fmt::format(
-      "; {} {}; all errors explain up to {} (1 run of {:.0f} is beyond by chance), which {} that",
-      whose, text_of(expected), numbers(explained), 1 / compare::kAgreementLevel,
-      agree ? "explains" : "does not explain");
+      "; {} {}; all errors explain up to {} (exceeded by chance in 1 run of {:.0f}): the "
+      "densities {}",
+      error_source, distances_text(expected), number_pair_text(explained),
+      1 / compare::kAgreementSignificance, agree ? "agree" : "disagree");
 }
 
-/// What a measure finds of one marginal.
-struct Measured {
+/// The L1 error of one marginal relative to a simulation with control variates.
+struct MeasuredError {
   double l1, error, chance, stated;
-  bool explained;  ///< by what both state (compare/agreement.hpp)
+  bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
 
-  /// Below that a distance is nearly all the measure's own noise.
-  bool is_seen() const { return l1 > 3 * chance; }
-  bool is_more_than_stated() const { return std::isfinite(stated) && !explained; }
+  /// A smaller distance is mostly the sampling error of the simulation.
+  bool is_significant() const { return l1 > 3 * chance; }
+  bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
 
-Measured measured(const Case& one, const Solution& solution, const Solution& measure,
-                  Variable variable) {
+MeasuredError measured_error(const Case& one, const Solution& solution, const Solution& measure,
+                             Variable variable) {
   const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
-  const auto most = compare::largest_explained(solution, measure, variable, true);
+  const auto most = compare::critical_l1(solution, measure, variable, true);
   return {.l1 = l1,
           .error = *l1_standard_error(one, solution, measure, variable),
-          .chance = expected(*best_sampling(measure), variable).value_or(0),
-          .stated = compare::own_error(solution, variable),
+          .chance = expected(*best_sampling_error(measure), variable).value_or(0),
+          .stated = compare::error_estimate(solution, variable),
           .explained = !most || l1 <= *most};
 }
 
-// "2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05)"
-std::string measured_text(const Measured& found, Variable variable) {
-  const std::string stated = std::isfinite(found.stated)
-                                 ? fmt::format(" (it states {:.2g})", found.stated)
+// "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)"
+std::string measured_error_text(const MeasuredError& marginal_error, Variable variable) {
+  const std::string stated = std::isfinite(marginal_error.stated)
+                                 ? fmt::format(" (estimate {:.2g})", marginal_error.stated)
                                  : std::string();
   const char* density = variable == Variable::y ? "p(y)" : "p(y')";
-  if (!found.is_seen()) {
-    return fmt::format("no more than the simulation's own {:.1g} in {}{}", 3 * found.chance,
-                       density, stated);
+  if (!marginal_error.is_significant()) {
+    return fmt::format("at most {:.1g} (3 sampling errors of the simulation) in {}{}",
+                       3 * marginal_error.chance, density, stated);
   }
-  return fmt::format("{:.2g} +- {:.0g} in {}{}", found.l1, found.error, density, stated);
+  return fmt::format("{:.2g} +- {:.0g} in {}{}", marginal_error.l1, marginal_error.error, density,
+                     stated);
 }
 
-void say_what_is_measured(const Case& one, Sentences& sentences) {
+void add_measured_errors(const Case& one, Sentences& sentences) {
   const Solution* measure = compare::reference(one.solutions);
   if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : references(one)) {
-    if (other == measure || !is_measured(one, *other, *measure)) continue;
-    const Measured y = measured(one, *other, *measure, Variable::y);
-    const Measured ydot = measured(one, *other, *measure, Variable::ydot);
-    const bool more = y.is_more_than_stated() || ydot.is_more_than_stated();
+    if (other == measure || !has_smooth_distances(one, *other, *measure)) continue;
+    const MeasuredError y = measured_error(one, *other, *measure, Variable::y);
+    const MeasuredError ydot = measured_error(one, *other, *measure, Variable::ydot);
+    const bool more = y.exceeds_stated_error() || ydot.exceeds_stated_error();
     sentences.push_back(
-        fmt::format("{} is off by {} and {}, in L1 over smooth bins, as {} measures it{}.",
-                    capitalised(words_for(*other)), measured_text(y, Variable::y),
-                    measured_text(ydot, Variable::ydot), words_for(*measure),
-                    more ? ": more than it states" : ""));
+        fmt::format("{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
+                    capitalised(solution_description(*other)), measured_error_text(y, Variable::y),
+                    measured_error_text(ydot, Variable::ydot), solution_description(*measure),
+                    more ? ": larger than the estimate" : ""));
   }
 }
 
-void say_whether_the_references_agree(const Case& one, Sentences& sentences) {
+void add_agreement_of_references(const Case& one, Sentences& sentences) {
   const auto all = references(one);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
-    if (reference.smooth_sampling && is_measured(one, other, reference)) continue;
-    const MarginalDistances gap = l1_of(one, reference, other);
-    if (!gap.whole()) continue;
-    const bool smooth = is_measured(one, reference, other);
-    const MarginalDistances own = chance_of(reference, smooth), others = chance_of(other, smooth);
+    if (reference.smooth_sampling && has_smooth_distances(one, other, reference)) continue;
+    const MarginalDistances gap = l1_distances(one, reference, other);
+    if (!gap.has_both()) continue;
+    const bool smooth = has_smooth_distances(one, reference, other);
+    const MarginalDistances own = sampling_errors(reference, smooth),
+                            others = sampling_errors(other, smooth);
     std::string chance;
     if (own.any() || others.any()) {
-      const std::string whose = own.any() && others.any()
-                                    ? "their sampling errors account for about"
-                                    : fmt::format("the sampling error of {} is",
-                                                  words_for(own.any() ? reference : other));
-      chance = whether_explained(gap, together(own, others),
-                                 largest_explained(reference, other, smooth), whose);
+      const std::string error_source =
+          own.any() && others.any()
+              ? "their sampling errors account for about"
+              : fmt::format("the sampling error of {} is",
+                            solution_description(own.any() ? reference : other));
+      chance = agreement_text(gap, combined_errors(own, others),
+                              critical_l1(reference, other, smooth), error_source);
     }
-    sentences.push_back(capitalised(fmt::format("{} and {} differ by {}{}.", words_for(reference),
-                                                words_for(other), text_of(gap), chance)));
+    sentences.push_back(
+        capitalised(fmt::format("{} and {} differ by L1 {}{}.", solution_description(reference),
+                                solution_description(other), distances_text(gap), chance)));
   }
 }
 
-void say_how_far_files_are(const Case& one, Sentences& sentences) {
+void add_distances_of_external_densities(const Case& one, Sentences& sentences) {
   const auto all = references(one);
   for (const auto& given : one.solutions) {
-    if (given.identity.role != Role::given) continue;
+    if (given.identity.role != Role::external) continue;
     for (const Solution* reference : all) {
-      const MarginalDistances gap = l1_of(one, given, *reference);
+      const MarginalDistances gap = l1_distances(one, given, *reference);
       if (!gap.any()) continue;
-      // Only in the variables in which the file says how far off it may be.
-      const bool smooth = is_measured(one, given, *reference);
-      const MarginalDistances own = chance_of(given);
-      MarginalDistances other = chance_of(*reference, smooth);
-      MarginalDistances explained = largest_explained(given, *reference, smooth);
+      // Only for the marginals of the external density that have standard errors.
+      const bool smooth = has_smooth_distances(one, given, *reference);
+      const MarginalDistances own = sampling_errors(given);
+      MarginalDistances other = sampling_errors(*reference, smooth);
+      MarginalDistances explained = critical_l1(given, *reference, smooth);
       for (auto* part : {&other, &explained}) {
         if (!own.y) part->y.reset();
         if (!own.ydot) part->ydot.reset();
       }
       std::string chance;
       if (own.any()) {
-        chance =
-            whether_explained(gap, together(own, other), explained,
-                              fmt::format("its standard errors{} account for about",
-                                          other.any() ? " and those of " + reference->id() : ""));
+        chance = agreement_text(gap, combined_errors(own, other), explained,
+                                fmt::format("its standard errors{} account for about",
+                                            other.any() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
-                                      words_for(*reference), text_of(gap), chance));
+                                      solution_description(*reference), distances_text(gap),
+                                      chance));
     }
   }
 }
 
-void say_what_solvers_note(const Case& one, Sentences& sentences) {
+void add_solver_notes(const Case& one, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
   for (const auto& solution : one.solutions) {
-    std::map<std::string, Sentences> notes;  // by what the path begins with
-    for (const auto& observation : solution.observations) {
+    std::map<std::string, Sentences> notes;  // by the prefix of the path
+    for (const auto& observation : solution.metrics) {
       const auto mark = observation.path.rfind(kNotes);
       const auto* note = std::get_if<std::string>(&observation.value);
       if (note == nullptr || mark == std::string::npos) continue;
@@ -348,10 +358,11 @@ void say_what_solvers_note(const Case& one, Sentences& sentences) {
       notes[observation.path.substr(0, mark)].push_back(*note);
     }
     for (const auto& [place, own] : notes) {
-      const auto file = transform::word(solution.observations, place + "file");
-      sentences.push_back(fmt::format(
-          "Of {}: {}.", file ? std::filesystem::path(*file).filename().string() : solution.id(),
-          fmt::join(own, "; ")));
+      const auto file = transform::word(solution.metrics, place + "file");
+      sentences.push_back(
+          fmt::format("Note on {}: {}.",
+                      file ? std::filesystem::path(*file).filename().string() : solution.id(),
+                      fmt::join(own, "; ")));
     }
   }
 }
@@ -361,14 +372,14 @@ void say_what_solvers_note(const Case& one, Sentences& sentences) {
 std::vector<std::string> findings(const Case& one) {
   Sentences sentences = bounds_findings(one);
   if (one.solutions.size() > 1) sentences.push_back(compare::reference_text(one.solutions));
-  say_discretisation_errors(one, sentences);
-  say_what_approximations_cost(one, sentences);
-  say_which_closures_are_closest(one, sentences);
-  say_what_is_measured(one, sentences);
-  say_what_residuals_tell(one, sentences);
-  say_whether_the_references_agree(one, sentences);
-  say_how_far_files_are(one, sentences);
-  say_what_solvers_note(one, sentences);
+  add_discretisation_errors(one, sentences);
+  add_approximation_errors(one, sentences);
+  add_closest_closures(one, sentences);
+  add_measured_errors(one, sentences);
+  add_residual_based_errors(one, sentences);
+  add_agreement_of_references(one, sentences);
+  add_distances_of_external_densities(one, sentences);
+  add_solver_notes(one, sentences);
   return sentences;
 }
 

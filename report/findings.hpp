@@ -7,21 +7,22 @@
 
 namespace fpkcheck::report {
 
-/// Plain sentences that say which approximation costs what in one case, from the distances of the
-/// solutions that are there and ok:
+/// Sentences that quantify the error of each approximation in one case, from the distances between
+/// solutions with status ok:
 ///
-///   - what the guaranteed bounds say (report/bounds.hpp), where there are any;
-///   - which solution is the reference (compare/reference.hpp), where there are several solutions;
-///   - the discretisation error of an equation that states its own, or the largest of several; not
-///     where there is an error budget, which has them;
-///   - each approximate equation or impact, against the solution by the same method that differs in
-///     that alone;
-///   - the closure of each family and formulation that is closest to the reference, of those within
-///     kCloseL1; several that its own error does not tell apart are called indistinguishable;
-///   - the other solutions of the problem itself against the reference, beside what chance does;
-///   - solutions from files against all these, beside what their standard errors explain;
-///   - what solvers note for people: the observations `notes[k]`, or `X.notes[k]` of the file that
-///     `X.file` names.
+///   - findings on the guaranteed bounds (report/bounds.hpp);
+///   - the reference (compare/reference.hpp), if the case has several solutions;
+///   - the discretisation error of an equation with an error estimate, or the largest of several;
+///     omitted if the case has an error budget, which contains these errors;
+///   - the L1 error of each approximate equation or impact: the distance to the solution by the
+///     same method without this approximation;
+///   - for each family and formulation the closure closest to the reference, if within kCloseL1;
+///     closures are indistinguishable if their distances differ by no more than the error estimate
+///     of the reference;
+///   - the distances of the other solutions of the full problem to the reference, with sampling
+///     errors;
+///   - the distances of external densities to all of these, with standard errors;
+///   - notes of the solvers: metrics `notes[k]`, or `X.notes[k]` of the file named by `X.file`.
 std::vector<std::string> findings(const results::Case& one);
 
 }  // namespace fpkcheck::report

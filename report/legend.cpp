@@ -33,10 +33,10 @@ bool any_cell(const std::vector<Column>& columns, std::string_view header, Condi
   });
 }
 
-// Those of an enum's names that stand in the cells, with what they mean.
+// The names of an enum that occur in the cells, with their meanings.
 template <class Enum>
-std::string explained(const std::vector<Column>& results, const std::string& before,
-                      const std::string& after) {
+std::string enum_legend(const std::vector<Column>& results, const std::string& before,
+                        const std::string& after) {
   std::vector<std::string> terms;
   for (const auto& [value, name, meaning] : names(Enum{})) {
     const std::string part = fmt::format("{}{}{}", before, name, after);
@@ -50,14 +50,14 @@ std::string explained(const std::vector<Column>& results, const std::string& bef
 }
 
 std::string solves_legend(const std::vector<Column>& results) {
-  const auto equations = explained<problem::Equation>(results, "", "/");
-  const auto impacts = explained<problem::Impact>(results, "/", "");
+  const auto equations = enum_legend<problem::Equation>(results, "", "/");
+  const auto impacts = enum_legend<problem::Impact>(results, "/", "");
   std::vector<std::string> terms;
   if (!equations.empty()) terms.push_back(fmt::format("the excitation term ({})", equations));
   if (!impacts.empty()) terms.push_back(fmt::format("the impact ({})", impacts));
   if (any_cell(results, kSolvesColumn,
                [](const auto& cell) { return cell.starts_with("given/"); })) {
-    terms.emplace_back("given: from a file");
+    terms.emplace_back("given: an external density");
   }
   return fmt::format("{}: {}.", kSolvesColumn, fmt::join(terms, " / "));
 }
@@ -71,11 +71,11 @@ std::string results_legend(const std::vector<Column>& results, const results::Ru
     sentences.emplace_back(
         "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
     const bool smooth = std::ranges::any_of(
-        run.cases, [](const results::Case& one) { return !one.smooth.empty(); });
+        run.cases, [](const results::Case& case_result) { return !case_result.smooth.empty(); });
     if (smooth) {
       sentences.emplace_back(
-          "Where a simulation without noise has a part it is over smooth bins, which do not see "
-          "what is narrower than they are.");
+          "Distances to a simulation with control variates are over smooth bins, which do not "
+          "resolve narrower features.");
     }
   }
   if (any_header(results, kSolvesColumn)) sentences.push_back(solves_legend(results));
@@ -84,8 +84,8 @@ std::string results_legend(const std::vector<Column>& results, const results::Ru
   }
   if (any_header(results, "sec")) sentences.emplace_back("sec: wall-clock time.");
   if (distances || any_header(results, "E[")) {
-    sentences.emplace_back(any_header(results, "sec") ? "All else is non-dimensional."
-                                                      : "All is non-dimensional.");
+    sentences.emplace_back(any_header(results, "sec") ? "All other quantities are non-dimensional."
+                                                      : "All quantities are non-dimensional.");
   }
   return fmt::format("{}", fmt::join(sentences, " "));
 }
@@ -101,20 +101,22 @@ std::string budget_legend(const std::vector<Column>& budgets) {
     if (has_row(compare::name(links))) rows_below.push_back(compare::name(links));
   }
   std::string text =
-      "error budget: the L1 distance from each closure to the end of its chain of models (total; the "
-      "simulation, where there is one) is at most the sum of its parts";
+      "error budget: total is the L1 distance from each closure to the end of its chain of models "
+      "(the simulation, if any); total is at most the sum of its parts";
   if (!rows_below.empty()) {
     text += fmt::format(" and of the row{} {}", rows_below.size() > 1 ? "s" : "",
                         fmt::join(rows_below, " and "));
   }
   for (const auto& [link, name, meaning] : compare::kLinkNames) {
     const std::string header = part_header(std::string(name));
-    // Links without a density between them share a column, as closure + impact.
+    // Links without a solution between them share a column: closure + impact.
     if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (link == Link::closure) text += ", against its own equation discretised";
   }
-  if (any_group(budgets, "tail")) text += "; tail: mean |log10 p - log10 of that end|";
+  if (any_group(budgets, "tail")) {
+    text += "; tail: mean |log10 p - log10 q|, with q the end of the chain";
+  }
   if (any_cell(budgets, "error budget", [](const auto& cell) { return cell.ends_with('*'); })) {
     text += "; *: the closure is not ok";
   }

@@ -8,12 +8,13 @@
 
 namespace fpkcheck::report {
 
-/// What the headers and cells of the tables mean, in sentences: of the columns that are shown, and
-/// nothing else. Empty when there are none.
+/// Legend of the tables of solutions, in sentences: explains headers and cells of the displayed
+/// columns only. Empty without columns.
 /// @param results columns of solutions, of all cases
-/// @param run of these cases
+/// @param run     the run with these cases
 std::string results_legend(const std::vector<Column>& results, const results::Run& run);
 
+/// Legend of the tables of error budgets.
 /// @param budgets columns of error budgets, of all cases
 std::string budget_legend(const std::vector<Column>& budgets);
 

@@ -4,12 +4,13 @@
 
 namespace fpkcheck::report {
 
-std::vector<const transform::Solution*> references(const results::Case& one) {
-  const auto* chosen = compare::reference(one.solutions);
+std::vector<const transform::Solution*> references(const results::Case& case_result) {
+  const auto* chosen = compare::reference(case_result.solutions);
   if (chosen == nullptr) return {};
   std::vector<const transform::Solution*> all{chosen};
-  for (const auto& solution : one.solutions) {
-    if (&solution != chosen && compare::solves_the_problem(solution)) all.push_back(&solution);
+  for (const auto& solution : case_result.solutions) {
+    if (&solution != chosen && compare::is_solution_of_full_problem(solution))
+      all.push_back(&solution);
   }
   return all;
 }

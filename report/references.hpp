@@ -7,8 +7,8 @@
 
 namespace fpkcheck::report {
 
-/// The solutions of the problem itself, against which tables and sentences put all others: the
-/// reference of the case first, then the rest in their order. None without a reference.
-std::vector<const transform::Solution*> references(const results::Case& one);
+/// The solutions of the full problem, with which tables and sentences compare all others: first the
+/// reference of the case, then the rest in the order of the case. Empty without a reference.
+std::vector<const transform::Solution*> references(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

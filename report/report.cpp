@@ -7,7 +7,7 @@
 #include "report/figure/pictures.hpp"
 #include "report/page/page.hpp"
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPageFile = "report.html";
 
-// The run that was saved there; nothing where there is none of ours: then the pictures are not ours
-// either.
+// The run saved in the directory. Nothing without a readable summary: then the pictures there may
+// belong to another program and are kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;
@@ -46,16 +46,16 @@ std::vector<std::string> write_report(const fs::path& directory, const results::
 std::string terminal_text(const results::Run& run, const Supplement& supplement,
                           const TextFormat& format) {
   std::string text;
-  for (const auto& sentence : supplement.summary) text += wrapped(sentence, format.width);
+  for (const auto& sentence : supplement.summary) text += wrap_text(sentence, format.width);
   if (!text.empty()) text += '\n';
   return text + table(run, format) + supplement.text;
 }
 
-ReportAgain report_again(const fs::path& directory, const results::Run& run,
-                         const TextFormat& format, const FigureOptions& figures,
-                         const Supplement& supplement) {
-  // All of it before anything is written.
-  ReportAgain again{terminal_text(run, supplement, format), {}};
+RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
+                             const TextFormat& format, const FigureOptions& figures,
+                             const Supplement& supplement) {
+  // The text is made before any file is written: an exception then changes no file.
+  RebuiltReport again{terminal_text(run, supplement, format), {}};
   base::PendingFiles files;
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);

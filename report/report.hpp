@@ -11,35 +11,36 @@
 
 namespace fpkcheck::report {
 
-/// Writes marginals.csv, joint.nc (where a solution has a joint density), summary.json, report.html
-/// and figures/ into a directory that results::make_writable prepared. The files replace those of
-/// an earlier run together, or not at all; its pictures and joint densities are removed.
-/// When the program is told to stop (base/process/stop.hpp), pictures are left out without a word.
-/// @param supplement its files replace theirs together with those of the run
-/// @return warnings, one line each, about pictures that could not be drawn
-/// @throws std::runtime_error when a file cannot be written
+/// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
+/// and figures/ into a directory that results::prepare_output_directory prepared. The files replace those of
+/// an earlier run all together or not at all; pictures and joint densities of the earlier run are
+/// removed. After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
+/// @param supplement additional files, which replace earlier ones together with the files of the
+///                   run
+/// @return warnings about pictures that could not be drawn, one line each
+/// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const results::Run& run, const FigureOptions& figures = {},
                                       const Supplement& supplement = {});
 
-/// What a terminal shows of a run: the supplement's summary, the tables, the supplement's text.
+/// The terminal output of a run: the supplement's summary, the tables, the supplement's text.
 std::string terminal_text(const results::Run& run, const Supplement& supplement,
                           const TextFormat& format = {});
 
-/// A report made again from a directory.
-struct ReportAgain {
+/// A report rebuilt from the files of a saved run.
+struct RebuiltReport {
   std::string text;                   ///< terminal_text
   std::vector<std::string> warnings;  ///< about pictures, one line each
 };
 
-/// The text of a saved run, and its page, its pictures and the files of the supplement made anew;
-/// solves nothing.
-/// @param directory where the run is saved
-/// @param run       what results::load_run read there
+/// Rebuilds the text of a saved run, and writes its page, its pictures and the files of the
+/// supplement again, without solving.
+/// @param directory with the saved run
+/// @param run       the run that results::load_run read from this directory
 /// @param format    of the text
-/// @throws std::runtime_error when a file cannot be written
-ReportAgain report_again(const std::filesystem::path& directory, const results::Run& run,
-                         const TextFormat& format = {}, const FigureOptions& figures = {},
-                         const Supplement& supplement = {});
+/// @throws std::runtime_error if a file cannot be written
+RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
+                             const TextFormat& format = {}, const FigureOptions& figures = {},
+                             const Supplement& supplement = {});
 
 }  // namespace fpkcheck::report

@@ -7,32 +7,32 @@
 
 namespace fpkcheck::report {
 
-/// A file that a command adds to those of a run.
-struct FileBeside {
+/// A file that a command adds to the files of a run.
+struct ExtraFile {
   std::string name, text;
 };
 
-/// A gnuplot script, and the name without extension under which it and its pictures are filed.
+/// A gnuplot script, and the file name without extension of the script and its pictures.
 struct Picture {
   std::string stem, script;
 };
 
 /// A section that a command adds to the page of a run.
 struct PageSection {
-  std::string anchor;   ///< id of the section's element, for links
+  std::string anchor;   ///< id of the HTML element of the section, for links
   std::string heading;  ///< plain text
-  std::string html;     ///< below the heading; with plots_html() of all plots
-  /// The legends of one group switch curves in that group alone.
+  std::string html;     ///< content below the heading, includes plots_html() of all plots
+  /// Groups of plots: a legend hides or shows curves in the plots of its group only.
   std::vector<std::vector<Plot>> groups;
 };
 
-/// What a command adds to the report of a run.
+/// Additions of a command to the report of a run.
 struct Supplement {
-  /// The command's answer in sentences: printed before the tables; the first one opens the page.
+  /// Result of the command in sentences, printed before the tables; the first opens the page.
   std::vector<std::string> summary;
   std::string text;  ///< printed after the tables
   std::vector<PageSection> sections;
-  std::vector<FileBeside> files;
+  std::vector<ExtraFile> files;
   std::vector<Picture> pictures;  ///< drawn into figures/
 };
 

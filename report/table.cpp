@@ -12,13 +12,13 @@
 #include "report/budget/table.hpp"
 #include "report/findings.hpp"
 #include "report/legend.hpp"
-#include "report/reasons.hpp"
 #include "report/references.hpp"
-#include "report/rest.hpp"
+#include "report/status_reasons.hpp"
 #include "report/text/columns.hpp"
 #include "report/text/l1_text.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "report/verdict/matrix_text.hpp"
+#include "report/wall_atoms.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -33,13 +33,13 @@ std::string seconds_text(double x) {
   return fmt::format("{:.{}f}", x, x < 10 ? 2 : x < 100 ? 1 : 0);
 }
 
-std::vector<Column> columns(const results::Case& one) {
+std::vector<Column> columns(const results::Case& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<Column> all;
-  // A column without a value, as the distances to the only solution, says nothing.
+  // Adds a column unless it has no value, such as the distances to the only solution.
   const auto add = [&](Column column, const auto& cell) {
-    for (const auto& solution : one.solutions) {
-      // Its reason says all of it.
+    for (const auto& solution : case_result.solutions) {
+      // The line of its reason replaces the row.
       if (solution.status == transform::Status::not_offered) continue;
       column.cells.push_back(cell(solution));
     }
@@ -59,23 +59,23 @@ std::vector<Column> columns(const results::Case& one) {
   };
   add({"", "solution", true, kAlwaysShown}, [](const Solution& s) { return s.id(); });
   add({"", "solves", true, kSolves},
-      [](const Solution& s) { return transform::solves_text(s.identity); });
+      [](const Solution& s) { return transform::equation_and_impact_text(s.identity); });
   add(status_column(), [](const Solution& s) { return std::string(name(s.status)); });
   number("E[y^2]", kMoments, moment_text,
          [&](const Solution& s) { return of_density(s, s.moments.y2); });
   number("E[y'^2]", kMoments, moment_text,
          [&](const Solution& s) { return of_density(s, s.moments.v2); });
-  for (const double wall : walls_of_rest(one)) {
-    number(rest_header(one, wall), kAlwaysShown, moment_text,
-           [&](const Solution& s) { return probability_of_rest(s, wall); });
+  for (const double wall : walls_with_atoms(case_result)) {
+    number(atom_header(case_result, wall), kAlwaysShown, moment_text,
+           [&](const Solution& s) { return atom_probability(s, wall); });
   }
   int importance = kAlwaysShown;
-  for (const Solution* reference : references(one)) {
+  for (const Solution* reference : references(case_result)) {
     for (const auto variable : transform::kVariables) {
       const char* header = variable == transform::Variable::y ? "p(y)" : "p(y')";
       add({"L1 to " + reference->id(), header, false, importance},
           [&](const Solution& s) -> std::string {
-            const auto l1 = one.l1(s.id(), reference->id(), variable);
+            const auto l1 = case_result.l1(s.id(), reference->id(), variable);
             return l1 ? l1_text(*l1) : kAbsent;
           });
     }
@@ -87,11 +87,11 @@ std::vector<Column> columns(const results::Case& one) {
   return all;
 }
 
-std::string reasons_text(const results::Case& one, std::size_t width) {
+std::string reasons_text(const results::Case& case_result, std::size_t width) {
   std::string text;
-  for (const auto& [solutions, status, reason] : reasons(one)) {
-    text += wrapped(fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason),
-                    width, 4);
+  for (const auto& [solutions, status, reason] : status_reasons(case_result)) {
+    text += wrap_text(fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason),
+                      width, 4);
   }
   return text;
 }
@@ -104,33 +104,33 @@ std::string case_title(const problem::Problem& problem) {
 
 std::string table(const results::Run& run, const TextFormat& format) {
   const std::size_t width = format.width;
-  const Verdict said = verdict(run);
-  std::string text = answer_text(said, format);
+  const Verdict run_verdict = verdict(run);
+  std::string text = answer_text(run_verdict, format);
   if (!text.empty()) text += '\n';
   std::vector<Column> all, budgets;
   std::string missing;
-  for (const auto& one : run.cases) {
-    const auto all_columns = columns(one);
-    const auto shown = fitting(all_columns, format);
-    if (missing.empty()) missing = left_out(all_columns, shown);
-    text += wrapped(case_title(one.problem), width, 2) + rows(shown, format) +
-            reasons_text(one, width) + budget_table(one, format);
-    for (const auto& sentence : findings(one)) text += wrapped("  " + sentence, width, 2);
+  for (const auto& case_result : run.cases) {
+    const auto all_columns = columns(case_result);
+    const auto shown = fit_columns(all_columns, format);
+    if (missing.empty()) missing = omitted_columns(all_columns, shown);
+    text += wrap_text(case_title(case_result.problem), width, 2) + rows(shown, format) +
+            reasons_text(case_result, width) + budget_table(case_result, format);
+    for (const auto& sentence : findings(case_result)) text += wrap_text("  " + sentence, width, 2);
     text += '\n';
     std::ranges::copy(shown, std::back_inserter(all));
-    std::ranges::move(budget_columns(one, format), std::back_inserter(budgets));
+    std::ranges::move(budget_columns(case_result, format), std::back_inserter(budgets));
   }
-  if (!run.stopped.empty()) text += wrapped(run.stopped, width) + '\n';
+  if (!run.stopped.empty()) text += wrap_text(run.stopped, width) + '\n';
   if (!missing.empty()) {
-    text += wrapped(fmt::format("Left out at {} columns: {} (a wider terminal, report.html and "
-                                "summary.json have them).",
-                                width, missing),
-                    width);
+    text += wrap_text(fmt::format("Omitted at {} characters per line: {}. A wider terminal, "
+                                  "report.html and summary.json show these columns.",
+                                  width, missing),
+                      width);
   }
   for (const auto& legend : {results_legend(all, run), budget_legend(budgets)}) {
-    if (!legend.empty()) text += wrapped(legend, width);
+    if (!legend.empty()) text += wrap_text(legend, width);
   }
-  if (const auto last = verdict_text(run, said, format); !last.empty()) text += '\n' + last;
+  if (const auto last = verdict_text(run, run_verdict, format); !last.empty()) text += '\n' + last;
   return text;
 }
 

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::results {
 
-/// A text as a field of a CSV file: between quotes where it holds what parts fields or lines
+/// A text as a field of a CSV file, quoted where it contains separators, quotes or line breaks
 /// (RFC 4180).
 std::string csv_field(const std::string& text);
 

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/journal.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/input_error.hpp"
 
 namespace fpkcheck::results {
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The directories on the way that are not there yet, outermost first.
-std::vector<fs::path> missing_parts(const fs::path& directory) {
+// The missing directories of a path, outermost first.
+std::vector<fs::path> missing_directories(const fs::path& directory) {
   std::vector<fs::path> missing;
   std::error_code error;
   for (fs::path part = fs::absolute(directory).lexically_normal();
@@ -26,30 +26,31 @@ std::vector<fs::path> missing_parts(const fs::path& directory) {
   return missing;
 }
 
-void tidy(const fs::path& directory) {
-  base::finish_interrupted(directory);
-  base::remove_abandoned(directory);
+void recover_interrupted(const fs::path& directory) {
+  base::complete_interrupted_commit(directory);
+  base::remove_abandoned_partials(directory);
 }
 
-// Proves that files can be written. An earlier process may have had our number.
-fs::path written_into(const fs::path& directory) {
-  fs::path file = base::partial_beside(directory / "run");
+// Creates an empty hidden file, to test that the directory is writable. Removes a file that an
+// earlier process with the same process id may have left.
+fs::path create_probe_file(const fs::path& directory) {
+  fs::path file = base::partial_path(directory / "run");
   fs::remove(file);
-  base::write_new(file, "");
+  base::write_new_file(file, "");
   return file;
 }
 
-PreparedDirectory prepared(const fs::path& directory) {
+OutputDirectoryLock try_prepare(const fs::path& directory) {
   const fs::path figures = directory / "figures";
-  std::vector<fs::path> missing = missing_parts(directory);
-  const PreparedDirectory made({}, missing);  // goes, unless the next keeps it from that
+  std::vector<fs::path> missing = missing_directories(directory);
+  const OutputDirectoryLock made({}, missing);  // removes empty directories if the next lines throw
   fs::create_directories(directory);
-  tidy(directory);
-  PreparedDirectory held(written_into(directory), std::move(missing));
+  recover_interrupted(directory);
+  OutputDirectoryLock held(create_probe_file(directory), std::move(missing));
   if (fs::exists(figures)) {
-    fs::create_directories(figures);  // refuses a file
-    tidy(figures);
-    fs::remove(written_into(figures));
+    fs::create_directories(figures);  // throws if `figures` is a file
+    recover_interrupted(figures);
+    fs::remove(create_probe_file(figures));
   }
   return held;
 }
@@ -67,30 +68,31 @@ std::string file_stem(const std::string& case_name) {
   return stem;
 }
 
-PreparedDirectory::~PreparedDirectory() {
+OutputDirectoryLock::~OutputDirectoryLock() {
   std::error_code not_empty;
-  if (!hold_.empty()) fs::remove(hold_, not_empty);
-  for (auto part = made_.rbegin(); part != made_.rend(); ++part) fs::remove(*part, not_empty);
+  if (!lock_file_.empty()) fs::remove(lock_file_, not_empty);
+  for (auto part = created_.rbegin(); part != created_.rend(); ++part) fs::remove(*part, not_empty);
 }
 
-PreparedDirectory make_writable(const fs::path& directory) {
-  if (directory.empty()) throw InputError("--out is empty (name a directory)");
+OutputDirectoryLock prepare_output_directory(const fs::path& directory) {
+  if (directory.empty()) throw InputError("--out is empty; give a directory");
   try {
-    // Another run that ends may remove what it had made and we found, until we hold it.
-    for (int others = 0; others < 20; ++others) {
+    // Another run that ends may remove directories that it created, until the hidden file of this
+    // run exists. Hence the repeated attempts.
+    for (int attempt = 0; attempt < 20; ++attempt) {
       try {
-        return prepared(directory);
+        return try_prepare(directory);
       } catch (const std::system_error& error) {
         if (error.code() != std::errc::no_such_file_or_directory) throw;
       }
     }
-    return prepared(directory);
+    return try_prepare(directory);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
     const auto* system_error = dynamic_cast<const std::system_error*>(&error);
     throw InputError(fmt::format(
-        "cannot write into directory '{}' ({}); choose another with --out", directory.string(),
+        "cannot write into directory '{}': {}; choose another with --out", directory.string(),
         system_error != nullptr ? system_error->code().message() : error.what()));
   }
 }

@@ -7,39 +7,41 @@
 
 namespace fpkcheck::results {
 
-/// The name, without extension, under which something of a case is filed: letters, digits, '-', '_'
-/// and '.' of its name, and one '_' for whatever stands between them: "case1, r = 0.9" is filed as
+/// The file name, without extension, for a case: the letters, digits, '-', '_' and '.' of its name,
+/// with '_' in place of each sequence of other characters. The case "case1, r = 0.9" gives
 /// "case1_r_0.9".
 std::string file_stem(const std::string& case_name);
 
-/// A directory that results are to be put into. As long as this lives a hidden file of this process
-/// keeps other runs into the same directory from removing it; then that goes, and so do the
-/// directories that were made for it and that nothing was put into.
-class PreparedDirectory {
+/// An output directory for results. During the lifetime of this object a hidden file of this
+/// process prevents other runs from removing the directory. The destructor removes that file, and
+/// those directories that were created for it and are empty.
+class OutputDirectoryLock {
  public:
-  PreparedDirectory() = default;
-  /// @param hold the hidden file; empty where there is none
-  /// @param made directories, outermost first
-  PreparedDirectory(std::filesystem::path hold, std::vector<std::filesystem::path> made)
-      : hold_(std::move(hold)), made_(std::move(made)) {}
-  PreparedDirectory(PreparedDirectory&& other) noexcept
-      : hold_(std::exchange(other.hold_, {})), made_(std::exchange(other.made_, {})) {}
-  PreparedDirectory& operator=(PreparedDirectory&& other) noexcept {
-    std::swap(hold_, other.hold_);
-    std::swap(made_, other.made_);
+  OutputDirectoryLock() = default;
+  /// @param lock_file the hidden file; empty where there is none
+  /// @param created directories, outermost first
+  OutputDirectoryLock(std::filesystem::path lock_file, std::vector<std::filesystem::path> created)
+      : lock_file_(std::move(lock_file)), created_(std::move(created)) {}
+  OutputDirectoryLock(OutputDirectoryLock&& other) noexcept
+      : lock_file_(std::exchange(other.lock_file_, {})),
+        created_(std::exchange(other.created_, {})) {}
+  OutputDirectoryLock& operator=(OutputDirectoryLock&& other) noexcept {
+    std::swap(lock_file_, other.lock_file_);
+    std::swap(created_, other.created_);
     return *this;
   }
-  ~PreparedDirectory();
+  ~OutputDirectoryLock();
 
  private:
-  std::filesystem::path hold_;
-  std::vector<std::filesystem::path> made_;
+  std::filesystem::path lock_file_;
+  std::vector<std::filesystem::path> created_;
 };
 
-/// Creates the directory with its parents, proves that files can be written in it and in figures/
-/// below it if that is there, finishes or removes what a stopped run may have left half done. Other
-/// runs may do the same at the same time. What it created it removes again when it fails.
+/// Creates the directory with its parents. Tests that the directory, and an existing subdirectory
+/// figures/, are writable. Finishes or removes incomplete files of an interrupted run. Other runs
+/// may call this function for the same directory at the same time. On failure, removes the
+/// directories that it created.
 /// @throws InputError on one line
-[[nodiscard]] PreparedDirectory make_writable(const std::filesystem::path& directory);
+[[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::results

@@ -17,12 +17,14 @@ std::vector<double> every_second(const std::vector<double>& edges) {
 std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
                                           std::span<const transform::Solution> solutions) {
   std::vector<JointDensity> joints;
-  const auto even = compare::even_axes(axes);
+  const auto even = compare::uniform_axes(axes);
   const auto y_edges = every_second(even.y_edges);
   for (const auto& solution : solutions) {
     if (!solution.density) continue;
     auto density = std::visit(
-        [&](const auto& form) { return transform::on_cells(form, y_edges, even.v_edges); },
+        [&](const auto& form) {
+          return transform::average_over_cells(form, y_edges, even.v_edges);
+        },
         *solution.density);
     for (double& average : density.averages) average = static_cast<float>(average);
     joints.push_back({solution.id(), std::move(density)});

@@ -8,10 +8,10 @@
 
 namespace fpkcheck::results {
 
-/// The joint densities of all solutions that have one, whatever their status, in their order. The
-/// cells are a tenth of a deviation wide in both directions: those of the comparison axes, two by
-/// two along y, so that the histogram of a simulation is summed and not interpolated. Averages are
-/// of single precision, as joint.nc holds them.
+/// The joint densities of all solutions that have one, of any status, in the order of the
+/// solutions. The cells are a tenth of a standard deviation wide in both directions. They join
+/// pairs of cells of the comparison axes along y, so that a simulation's histogram is summed and
+/// not interpolated. Averages have single precision, as in joint.nc.
 std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
                                           std::span<const transform::Solution> solutions);
 

@@ -11,7 +11,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
@@ -22,16 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of hundreds of cases.
-constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+// Sufficient for hundreds of cases.
+constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
-const std::string kSource = "source_";  // begins the names of variables with sources of errors
+const std::string kSourcePrefix = "source_";  // prefix of variables with error sources
 
-// Ids of all cases together, in the order in which they come first.
-std::vector<std::string> solutions_of(const Run& run) {
+// The ids of the solutions of all cases, in the order of first occurrence.
+std::vector<std::string> solution_ids(const Run& run) {
   std::vector<std::string> ids;
-  for (const auto& one : run.cases) {
-    for (const auto& solution : one.solutions) {
+  for (const auto& case_result : run.cases) {
+    for (const auto& solution : case_result.solutions) {
       if (std::ranges::find(ids, solution.id()) == ids.end()) ids.push_back(solution.id());
     }
   }
@@ -43,11 +43,10 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_parameters(file, problem, variable);
 }
 
-/// What each solution has on the cells of a case; NaN for those that have nothing.
-/// @param lists (solution, averages)
-class OverSolutions {
+/// An array (solution, cells) for a case; NaN for solutions without values.
+class SolutionArray {
  public:
-  OverSolutions(const std::vector<std::string>& solutions, std::size_t cells)
+  SolutionArray(const std::vector<std::string>& solutions, std::size_t cells)
       : solutions_(solutions),
         cells_(cells),
         values_(solutions.size() * cells, std::numeric_limits<float>::quiet_NaN()) {}
@@ -65,10 +64,11 @@ class OverSolutions {
   std::vector<float> values_;
 };
 
-// "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5": what the densities lack of 1. Empty where none does.
-std::string atoms_text(const Case& one) {
+// The probabilities of rest in contact, as "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5", by which
+// the densities fall short of mass 1. Empty where there are none.
+std::string atoms_text(const Case& case_result) {
   std::vector<std::string> solutions;
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     std::vector<std::string> atoms;
     for (const auto& atom : solution.atoms) {
       atoms.push_back(fmt::format("{:.6g} at y = {:g}", atom.probability, atom.y));
@@ -79,52 +79,52 @@ std::string atoms_text(const Case& one) {
   return fmt::format("{}", fmt::join(solutions, "; "));
 }
 
-void write_case(NetCdfWriter& file, const Case& one, const std::vector<std::string>& solutions,
-                int solution, int bounds) {
-  if (one.joints.empty()) return;
-  const auto& cells = one.joints.front().density;
-  const std::string name = file_stem(one.name());
+void write_case(NetCdfWriter& file, const Case& case_result,
+                const std::vector<std::string>& solutions, int solution, int bounds) {
+  if (case_result.joints.empty()) return;
+  const auto& cells = case_result.joints.front().density;
+  const std::string name = file_stem(case_result.name());
   const int y = file.cells("y_" + name, "displacement y", bounds, cells.y_edges);
   const int ydot = file.cells("ydot_" + name, "velocity y'", bounds, cells.v_edges);
   const auto write = [&](const std::string& prefix, const std::string& meaning,
-                         const OverSolutions& over) {
+                         const SolutionArray& over) {
     const int variable =
-        file.compressed(prefix + '_' + name, {solution, y, ydot}, meaning, over.values());
+        file.compressed_float(prefix + '_' + name, {solution, y, ydot}, meaning, over.values());
     file.attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
-    write_problem(file, one.problem, variable);
+    write_problem(file, case_result.problem, variable);
     return variable;
   };
-  OverSolutions densities(solutions, cells.averages.size());
-  for (const auto& [id, density] : one.joints) densities.put(id, density.averages);
+  SolutionArray densities(solutions, cells.averages.size());
+  for (const auto& [id, density] : case_result.joints) densities.put(id, density.averages);
   const int p = write("p", "joint probability density of y and y'", densities);
-  if (const std::string atoms = atoms_text(one); !atoms.empty()) {
+  if (const std::string atoms = atoms_text(case_result); !atoms.empty()) {
     file.attribute("rest_in_contact", atoms, p);
   }
   for (const auto& moment : transform::kMoments) {
-    OverSolutions sources(solutions, cells.averages.size());
+    SolutionArray sources(solutions, cells.averages.size());
     bool any = false;
-    for (const auto& [id, of, density] : one.error_sources) {
+    for (const auto& [id, of, density] : case_result.error_sources) {
       if (of != moment.name) continue;
       sources.put(id, density.averages);
       any = true;
     }
     if (!any) continue;
-    write(kSource + moment.name,
-          fmt::format("where the error of {} comes from, per area", moment.symbol), sources);
+    write(kSourcePrefix + moment.name,
+          fmt::format("contributions to the error of {}, per area", moment.symbol), sources);
   }
 }
 
-/// Calls use(case, solution, cells with their values) for all that a variable has.
+/// Calls use(case, solution, density) for every solution with values in a variable.
 template <class Use>
 void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
   const auto axes = file.dimensions(name);
-  if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not over three axes", name));
+  if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not three dimensions", name));
   const auto shape = file.shape(name);
   const auto y_edges = file.edges(axes[1]), v_edges = file.edges(axes[2]);
   if (shape[0] != solutions.size() || shape[1] + 1 != y_edges.size() ||
       shape[2] + 1 != v_edges.size()) {
-    throw std::runtime_error(fmt::format("{}: its shape is not that of its axes", name));
+    throw std::runtime_error(fmt::format("{}: the shape differs from that of the axes", name));
   }
   const auto values = file.values(name);
   const std::size_t count = shape[1] * shape[2];
@@ -145,11 +145,12 @@ std::string joint_netcdf(const Run& run) {
                  "stationary joint densities of oscillators under random impulses or noise");
   file.attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
   file.attribute("command", run.program.command);
-  const auto solutions = solutions_of(run);
+  const auto solutions = solution_ids(run);
   const int solution = file.dimension("solution", solutions.size());
   const int bounds = file.dimension("bounds", 2);
   file.labels("solution", solution, solutions);
-  for (const auto& one : run.cases) write_case(file, one, solutions, solution, bounds);
+  for (const auto& case_result : run.cases)
+    write_case(file, case_result, solutions, solution, bounds);
   return file.bytes();
 }
 
@@ -162,34 +163,34 @@ bool is_joint_netcdf(const std::string& bytes) {
   }
 }
 
-JointFile read_joint_netcdf(const fs::path& path,
-                            const std::function<void(std::string_view bytes)>& look) {
+JointFileContent read_joint_netcdf(const fs::path& path,
+                                   const std::function<void(std::string_view bytes)>& inspect) {
   try {
-    auto bytes = base::read_input_file(path, kMostBytes);
+    auto bytes = base::read_input_file(path, kMaxBytes);
     if (!bytes) throw std::runtime_error("no readable file");
-    if (look) look(*bytes);
+    if (inspect) inspect(*bytes);
     NetCdfReader file(*std::move(bytes));
     const auto solutions = file.labels("solution");
-    JointFile found;
+    JointFileContent found;
     const auto names = file.variables();
     for (const auto& name : names) {
       if (!name.starts_with("p_")) continue;
-      read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
-        found.joints.push_back({one, {id, std::move(density)}});
+      read_variable(file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {
+        found.joints.push_back({case_result, {id, std::move(density)}});
       });
     }
     for (const auto& moment : transform::kMoments) {
       for (const auto& name : names) {
-        if (!name.starts_with(kSource + moment.name + '_')) continue;
-        read_variable(file, name, solutions, [&](auto&& one, auto& id, auto&& density) {
-          found.sources.push_back({one, {id, moment.name, std::move(density)}});
+        if (!name.starts_with(kSourcePrefix + moment.name + '_')) continue;
+        read_variable(file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {
+          found.sources.push_back({case_result, {id, moment.name, std::move(density)}});
         });
       }
     }
     return found;
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{} is not a whole file of joint densities ({}; run again)",
-                                 base::shown(path.string()), base::shown(error.what())));
+    throw InputError(fmt::format("{} is not a complete file of joint densities: {}; run again",
+                                 base::sanitise(path.string()), base::sanitise(error.what())));
   }
 }
 

@@ -10,28 +10,28 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::results {
 namespace {
 
 using transform::Kind;
-using transform::Observation;
-using transform::Observations;
+using transform::Metric;
+using transform::Metrics;
 
-// Deeper than any file of ours, and far from what would exhaust a stack.
-constexpr int kDeepest = 32;
-// Of hundreds of cases, and far from what would exhaust the memory.
-constexpr std::size_t kMostValues = 2'000'000;
-constexpr std::size_t kLongestText = 1 << 20;  // the longest command line
+// More than any file of this program, and far below the capacity of a stack.
+constexpr int kMaxDepth = 32;
+// Sufficient for hundreds of cases, and far below the capacity of memory.
+constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxTextLength = 1 << 20;  // a very long command line
 
-// The place that a path leads to; what is not there yet is made on the way.
-Json& place(Json& object, std::string_view path) {
+// The JSON value at a path; creates missing objects and lists along the path.
+Json& resolve_path(Json& object, std::string_view path) {
   Json* at = &object;
   while (!path.empty()) {
     if (path.front() == '.') path.remove_prefix(1);
     if (at->is_primitive() && !at->is_null()) {
-      throw std::logic_error("an observation under " + std::string(path) + " stands in a value");
+      throw std::logic_error("metric path " + std::string(path) + " leads through a value");
     }
     if (path.front() == '[') {
       const auto close = path.find(']');
@@ -48,28 +48,29 @@ Json& place(Json& object, std::string_view path) {
   return *at;
 }
 
-// What a path is taken apart by does not stand in a name: place() would not find back.
-void require_name(const std::string& key) {
+// A name must not contain the separators of a path: resolve_path() could not locate the value
+// again.
+void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
-  throw InputError(fmt::format("{} names a result (must be without dots and brackets; run again)",
+  throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
                                base::in_quotes(key)));
 }
 
-void collect(const std::string& path, const Json& json, Observations& observations) {
+void collect_metrics(const std::string& path, const Json& json, Metrics& metrics) {
   if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
-      require_name(key);
-      collect(path.empty() ? key : path + '.' + key, value, observations);
+      require_valid_key(key);
+      collect_metrics(path.empty() ? key : path + '.' + key, value, metrics);
     }
   } else if (json.is_array()) {
-    if (json.empty()) observations.push_back({.path = path + "[]", .value = {}});
+    if (json.empty()) metrics.push_back({.path = path + "[]", .value = {}});
     for (std::size_t k = 0; k < json.size(); ++k) {
-      collect(fmt::format("{}[{}]", path, k), json[k], observations);
+      collect_metrics(fmt::format("{}[{}]", path, k), json[k], metrics);
     }
   } else {
-    observations.push_back({.path = path,
-                            .value = value_in(json),
-                            .kind = json.is_string() ? Kind::text : Kind::result});
+    metrics.push_back({.path = path,
+                       .value = value_in(json),
+                       .kind = json.is_string() ? Kind::text : Kind::result});
   }
 }
 
@@ -84,7 +85,7 @@ Json problem_json(const problem::Problem& problem) {
   for (const auto& section : problem::sections(problem)) {
     json[section.name] = values_json(section.values);
   }
-  if (problem.impulses.present()) {
+  if (problem.impulses.is_present()) {
     json["impulse"]["moments"] = problem.impulses.law().moments();
   }
   return json;
@@ -114,23 +115,23 @@ Json moments_json(const transform::Moments& m) {
   return json;
 }
 
-void add_observations(const Observations& observations, Json& object) {
-  for (const auto& observation : observations) {
+void add_metrics(const Metrics& metrics, Json& object) {
+  for (const auto& observation : metrics) {
     const std::string_view path = observation.path;
     if (path.ends_with("[]")) {
-      place(object, path.substr(0, path.size() - 2)) = Json::array();
+      resolve_path(object, path.substr(0, path.size() - 2)) = Json::array();
       continue;
     }
-    Json& at = place(object, path);
-    if (!at.is_null()) throw std::logic_error("two observations under " + observation.path);
+    Json& at = resolve_path(object, path);
+    if (!at.is_null()) throw std::logic_error("two metrics with the path " + observation.path);
     at = value_json(observation.value);
   }
 }
 
-Observations observations_in(const Json& object) {
-  Observations observations;
-  collect("", object, observations);
-  return observations;
+Metrics metrics_in(const Json& object) {
+  Metrics metrics;
+  collect_metrics("", object, metrics);
+  return metrics;
 }
 
 base::Value value_in(const Json& json) {
@@ -138,12 +139,12 @@ base::Value value_in(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
     throw InputError(
-        fmt::format("{} is beyond all integers (run again)", base::shown(json.dump())));
+        fmt::format("{} exceeds the range of integers; run again", base::sanitise(json.dump())));
   }
   if (json.is_number_integer()) return json.get<std::int64_t>();
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
-  throw InputError("a list or an object stands where a value must be (run again)");
+  throw InputError("a list or an object in place of a value; run again");
 }
 
 base::Values values_in(const Json& object) {
@@ -159,7 +160,7 @@ problem::Problem problem_in(const Json& object) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) sections.push_back({key, values_in(value)});
   }
-  return problem::problem_from(object.at("name").get<std::string>(), sections);
+  return problem::problem_from_sections(object.at("name").get<std::string>(), sections);
 }
 
 double number_in(const Json& object, const char* key) {
@@ -168,12 +169,12 @@ double number_in(const Json& object, const char* key) {
 }
 
 int integer_in(const Json& object, const char* key) {
-  // Left to itself, JSON makes an int of 1e300 too, and of what is beyond all ints.
+  // get<int>() of the JSON library would also convert 1e300 and integers out of range.
   const base::Value value = value_in(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
     throw InputError(
-        fmt::format("\"{}\" is {} (must be an integer; run again)", key, base::text_of(value)));
+        fmt::format("\"{}\" is {} (must be an integer); run again", key, base::text_of(value)));
   }
   return static_cast<int>(*whole);
 }
@@ -186,7 +187,7 @@ transform::Moments moments_in(const Json& json) {
   return moments;
 }
 
-std::optional<double> number_if_any(const Json& object, const char* key) {
+std::optional<double> optional_number_in(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null()) return std::nullopt;
   return found->get<double>();
@@ -204,42 +205,42 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Json parsed(std::istream& in, const std::string& where) {
+Json parse_json(std::istream& in, const std::string& where) {
   std::size_t count = 0;
-  const auto tame = [&](int depth, Json::parse_event_t event, Json& value) {
-    if (depth > kDeepest) {
-      throw InputError(fmt::format("{} is nested more than {} deep (not a file of this program)",
-                                   where, kDeepest));
+  const auto accept_event = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > kMaxDepth) {
+      throw InputError(fmt::format("{} is nested more than {} deep: not a file of this program",
+                                   where, kMaxDepth));
     }
-    if (++count > kMostValues) {
-      throw InputError(fmt::format("{} has more than {} values (not a file of this program)", where,
-                                   kMostValues));
+    if (++count > kMaxValues) {
+      throw InputError(
+          fmt::format("{} has more than {} values: not a file of this program", where, kMaxValues));
     }
-    // Terminals obey control characters, and all texts may come to be printed.
+    // Any text may be printed, and terminals execute control characters.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
-      auto& said = value.get_ref<std::string&>();
-      if (said.size() > kLongestText) {
-        throw InputError(fmt::format("{} has a text of {} bytes (not a file of this program)",
-                                     where, said.size()));
+      auto& text_value = value.get_ref<std::string&>();
+      if (text_value.size() > kMaxTextLength) {
+        throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program", where,
+                                     text_value.size()));
       }
-      said = base::without_controls(said);
+      text_value = base::escape_controls(text_value);
     }
     return true;
   };
   try {
-    return Json::parse(in, tame);
+    return Json::parse(in, accept_event);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("{} is not JSON (at byte {}; run again)", where, error.byte));
-  } catch (const Json::exception& error) {  // a number that no double holds
-    throw InputError(fmt::format("{} is not JSON ({}; run again)", where, said_by(error)));
+    throw InputError(fmt::format("{} is not JSON: error at byte {}; run again", where, error.byte));
+  } catch (const Json::exception& error) {  // a number out of the range of double
+    throw InputError(fmt::format("{} is not JSON: {}; run again", where, exception_text(error)));
   }
 }
 
-std::string said_by(const std::exception& error) {
+std::string exception_text(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
-  return base::shown(end == std::string::npos ? text : text.substr(end + 2));
+  return base::sanitise(end == std::string::npos ? text : text.substr(end + 2));
 }
 
 }  // namespace fpkcheck::results

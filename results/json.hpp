@@ -11,58 +11,58 @@
 #include "base/options/value.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
-/// The parts that every JSON file of results is made of, for its writer and its reader alone.
+/// Common parts of the JSON files of results, for their writers and readers only.
 namespace fpkcheck::results {
 
 using Json = nlohmann::ordered_json;
 
-/// The name and version of the program, and its command line: what every file of results opens
-/// with.
+/// The name, version and command line of the program: the first object of every file of results.
 Json program_json(const Program& program);
-/// A case's name and its sections: "system", "impulse".
+/// A case's name and its sections "system" and "impulse".
 Json problem_json(const problem::Problem& problem);
 Json value_json(const base::Value& value);
 /// An object with a field per value.
 Json values_json(const base::Values& values);
 Json moments_json(const transform::Moments& moments);
 
-/// Adds observations to an object: a path such as "quantiles.y[2].value" makes the objects and
-/// lists on its way, "splitting_thresholds[]" without a value an empty list.
-/// @throws std::logic_error when a path leads through a value
-void add_observations(const transform::Observations& observations, Json& object);
-/// The observations that add_observations made of an object: each leaf, with the kind that its form
-/// tells (a number or a flag: result; else text).
-transform::Observations observations_in(const Json& object);
+/// Adds metrics to an object. A path such as "quantiles.y[2].value" creates the objects and lists
+/// along it; the path "splitting_thresholds[]" creates an empty list.
+/// @throws std::logic_error when a path leads through a value, or two metrics have the same path
+void add_metrics(const transform::Metrics& metrics, Json& object);
+/// The metrics in an object, as add_metrics wrote them: one for each leaf. The kind follows from
+/// the type of the leaf: `text` for a string, otherwise `result`.
+transform::Metrics metrics_in(const Json& object);
 
+/// Conversions from JSON.
 /// @throws nlohmann::json::exception, InputError
 base::Value value_in(const Json& json);
 base::Values values_in(const Json& object);
 problem::Problem problem_in(const Json& object);
-/// What stands for a number that JSON cannot have.
+/// The value for null in place of a number, since JSON has no NaN.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// NaN for null.
 double number_in(const Json& object, const char* key);
 transform::Moments moments_in(const Json& json);
-/// @throws nlohmann::json::exception, InputError where it is no whole number or one that no int holds
+/// @throws nlohmann::json::exception; InputError where the value is no integer or out of the range
+///         of int
 int integer_in(const Json& object, const char* key);
-/// None where the field is missing or null.
-std::optional<double> number_if_any(const Json& object, const char* key);
+/// No value where the field is missing or null.
+std::optional<double> optional_number_in(const Json& object, const char* key);
 
-/// JSON has no infinities: numbers that are not finite become null.
+/// Replaces numbers that are not finite by null, since JSON has no infinities.
 Json with_null_for_non_finite(Json value);
 
-/// As text. Bytes that are not UTF-8 (a file's name may have any) are replaced.
+/// The JSON as text. Replaces bytes that are not UTF-8, which file names may contain.
 std::string text_of(const Json& json);
 
-/// A file's JSON, nested no deeper than any of ours.
-/// @param where how messages name it
+/// Parses a file's JSON, with limits on depth, number of values and length of texts.
+/// @param where the file's name in messages
 /// @throws InputError on one line
-Json parsed(std::istream& in, const std::string& where);
+Json parse_json(std::istream& in, const std::string& where);
 
-/// What is wrong with a file, without the prefix "[json.exception.out_of_range.403] ", which
-/// tells the reader nothing.
-std::string said_by(const std::exception& error);
+/// The text of a JSON exception without its prefix, such as "[json.exception.out_of_range.403] ".
+std::string exception_text(const std::exception& error);
 
 }  // namespace fpkcheck::results

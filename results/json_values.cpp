@@ -12,16 +12,16 @@ namespace fpkcheck::results {
 
 bool is_summary(const std::string& text, const std::string& where) {
   std::istringstream in(text);
-  const Json json = parsed(in, where);
+  const Json json = parse_json(in, where);
   return json.is_object() && json.contains("schema");
 }
 
-transform::Observations values_in_json(const std::string& text, const std::string& where) {
+transform::Metrics values_in_json(const std::string& text, const std::string& where) {
   std::istringstream in(text);
-  const Json json = parsed(in, where);
-  if (!json.is_object()) throw InputError(fmt::format("{} holds no JSON object", where));
+  const Json json = parse_json(in, where);
+  if (!json.is_object()) throw InputError(fmt::format("{} contains no JSON object", where));
   try {
-    return observations_in(json);
+    return metrics_in(json);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   }

@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/csv_field.hpp"
 
 namespace fpkcheck::results {
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kHeader = "case,solution,variable,abscissa,density,lower,upper";
 constexpr std::size_t kFields = 7;
-constexpr std::size_t kLongestLine = 1000;
+constexpr std::size_t kMaxLineLength = 1000;
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields(1);
@@ -44,7 +44,7 @@ std::string interval_end(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
-// Version control may have changed line ends to CRLF.
+// Accepts CRLF line ends, which version control may have introduced.
 bool next_line(std::istream& in, std::string& line) {
   if (!std::getline(in, line)) return false;
   if (line.ends_with('\r')) line.pop_back();
@@ -53,42 +53,42 @@ bool next_line(std::istream& in, std::string& line) {
 
 class RowReader {
  public:
-  RowReader(std::string_view source, const MayBreakDown& may_break_down)
-      : source_(source), may_break_down_(may_break_down) {}
+  RowReader(std::string_view source, const NonFinitePredicate& allows_non_finite)
+      : source_(source), allows_non_finite_(allows_non_finite) {}
 
-  void read(const std::string& line, int line_number, std::vector<CurveOfCase>& curves) {
+  void read(const std::string& line, int line_number, std::vector<CaseCurve>& curves) {
     line_number_ = line_number;
-    if (line.size() > kLongestLine) {
-      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    if (line.size() > kMaxLineLength) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
     }
     const auto fields = split(line);
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
-    const auto variable = base::value_named<transform::Variable>(fields[2]);
+    const auto variable = base::enum_from_name<transform::Variable>(fields[2]);
     if (!variable) fail(fmt::format("variable {} (must be y or ydot)", base::in_quotes(fields[2])));
     const bool continues = !curves.empty() && curves.back().case_name == fields[0] &&
                            curves.back().curve.solution == fields[1] &&
                            curves.back().curve.variable == *variable;
     if (!continues) {
       curves.push_back({fields[0], {fields[1], *variable, {}, {}, {}, {}}});
-      all_finite_ = !(may_break_down_ && may_break_down_(fields[0], fields[1]));
+      requires_finite_ = !(allows_non_finite_ && allows_non_finite_(fields[0], fields[1]));
     }
     Curve& curve = curves.back().curve;
     curve.abscissa.push_back(number(fields[3], true));
-    curve.density.push_back(number(fields[4], all_finite_));
-    if (!fields[5].empty()) curve.lower.push_back(number(fields[5], all_finite_));
-    if (!fields[6].empty()) curve.upper.push_back(number(fields[6], all_finite_));
+    curve.density.push_back(number(fields[4], requires_finite_));
+    if (!fields[5].empty()) curve.lower.push_back(number(fields[5], requires_finite_));
+    if (!fields[6].empty()) curve.upper.push_back(number(fields[6], requires_finite_));
     for (const auto* ends : {&curve.lower, &curve.upper}) {
       if (!ends->empty() && ends->size() != curve.density.size()) {
-        fail("intervals on some rows of a curve only");
+        fail("a curve has intervals in some of its rows only");
       }
     }
-    if (curve.lower.size() != curve.upper.size()) fail("an interval with one end only");
+    if (curve.lower.size() != curve.upper.size()) fail("an interval has one end only");
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", base::shown(source_), line_number_, problem));
+    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source_), line_number_, problem));
   }
 
  private:
@@ -103,8 +103,8 @@ class RowReader {
   }
 
   std::string_view source_;
-  const MayBreakDown& may_break_down_;
-  bool all_finite_ = true;  // of the present curve
+  const NonFinitePredicate& allows_non_finite_;
+  bool requires_finite_ = true;  // whether all numbers of the current curve must be finite
   int line_number_ = 1;
 };
 
@@ -113,9 +113,9 @@ class RowReader {
 void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
                          std::vector<Curve> Case::*curves) {
   out << kHeader << '\n';
-  for (const auto& one : cases) {
-    const std::string case_name = csv_field(one.name());
-    for (const auto& curve : one.*curves) {
+  for (const auto& case_result : cases) {
+    const std::string case_name = csv_field(case_result.name());
+    for (const auto& curve : case_result.*curves) {
       for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
         fmt::print(out, "{},{},{},{},{},{},{}\n", case_name, curve.solution, name(curve.variable),
                    curve.abscissa[k], curve.density[k], interval_end(curve.lower, k),
@@ -125,14 +125,14 @@ void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
   }
 }
 
-std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source,
-                                            const MayBreakDown& may_break_down) {
-  RowReader row(source, may_break_down);
+std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
+                                          const NonFinitePredicate& allows_non_finite) {
+  RowReader row(source, allows_non_finite);
   std::string line;
   if (!next_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
   }
-  std::vector<CurveOfCase> curves;
+  std::vector<CaseCurve> curves;
   for (int line_number = 2; next_line(in, line); ++line_number) {
     row.read(line, line_number, curves);
   }

@@ -12,28 +12,29 @@
 
 namespace fpkcheck::results {
 
-/// One row per bin of every curve of every case, under the header
-/// `case,solution,variable,abscissa,density,lower,upper`, with as many digits as it takes to read
-/// the same numbers back.
-/// @param curves which ones: &Case::curves, or &Case::smooth, whose bins are smooth ones
+/// Writes one row for each bin of every curve of every case, under the header
+/// `case,solution,variable,abscissa,density,lower,upper`. The number of digits suffices to read the
+/// same numbers back.
+/// @param curves &Case::curves, or &Case::smooth for curves over smooth bins
 void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
                          std::vector<Curve> Case::*curves = &Case::curves);
 
 /// A curve with the name of its case.
-struct CurveOfCase {
+struct CaseCurve {
   std::string case_name;
   Curve curve;
 };
 
-/// Of which solution of which case a density may be infinite or no number.
-using MayBreakDown = std::function<bool(const std::string& case_name, const std::string& solution)>;
+/// Whether the density of a solution of a case may be infinite or NaN.
+using NonFinitePredicate =
+    std::function<bool(const std::string& case_name, const std::string& solution)>;
 
-/// Reads what write_marginals_csv wrote. Numbers must be finite but for densities and intervals
-/// where a solution broke down.
-/// @param source how messages name the stream
-/// @param may_break_down if empty, none may
-/// @throws InputError on one line: source, line number and what is wrong
-std::vector<CurveOfCase> read_marginals_csv(std::istream& in, std::string_view source,
-                                            const MayBreakDown& may_break_down = {});
+/// Reads a file of write_marginals_csv. Numbers must be finite, except densities and intervals of
+/// solutions that failed.
+/// @param source the stream's name in messages
+/// @param allows_non_finite selects these solutions; if empty, all numbers must be finite
+/// @throws InputError on one line: source, line number and problem
+std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
+                                          const NonFinitePredicate& allows_non_finite = {});
 
 }  // namespace fpkcheck::results

@@ -6,22 +6,22 @@
 #include <optional>
 #include <utility>
 
-#include "results/curve_of.hpp"
 #include "results/joint_density.hpp"
+#include "results/make_curve.hpp"
 
 namespace fpkcheck::results {
 namespace {
 
-const Curve* curve_among(const std::vector<Curve>& curves, std::string_view solution,
-                         transform::Variable variable) {
+const Curve* find_curve(const std::vector<Curve>& curves, std::string_view solution,
+                        transform::Variable variable) {
   const auto found = std::ranges::find_if(curves, [&](const Curve& curve) {
     return curve.solution == solution && curve.variable == variable;
   });
   return found == curves.end() ? nullptr : &*found;
 }
 
-// Of bins that are all as wide; nothing where they are not.
-std::optional<double> even_width(const std::vector<double>& centres) {
+// The common width of all bins; no value where the widths differ.
+std::optional<double> common_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;
   const double width = (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
@@ -35,9 +35,9 @@ std::optional<double> even_width(const std::vector<double>& centres) {
 
 std::vector<double> bin_widths(const Curve& curve) {
   const auto& centres = curve.abscissa;
-  if (const auto width = even_width(centres)) return std::vector(centres.size(), *width);
+  if (const auto width = common_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
-  // From the edge at 0 outwards, on either side.
+  // Proceeds outwards from the edge at 0, on either side.
   const auto outwards = [](auto centre, auto end, auto width) {
     for (double edge = 0; centre != end; ++centre, ++width) {
       *width = 2 * (std::abs(*centre) - edge);
@@ -52,16 +52,17 @@ std::vector<double> bin_widths(const Curve& curve) {
 }
 
 const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
-  return curve_among(curves, solution, variable);
+  return find_curve(curves, solution, variable);
 }
 
 const Curve* Case::smooth_curve(std::string_view solution, transform::Variable variable) const {
-  return curve_among(smooth, solution, variable);
+  return find_curve(smooth, solution, variable);
 }
 
-const OwnError* Case::own_error(std::string_view solution) const {
-  const auto found = std::ranges::find(own_errors, solution, &OwnError::solution);
-  return found == own_errors.end() ? nullptr : &*found;
+const MomentErrorEstimate* Case::moment_error_estimate(std::string_view solution) const {
+  const auto found =
+      std::ranges::find(moment_error_estimates, solution, &MomentErrorEstimate::solution);
+  return found == moment_error_estimates.end() ? nullptr : &*found;
 }
 
 const ErrorSource* Case::error_source(std::string_view solution, std::string_view moment) const {
@@ -73,7 +74,7 @@ const ErrorSource* Case::error_source(std::string_view solution, std::string_vie
 
 Program this_program(const std::string& command) { return {"fpkcheck", FPKCHECK_VERSION, command}; }
 
-Curve curve_of(compare::SolutionMarginal&& found) {
+Curve make_curve(compare::SolutionMarginal&& found) {
   auto& [solution, variable, marginal] = found;
   std::vector<double> centres;
   for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
@@ -92,8 +93,8 @@ Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& a
               .limits = std::move(comparison.limits),
               .curves = {},
               .joints = {}};
-  for (auto& found : comparison.marginals) result.curves.push_back(curve_of(std::move(found)));
-  for (auto& found : comparison.smooth) result.smooth.push_back(curve_of(std::move(found)));
+  for (auto& found : comparison.marginals) result.curves.push_back(make_curve(std::move(found)));
+  for (auto& found : comparison.smooth) result.smooth.push_back(make_curve(std::move(found)));
   result.joints = joint_densities(axes, result.solutions);
   return result;
 }

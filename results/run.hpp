@@ -13,11 +13,11 @@
 #include "transform/density.hpp"
 #include "transform/solution.hpp"
 
-/// What a run found, as a type. It is complete before anything is written; tables, pictures and the
-/// page are made from it, whether it was just computed or read back from files.
+/// The result of a run as a type. The result is complete before any file is written. Tables,
+/// figures and the page are made from this type, for computed runs as for runs read from files.
 namespace fpkcheck::results {
 
-/// A marginal density of one solution, as marginals.csv holds it.
+/// A marginal density of one solution, as in marginals.csv.
 struct Curve {
   std::string solution;  ///< id
   transform::Variable variable;
@@ -29,7 +29,8 @@ struct Curve {
   bool operator==(const Curve&) const = default;
 };
 
-/// The widths of a curve's bins, shape (n): bins join, and are all as wide, or 0 is one of their edges.
+/// The widths of a curve's bins, shape (n). Precondition: the bins are contiguous, and either have
+/// the same width or 0 as one of their edges.
 std::vector<double> bin_widths(const Curve& curve);
 
 /// The joint density of (y, y') of one solution, as averages over common cells.
@@ -38,23 +39,24 @@ struct JointDensity {
   transform::GridDensity density;
 };
 
-/// What the moments of a solution are off by, from its density and the problem alone
-/// (docs/residuals.md).
-struct OwnError {
+/// Residual-based error estimates of the moments of a solution, from its density and the problem
+/// alone (docs/residuals.md).
+struct MomentErrorEstimate {
   std::string solution;          ///< id
-  transform::Moments corrected;  ///< E[f] without the error
-  transform::Moments error;      ///< the solution's moments less these
+  transform::Moments corrected;  ///< corrected moments E[f]
+  transform::Moments error;      ///< the solution's moments minus the corrected moments
 };
 
-/// Where the error of a moment comes from: values over the cells of the joint densities, which times
-/// the areas sum to the error but for what lies beyond the cells.
+/// The sources of the error of a moment, as a density over the cells of the joint densities: the
+/// integral over a region is its contribution to the error. The sum over all cells is the error,
+/// except for contributions from outside the cells.
 struct ErrorSource {
   std::string solution;  ///< id
   std::string moment;    ///< its name in transform::kMoments: y2, v2
   transform::GridDensity density;
 };
 
-/// Everything a run found out about one case.
+/// The result of a run for one case.
 struct Case {
   problem::Problem problem;
   std::vector<transform::Solution> solutions;  ///< by increasing trust
@@ -63,11 +65,13 @@ struct Case {
   std::string limits;  ///< one sentence; empty without a budget
   std::vector<Curve> curves;
   std::vector<JointDensity> joints;  ///< of the solutions that have one, all on the same cells
-  /// Of all solutions in smooth bins, where one of them knows itself so (compare/smooth.hpp).
+  /// Curves of all solutions over smooth bins, where a solution has smooth estimates
+  /// (compare/smooth_reference.hpp).
   std::vector<Curve> smooth = {};
-  std::vector<OwnError> own_errors = {};  ///< of those that have one, in their order
+  std::vector<MomentErrorEstimate> moment_error_estimates =
+      {};  ///< in the order of the solutions that have one
   std::vector<ErrorSource> error_sources = {};
-  std::optional<compare::Bounds> bounds = {};  ///< nothing where they were not computed
+  std::optional<compare::Bounds> bounds = {};  ///< no value where they were not computed
 
   const std::string& name() const { return problem.name; }
   /// The solution with this id, or null.
@@ -76,19 +80,20 @@ struct Case {
   }
   /// The curve of a solution, or null.
   const Curve* curve(std::string_view solution, transform::Variable variable) const;
-  /// The same in smooth bins.
+  /// The curve of a solution over smooth bins, or null.
   const Curve* smooth_curve(std::string_view solution, transform::Variable variable) const;
-  /// Own error of a solution, and where that of a moment comes from, or null.
-  const OwnError* own_error(std::string_view solution) const;
+  /// The moment error estimates of a solution, or null.
+  const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
+  /// The sources of the error of a moment, or null.
   const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
-  /// compare::l1_between of its pairs.
+  /// compare::l1_between for the pairs of this case.
   std::optional<double> l1(std::string_view one, std::string_view other,
                            transform::Variable variable) const {
     return compare::l1_between(pairs, one, other, variable);
   }
 };
 
-/// Which program made a run, and how.
+/// The program and the command of a run.
 struct Program {
   std::string name, version, command;
 };
@@ -97,22 +102,21 @@ struct Program {
 /// @param command the command line of the run
 Program this_program(const std::string& command);
 
-/// What a file of a run was when the run was saved.
+/// The checksum of a file of a run at the time of saving.
 struct FileChecksum {
-  std::string file;   ///< its name
+  std::string file;   ///< file name
   std::string crc32;  ///< results::crc32
 };
 
 struct Run {
   Program program;
   std::vector<Case> cases;
-  /// That the run was told to stop, and what is missing for it, in one sentence; empty when it came
-  /// to its end.
+  /// One sentence on the interruption of the run and its missing parts; empty for a complete run.
   std::string stopped = {};
-  std::vector<FileChecksum> files = {};  ///< of a run that was read; none in older ones
+  std::vector<FileChecksum> files = {};  ///< of a run read from files; empty for older runs
 };
 
-/// Compares the solutions of a case and keeps what is saved of them.
+/// Compares the solutions of a case and collects the result.
 /// @param solutions by increasing trust
 Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                std::vector<transform::Solution> solutions);

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "compare/reference.hpp"
 #include "results/json.hpp"
 #include "results/solution_json.hpp"
@@ -32,7 +32,7 @@ Json pair_json(const PairDistances& pair) {
                     {"to", part.to},
                     {"mean_abs", part.mean_abs},
                     {"bins", part.bins},
-                    {"left_out", part.left_out}});
+                    {"left_out", part.bins_omitted}});
   }
   Json json{{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
             {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
@@ -51,7 +51,7 @@ Json part_json(const BudgetPart& part) {
             {"tail", part.tail}};
   if (part.expected) {
     json["expected"] = *part.expected;
-    json["in_99"] = or_null(part.in_99);
+    json["in_99"] = or_null(part.quantile_99);
   } else {
     json["uncertainty"] = or_null(part.uncertainty);
   }
@@ -88,54 +88,58 @@ Json bounds_json(const compare::Bounds& bounds) {
           {"each", list_of(bounds.each, bound_json)}};
 }
 
-Json own_error_json(const OwnError& own) {
+Json moment_error_estimate_json(const MomentErrorEstimate& own) {
   return {{"solution", own.solution},
           {"corrected", moments_json(own.corrected)},
           {"error", moments_json(own.error)}};
 }
 
-Json case_json(const Case& one) {
-  Json json = problem_json(one.problem);
-  json["solutions"] = list_of(one.solutions, solution_json);
-  json["comparisons"] = list_of(one.pairs, pair_json);
-  json["budget"] = list_of(one.budget, row_json);
-  json["limits"] = one.limits;
-  if (one.bounds) json["bounds"] = bounds_json(*one.bounds);
-  if (!one.own_errors.empty()) json["own_errors"] = list_of(one.own_errors, own_error_json);
-  const auto* reference = compare::reference(one.solutions);
+Json case_json(const Case& case_result) {
+  Json json = problem_json(case_result.problem);
+  json["solutions"] = list_of(case_result.solutions, solution_json);
+  json["comparisons"] = list_of(case_result.pairs, pair_json);
+  json["budget"] = list_of(case_result.budget, row_json);
+  json["limits"] = case_result.limits;
+  if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
+  if (!case_result.moment_error_estimates.empty())
+    json["own_errors"] = list_of(case_result.moment_error_estimates, moment_error_estimate_json);
+  const auto* reference = compare::reference(case_result.solutions);
   json["reference"] = reference == nullptr ? Json() : Json(reference->id());
   return json;
 }
 
 Variable variable_in(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
-  const auto variable = base::value_named<Variable>(text);
+  const auto variable = base::enum_from_name<Variable>(text);
   if (!variable)
     throw InputError(fmt::format("variable {} (must be y or ydot)", base::in_quotes(text)));
   return *variable;
 }
 
-// Null stands for what is not finite.
-double number_or(double otherwise, const Json& value) {
-  return value.is_null() ? otherwise : value.get<double>();
+// Null represents a number that is not finite.
+double number_or_default(double default_value, const Json& value) {
+  return value.is_null() ? default_value : value.get<double>();
 }
 
 PairDistances pair_in(const Json& json) {
-  PairDistances pair{
-      json.at("a"), json.at("b"), variable_in(json), {}, number_if_any(json, "l1_standard_error")};
+  PairDistances pair{json.at("a"),
+                     json.at("b"),
+                     variable_in(json),
+                     {},
+                     optional_number_in(json, "l1_standard_error")};
   Distances& d = pair.distances;
-  d.l1 = number_or(kNotANumber, json.at("l1"));
-  d.l2 = number_or(kNotANumber, json.at("l2"));
-  d.sup = number_or(kNotANumber, json.at("sup"));
-  d.hellinger = number_or(kNotANumber, json.at("hellinger"));
-  // Both infinities and none are written as null; the former is what a distance of densities has.
-  d.kl = number_or(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
+  d.l1 = number_or_default(kNotANumber, json.at("l1"));
+  d.l2 = number_or_default(kNotANumber, json.at("l2"));
+  d.sup = number_or_default(kNotANumber, json.at("sup"));
+  d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
+  // Infinity and NaN are both written as null. The distance of two densities can only be infinite.
+  d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
-                            .mean_abs = number_or(kNotANumber, tail.at("mean_abs")),
+                            .mean_abs = number_or_default(kNotANumber, tail.at("mean_abs")),
                             .bins = integer_in(tail, "bins"),
-                            .left_out = integer_in(tail, "left_out")});
+                            .bins_omitted = integer_in(tail, "left_out")});
   }
   return pair;
 }
@@ -145,72 +149,73 @@ BudgetRow budget_row_in(const Json& json) {
   BudgetRow row{.solution = json.at("solution"),
                 .variable = variable_in(json),
                 .reference = json.at("reference"),
-                .total = number_or(kNotANumber, json.at("total")),
-                .total_tail = number_or(kNotANumber, json.at("total_tail")),
+                .total = number_or_default(kNotANumber, json.at("total")),
+                .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
                 .tail_from = tail.at("from"),
                 .tail_to = tail.at("to"),
                 .tail_bins = integer_in(tail, "bins"),
                 .parts = {}};
   for (const auto& part : json.at("parts")) {
-    row.parts.push_back({.links = compare::links_named(part.at("name").get<std::string>()),
+    row.parts.push_back({.links = compare::parse_links(part.at("name").get<std::string>()),
                          .from = part.at("from"),
                          .to = part.at("to"),
-                         .l1 = number_or(kNotANumber, part.at("l1")),
-                         .tail = number_or(kNotANumber, part.at("tail")),
-                         .uncertainty = number_if_any(part, "uncertainty"),
-                         .expected = number_if_any(part, "expected"),
-                         .in_99 = number_if_any(part, "in_99"),
-                         .standard_error = number_if_any(part, "standard_error")});
+                         .l1 = number_or_default(kNotANumber, part.at("l1")),
+                         .tail = number_or_default(kNotANumber, part.at("tail")),
+                         .uncertainty = optional_number_in(part, "uncertainty"),
+                         .expected = optional_number_in(part, "expected"),
+                         .quantile_99 = optional_number_in(part, "in_99"),
+                         .standard_error = optional_number_in(part, "standard_error")});
   }
-  if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts (run again)");
+  if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts; run again");
   return row;
 }
 
 compare::Bounds bounds_in(const Json& json) {
   compare::Bounds bounds{.reason = json.at("reason"), .seconds = json.at("seconds"), .each = {}};
   for (const auto& bound : json.at("each")) {
-    bounds.each.push_back({bound.at("functional"), number_or(-kInfinity, bound.at("lower")),
-                           number_or(kInfinity, bound.at("upper"))});
+    bounds.each.push_back({bound.at("functional"), number_or_default(-kInfinity, bound.at("lower")),
+                           number_or_default(kInfinity, bound.at("upper"))});
   }
   return bounds;
 }
 
 Case case_in(const Json& json) {
-  Case one{.problem = problem_in(json),
-           .solutions = {},
-           .pairs = {},
-           .budget = {},
-           .limits = json.value("limits", std::string()),
-           .curves = {},
-           .joints = {}};
+  Case case_result{.problem = problem_in(json),
+                   .solutions = {},
+                   .pairs = {},
+                   .budget = {},
+                   .limits = json.value("limits", std::string()),
+                   .curves = {},
+                   .joints = {}};
   std::set<std::string> ids;
   for (const auto& solution : json.at("solutions")) {
-    one.solutions.push_back(solution_in(solution));
-    if (!ids.insert(one.solutions.back().id()).second) {
-      throw InputError(base::shown(one.solutions.back().id()) + " is there twice (run again)");
+    case_result.solutions.push_back(solution_in(solution));
+    if (!ids.insert(case_result.solutions.back().id()).second) {
+      throw InputError(base::sanitise(case_result.solutions.back().id()) +
+                       " occurs twice; run again");
     }
   }
-  for (const auto& pair : json.at("comparisons")) one.pairs.push_back(pair_in(pair));
+  for (const auto& pair : json.at("comparisons")) case_result.pairs.push_back(pair_in(pair));
   if (json.contains("budget")) {
-    for (const auto& row : json.at("budget")) one.budget.push_back(budget_row_in(row));
+    for (const auto& row : json.at("budget")) case_result.budget.push_back(budget_row_in(row));
   }
-  if (json.contains("bounds")) one.bounds = bounds_in(json.at("bounds"));
+  if (json.contains("bounds")) case_result.bounds = bounds_in(json.at("bounds"));
   if (json.contains("own_errors")) {
     for (const auto& own : json.at("own_errors")) {
-      one.own_errors.push_back(
+      case_result.moment_error_estimates.push_back(
           {own.at("solution"), moments_in(own.at("corrected")), moments_in(own.at("error"))});
     }
   }
-  return one;
+  return case_result;
 }
 
 void require_summary(const Json& json, const std::string& where) {
   if (!json.is_object() || !json.contains("schema")) {
-    throw InputError(fmt::format("{} is not the summary of a run (it has no schema)", where));
+    throw InputError(fmt::format("{} is not the summary of a run: \"schema\" is missing", where));
   }
   if (json.at("schema") != kSummarySchema) {
-    throw InputError(fmt::format("{} has schema {} (this program reads schema {}; run again)",
-                                 where, base::shown(json.at("schema").dump()), kSummarySchema));
+    throw InputError(fmt::format("{} has schema {}, but this program reads schema {}; run again",
+                                 where, base::sanitise(json.at("schema").dump()), kSummarySchema));
   }
 }
 
@@ -225,7 +230,7 @@ std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
 }
 
 Run read_summary(std::istream& in, const std::string& where) {
-  const Json json = parsed(in, where);
+  const Json json = parse_json(in, where);
   require_summary(json, where);
   try {
     const Json& program = json.at("program");
@@ -233,15 +238,15 @@ Run read_summary(std::istream& in, const std::string& where) {
             {},
             json.value("stopped", std::string())};
     std::set<std::string> names;
-    for (const auto& one : json.at("cases")) {
-      const auto name = one.at("name").get<std::string>();
+    for (const auto& case_result : json.at("cases")) {
+      const auto name = case_result.at("name").get<std::string>();
       if (!names.insert(name).second) {
-        throw InputError(base::shown(name) + " is there twice (run again)");
+        throw InputError(base::sanitise(name) + " occurs twice; run again");
       }
       try {
-        run.cases.push_back(case_in(one));
+        run.cases.push_back(case_in(case_result));
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", base::shown(name), error.what()));
+        throw InputError(fmt::format("{}: {}", base::sanitise(name), error.what()));
       }
     }
     if (json.contains("files")) {
@@ -252,7 +257,7 @@ Run read_summary(std::istream& in, const std::string& where) {
     throw InputError(fmt::format("{}: {}", where, error.what()));
   } catch (const Json::exception& error) {
     throw InputError(
-        fmt::format("{} is not a whole summary ({}; run again)", where, said_by(error)));
+        fmt::format("{} is not a complete summary: {}; run again", where, exception_text(error)));
   }
 }
 

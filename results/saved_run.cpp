@@ -11,7 +11,7 @@
 #include "base/files/input_file.hpp"
 #include "base/files/journal.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
@@ -22,30 +22,30 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::in_quotes;
-using base::shown;
+using base::sanitise;
 
-// Of hundreds of cases.
-constexpr std::size_t kMostBytesOfText = 64 << 20;
+// Sufficient for hundreds of cases.
+constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
-  auto text = base::read_input_file(file, kMostBytesOfText);
+  auto text = base::read_input_file(file, kMaxTextBytes);
   if (!text) {
     if (!file.has_parent_path()) {
-      throw InputError(fmt::format(
-          "{} is not a readable file (give the summary.json of a run, or its directory)",
-          shown(file.string())));
+      throw InputError(
+          fmt::format("{} is not a readable file; give the summary.json of a run, or its directory",
+                      sanitise(file.string())));
     }
     throw InputError(
-        fmt::format("no run in {} ({} is not a readable file; give the --out of a run)",
-                    in_quotes(file.parent_path().string()), shown(file.filename().string())));
+        fmt::format("no run in {}: {} is not a readable file; give the --out directory of a run",
+                    in_quotes(file.parent_path().string()), sanitise(file.filename().string())));
   }
   return std::istringstream(*std::move(text));
 }
 
 [[noreturn]] void refuse_other_run(const fs::path& file) {
   throw InputError(fmt::format(
-      "{} and {} in {} are not of the same run, or changed since (run again)", kSummaryFile,
-      shown(file.filename().string()), in_quotes(file.parent_path().string())));
+      "{} and {} in {} are not of the same run, or were changed; run again", kSummaryFile,
+      sanitise(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
 Case* find_case(Run& run, const std::string& name) {
@@ -53,45 +53,47 @@ Case* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
-// Of older runs nobody knows.
+// Older runs have no checksums and are not checked.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
-  const auto noted = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
-  if (noted != run.files.end() && noted->crc32 != crc32(contents)) refuse_other_run(file);
+  const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
+  if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
 }
 
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
   require_same_run(file, csv.view(), run);
-  // The trajectories of a simulation may leave the range of numbers: it has failed then, with a
-  // density of what they were. A density that is ok is finite everywhere.
-  const auto may_break_down = [&run](const std::string& case_name, const std::string& solution) {
-    const Case* one = find_case(run, case_name);
-    const auto* found = one == nullptr ? nullptr : one->find(solution);
+  // Trajectories of a simulation may exceed the range of numbers: the status is then `failed`, with
+  // the density so far. The density of an `ok` solution is finite everywhere.
+  const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
+    const Case* case_result = find_case(run, case_name);
+    const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     return found != nullptr && !found->is_ok();
   };
-  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), may_break_down)) {
-    Case* one = find_case(run, case_name);
-    if (one == nullptr || one->find(curve.solution) == nullptr) refuse_other_run(file);
-    (one->*curves).push_back(std::move(curve));
+  for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), allows_non_finite)) {
+    Case* case_result = find_case(run, case_name);
+    if (case_result == nullptr || case_result->find(curve.solution) == nullptr)
+      refuse_other_run(file);
+    (case_result->*curves).push_back(std::move(curve));
   }
 }
 
-// Every solution with a density has its curves, and there are no others.
-bool curves_belong(const Case& one) {
+// Whether exactly the solutions with a density have curves.
+bool has_matching_curves(const Case& case_result) {
   std::set<std::string> with_curves, with_density;
-  for (const auto& curve : one.curves) with_curves.insert(curve.solution);
-  for (const auto& solution : one.solutions) {
+  for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);
+  for (const auto& solution : case_result.solutions) {
     if (solution.has_density()) with_density.insert(solution.id());
   }
   return with_curves == with_density;
 }
 
 template <class Element>
-bool any_has(const Run& run, std::vector<Element> Case::*list) {
-  return std::ranges::any_of(run.cases, [&](const Case& one) { return !(one.*list).empty(); });
+bool has_any(const Run& run, std::vector<Element> Case::*list) {
+  return std::ranges::any_of(run.cases,
+                             [&](const Case& case_result) { return !(case_result.*list).empty(); });
 }
 
-// The files of a run, noted as they are added.
+// Adds the files of a run and records their checksums.
 class SavedFiles {
  public:
   SavedFiles(base::PendingFiles& files, const fs::path& directory)
@@ -116,7 +118,7 @@ void add_curves(SavedFiles& saved, const Run& run) {
   std::ostringstream csv, smooth;
   write_marginals_csv(csv, run.cases);
   saved.add(kMarginalsFile, csv.str());
-  if (any_has(run, &Case::smooth)) {
+  if (has_any(run, &Case::smooth)) {
     write_marginals_csv(smooth, run.cases, &Case::smooth);
     saved.add(kSmoothFile, smooth.str());
   } else {
@@ -126,25 +128,25 @@ void add_curves(SavedFiles& saved, const Run& run) {
 
 void load_joints(const fs::path& file, Run& run) {
   const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
-    Case* one = find_case(run, case_name);
-    const auto* found = one == nullptr ? nullptr : one->find(solution);
+    Case* case_result = find_case(run, case_name);
+    const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     if (found == nullptr || !found->has_density()) refuse_other_run(file);
-    return *one;
+    return *case_result;
   };
   auto [joints, sources] =
       read_joint_netcdf(file, [&](std::string_view bytes) { require_same_run(file, bytes, run); });
   for (auto& [case_name, joint] : joints) {
-    Case& one = owner(case_name, joint.solution);
-    one.joints.push_back(std::move(joint));
+    Case& case_result = owner(case_name, joint.solution);
+    case_result.joints.push_back(std::move(joint));
   }
   for (auto& [case_name, source] : sources) {
-    Case& one = owner(case_name, source.solution);
+    Case& case_result = owner(case_name, source.solution);
     const auto& cells = source.density;
-    if (one.joints.empty() || one.joints.front().density.y_edges != cells.y_edges ||
-        one.joints.front().density.v_edges != cells.v_edges) {
+    if (case_result.joints.empty() || case_result.joints.front().density.y_edges != cells.y_edges ||
+        case_result.joints.front().density.v_edges != cells.v_edges) {
       refuse_other_run(file);
     }
-    one.error_sources.push_back(std::move(source));
+    case_result.error_sources.push_back(std::move(source));
   }
 }
 
@@ -159,7 +161,7 @@ void add_summary_and_curves(base::PendingFiles& files, const fs::path& directory
 void add_run(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
   add_curves(saved, run);
-  if (any_has(run, &Case::joints)) {
+  if (has_any(run, &Case::joints)) {
     saved.add(kJointFile, joint_netcdf(run));
   } else {
     saved.remove(kJointFile);
@@ -168,16 +170,16 @@ void add_run(base::PendingFiles& files, const fs::path& directory, const Run& ru
 }
 
 Run load_summary(const fs::path& file) {
-  base::finish_interrupted(file.parent_path());
+  base::complete_interrupted_commit(file.parent_path());
   auto in = open_saved(file);
-  return read_summary(in, shown(file.string()));
+  return read_summary(in, sanitise(file.string()));
 }
 
 void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }
 
 void load_curves(const fs::path& file, Run& run) {
   read_curves(file, run, &Case::curves);
-  if (!std::ranges::all_of(run.cases, curves_belong)) refuse_other_run(file);
+  if (!std::ranges::all_of(run.cases, has_matching_curves)) refuse_other_run(file);
 }
 
 Run load_run(const fs::path& directory) {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -21,30 +21,30 @@ using transform::Identity;
 using transform::Moments;
 using transform::Solution;
 
-// Of a solution that was read from a file nobody knows what it solves.
-constexpr const char* kGiven = "given";
-constexpr const char* kNoImpact = "-";
+// The equation and impact of an external density without an equation.
+constexpr const char* kUnknownEquation = "given";
+constexpr const char* kUnknownImpact = "-";
 
-// What is not an observation.
-constexpr std::array<std::string_view, 17> kCommon{"id",
-                                                   "method",
-                                                   "equation",
-                                                   "impact",
-                                                   "identity",
-                                                   "options",
-                                                   "status",
-                                                   "reason",
-                                                   "seconds",
-                                                   "moments",
-                                                   "mass",
-                                                   "atoms",
-                                                   "min_density",
-                                                   "energy_residual",
-                                                   "standard_errors",
-                                                   "sampling_l1",
-                                                   "smooth_sampling_l1"};
-// Beside these, "error" may hold what its method alone knows of it.
-constexpr std::array<std::string_view, 3> kCommonOfError{"y_l1", "ydot_l1", "moments"};
+// The keys of all solutions; the other keys are metrics.
+constexpr std::array<std::string_view, 17> kCommonKeys{"id",
+                                                       "method",
+                                                       "equation",
+                                                       "impact",
+                                                       "identity",
+                                                       "options",
+                                                       "status",
+                                                       "reason",
+                                                       "seconds",
+                                                       "moments",
+                                                       "mass",
+                                                       "atoms",
+                                                       "min_density",
+                                                       "energy_residual",
+                                                       "standard_errors",
+                                                       "sampling_l1",
+                                                       "smooth_sampling_l1"};
+// The keys of "error" of all solutions; the other keys of "error" are metrics.
+constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key) {
@@ -52,7 +52,7 @@ bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key
 }
 
 Json identity_json(const Identity& identity) {
-  const auto& look = identity.look;
+  const auto& plot_style = identity.plot_style;
   return {{"role", name(identity.role)},
           {"family", identity.family},
           {"formulation", identity.formulation},
@@ -60,32 +60,32 @@ Json identity_json(const Identity& identity) {
           {"meaning", identity.meaning},
           {"trust", identity.trust},
           {"look",
-           {{"colour", look.colour},
-            {"dash", look.dash},
-            {"width", look.width},
-            {"as_points", look.as_points},
-            {"layer", look.layer},
-            {"symbol", look.symbol}}}};
+           {{"colour", plot_style.colour},
+            {"dash", plot_style.dash},
+            {"width", plot_style.width},
+            {"as_points", plot_style.as_points},
+            {"layer", plot_style.layer},
+            {"symbol", plot_style.symbol}}}};
 }
 
 void read_identity(const Json& json, Identity& identity) {
-  const auto role = base::value_named<transform::Role>(json.at("role").get<std::string>());
+  const auto role = base::enum_from_name<transform::Role>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
-        fmt::format("role {} is unknown (run again)", base::shown(json.at("role").dump())));
+        fmt::format("unknown role {}; run again", base::sanitise(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");
   if (!json.at("order").is_null()) identity.order = integer_in(json, "order");
   identity.meaning = json.at("meaning");
   identity.trust = integer_in(json, "trust");
-  const Json& look = json.at("look");
-  identity.look = {.colour = look.at("colour"),
-                   .dash = look.at("dash"),
-                   .width = look.at("width"),
-                   .as_points = look.at("as_points"),
-                   .layer = integer_in(look, "layer"),
-                   .symbol = look.at("symbol")};
+  const Json& plot_style = json.at("look");
+  identity.plot_style = {.colour = plot_style.at("colour"),
+                         .dash = plot_style.at("dash"),
+                         .width = plot_style.at("width"),
+                         .as_points = plot_style.at("as_points"),
+                         .layer = integer_in(plot_style, "layer"),
+                         .symbol = plot_style.at("symbol")};
 }
 
 Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
@@ -93,7 +93,7 @@ Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
   for (const auto& atom : atoms) {
     json.push_back({{"y", atom.y}, {"probability", atom.probability}});
     if (atom.standard_error) json.back()["standard_error"] = *atom.standard_error;
-    if (atom.stated_error) json.back()["stated_error"] = *atom.stated_error;
+    if (atom.error_estimate) json.back()["stated_error"] = *atom.error_estimate;
   }
   return json;
 }
@@ -103,8 +103,8 @@ std::vector<transform::RestAtom> atoms_in(const Json& json) {
   for (const Json& atom : json) {
     atoms.push_back({.y = number_in(atom, "y"),
                      .probability = number_in(atom, "probability"),
-                     .standard_error = number_if_any(atom, "standard_error"),
-                     .stated_error = number_if_any(atom, "stated_error")});
+                     .standard_error = optional_number_in(atom, "standard_error"),
+                     .error_estimate = optional_number_in(atom, "stated_error")});
   }
   return atoms;
 }
@@ -124,19 +124,19 @@ Json sampling_json(const transform::SamplingError& sampling) {
 std::optional<transform::SamplingError> sampling_in(const Json& json, const char* key) {
   const auto sampling = json.find(key);
   if (sampling == json.end()) return std::nullopt;
-  return transform::SamplingError{.y = number_if_any(*sampling, "y"),
-                                  .ydot = number_if_any(*sampling, "ydot"),
-                                  .y_99 = number_if_any(*sampling, "y_99"),
-                                  .ydot_99 = number_if_any(*sampling, "ydot_99")};
+  return transform::SamplingError{.y = optional_number_in(*sampling, "y"),
+                                  .ydot = optional_number_in(*sampling, "ydot"),
+                                  .y_99 = optional_number_in(*sampling, "y_99"),
+                                  .ydot_99 = optional_number_in(*sampling, "ydot_99")};
 }
 
 template <class Enum>
-std::optional<Enum> choice_in(const Json& json, const char* key, std::string_view unknown) {
+std::optional<Enum> enum_in(const Json& json, const char* key, std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
-  const auto value = base::value_named<Enum>(text);
+  const auto value = base::enum_from_name<Enum>(text);
   if (!value)
-    throw InputError(fmt::format("{} {} is unknown (run again)", key, base::in_quotes(text)));
+    throw InputError(fmt::format("{} {} is unknown; run again", key, base::in_quotes(text)));
   return value;
 }
 
@@ -160,17 +160,17 @@ void read_numbers(const Json& json, Solution& s) {
   }
 }
 
-// All that is left: what the solver alone knows.
-Json observed_part(const Json& json) {
+// The part of the object that contains the solver's metrics.
+Json metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {
-    if (is_one_of(kCommon, key)) continue;
+    if (is_one_of(kCommonKeys, key)) continue;
     if (key != "error") {
       rest[key] = value;
       continue;
     }
     for (const auto& [leaf, of_error] : value.items()) {
-      if (!is_one_of(kCommonOfError, leaf)) rest["error"][leaf] = of_error;
+      if (!is_one_of(kCommonErrorKeys, leaf)) rest["error"][leaf] = of_error;
     }
   }
   return rest;
@@ -182,8 +182,8 @@ Json solution_json(const Solution& s) {
   const Identity& identity = s.identity;
   Json json{{"id", identity.id},
             {"method", identity.method},
-            {"equation", identity.equation ? name(*identity.equation) : kGiven},
-            {"impact", identity.impact ? name(*identity.impact) : kNoImpact},
+            {"equation", identity.equation ? name(*identity.equation) : kUnknownEquation},
+            {"impact", identity.impact ? name(*identity.impact) : kUnknownImpact},
             {"identity", identity_json(identity)},
             {"options", values_json(s.options)},
             {"status", name(s.status)},
@@ -211,13 +211,13 @@ Json solution_json(const Solution& s) {
                      {"ydot_l1", s.error->ydot_l1},
                      {"moments", moments_json(s.error->moments)}};
   }
-  for (const auto& observation : s.observations) {
+  for (const auto& observation : s.metrics) {
     const std::string_view path = observation.path;
-    if (is_one_of(kCommon, path.substr(0, path.find_first_of(".[")))) {
-      throw std::logic_error("an observation of " + s.id() + " claims " + observation.path);
+    if (is_one_of(kCommonKeys, path.substr(0, path.find_first_of(".[")))) {
+      throw std::logic_error("a metric of " + s.id() + " has the reserved key " + observation.path);
     }
   }
-  add_observations(s.observations, json);
+  add_metrics(s.metrics, json);
   return json;
 }
 
@@ -226,17 +226,17 @@ Solution solution_in(const Json& json) {
   Identity& identity = s.identity;
   identity.id = json.at("id");
   identity.method = json.at("method");
-  identity.equation = choice_in<Equation>(json, "equation", kGiven);
-  identity.impact = choice_in<Impact>(json, "impact", kNoImpact);
+  identity.equation = enum_in<Equation>(json, "equation", kUnknownEquation);
+  identity.impact = enum_in<Impact>(json, "impact", kUnknownImpact);
   if (json.contains("identity")) read_identity(json.at("identity"), identity);
   s.options = values_in(json.at("options"));
-  const auto status = choice_in<transform::Status>(json, "status", "");
-  if (!status) throw InputError("an empty status (run again)");
+  const auto status = enum_in<transform::Status>(json, "status", "");
+  if (!status) throw InputError("the status is empty; run again");
   s.status = *status;
   s.reason = json.at("reason");
   s.seconds = number_in(json, "seconds");
   read_numbers(json, s);
-  s.observations = observations_in(observed_part(json));
+  s.metrics = metrics_in(metrics_part(json));
   return s;
 }
 

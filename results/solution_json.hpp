@@ -7,12 +7,12 @@
 
 namespace fpkcheck::results {
 
-/// An element of "solutions" in summary.json: what all solutions have, and what its solver alone
-/// knows beside it.
-/// @throws std::logic_error when an observation claims a common field
+/// An element of "solutions" in summary.json: the keys of all solutions, and the metrics of the
+/// solver.
+/// @throws std::logic_error when a metric has the key of a common field
 Json solution_json(const transform::Solution& solution);
 
-/// The solution that solution_json wrote, without its density.
+/// Reads an element that solution_json wrote; the solution has no density.
 /// @throws nlohmann::json::exception, InputError
 transform::Solution solution_in(const Json& json);
 

@@ -1,4 +1,4 @@
-"""A picture for a document: at most 1100 pixels wide, 48 colours.
+"""Reduces a figure for a document: at most 1100 pixels wide, 48 colours.
 
     small_picture.py FROM.png TO.png
 """

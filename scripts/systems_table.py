@@ -1,5 +1,4 @@
-"""Writes the table of docs/systems.md, between its marks, from runs of the shipped systems. The row of one that has no
-run there stays as it is.
+"""Writes the table of docs/systems.md from runs of the example systems. The row of a system without a run is kept.
 
     systems_table.py docs/systems.md DIRECTORY NAME ...
 """
@@ -8,7 +7,7 @@ import json
 import pathlib
 import sys
 
-from made_parts import replace_part
+from document_parts import replace_part
 
 
 def l1(case, a, b):
@@ -28,7 +27,7 @@ def at_rest(solution):
 def row(name, case):
     solutions = {one["id"]: one for one in case["solutions"]}
     ok = [key for key, one in solutions.items() if one["status"] == "ok"]
-    # The simulation where it is there; else finite differences.
+    # Reference: the simulation if it is ok, else finite volumes.
     judge = next((key for key in ("mcs", "fd-kf") if key in ok), None)
     fd = l1(case, "fd-kf", "mcs") if "fd-kf" in ok and "mcs" in ok else None
     closures = [(l1(case, key, judge), key) for key in solutions if key.startswith("epc-")]

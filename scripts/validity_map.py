@@ -1,8 +1,8 @@
-"""Many sweeps as one small table, workflows/sweep/map/validity.csv: called by scripts/validity.
+"""Combines sweeps into a compact table, workflows/sweep/map/validity.csv: called by scripts/validity.
 
-A row is a problem: its groups, restitution, law and the mean's share of the root of E[Y^2]; then a cell a method, L1,
-letter of the status and milliseconds. The last method is the reference, and its L1 what it states of its own error
-(workflows/sweep/map/validity_map.hpp).
+A row is a problem: its dimensionless groups, restitution coefficient, impulse law and mean amplitude relative to the
+root of E[Y^2]. A cell for each method has L1, letter of the status and milliseconds. The last method is the reference;
+its L1 is its error estimate (workflows/sweep/map/validity_map.hpp).
 """
 
 import argparse
@@ -11,9 +11,10 @@ import json
 import statistics
 from pathlib import Path
 
-from made_parts import replace_part
+from document_parts import replace_part
 
-# Of an answer that is `ok`, but further off than twice what it states (and what the reference may be off by): x.
+# Letters of statuses. The letter x is for a solution with status `ok` and an L1 above twice its error estimate plus the
+# error estimate of the reference.
 LETTERS = {
     "ok": "o",
     "inaccurate": "i",
@@ -23,22 +24,22 @@ LETTERS = {
     "failed": "f",
     "not_offered": "u",
 }
-WORST = "ufpnaixo"  # first: what a problem is kept as that was solved in several units
+WORST = "ufpnaixo"  # from worst to best: a problem solved in several units of measurement gets its worst letter
 GROUPS = ["impulses_per_decay_time", "damping_ratio", "cubic_share"]
 PAIR = ("_y", "_ydot")
 REFERENCE = "fd-kf"
 
 
 def short(number, digits):
-    """Two digits, as few characters as they take: .0042, 7.1e-05 and 310."""
+    """The number with so many digits in the fewest characters: .0042, 7.1e-05 and 310 with two digits."""
     text = f"{number:.{digits}g}"
     if "e+" in text:
         text = str(int(float(text)))
     return text[1:] if text.startswith("0.") else text
 
 
-class Answer:
-    """Of a method at a point: its larger L1 to the reference, the letter of its status, milliseconds."""
+class MethodResult:
+    """The result of a method at a point: larger L1 to the reference, letter of the status, milliseconds."""
 
     def __init__(self, row, reference):
         self.letter = LETTERS[row["status"]]
@@ -59,7 +60,7 @@ class Answer:
 
 
 def points_of(folder):
-    """(key, answers) of each point of a sweep that has a reference to judge by."""
+    """(key, answers) of each point of a sweep with a reference solution."""
     plan = json.loads((folder / "sweep.json").read_text())["plan"]
     case = plan["case"]
     points = {}
@@ -70,21 +71,21 @@ def points_of(folder):
     for values, rows in points.items():
         at = dict(zip(varied, values))
         if case["impulse"]["mean"] != 0 or "impulse.mean" in at:
-            raise SystemExit(f"{folder}: a sweep with a mean (the map has none)")
+            raise SystemExit(f"{folder}: impulses with a mean: the map has no such points; omit this sweep")
         if not rows[0][GROUPS[0]]:
-            continue  # values that do not fit together
+            continue  # an invalid combination of values
         restitution = float(at.get("system.restitution", case["system"]["restitution"]))
         law = at.get("impulse.law", case["impulse"]["law"])
         key = (*(rows[0][group] for group in GROUPS), short(restitution, 4), law, "0")
         reference = next((row for row in rows if row["solution"] == row["reference"] == REFERENCE), None)
         if reference is None or not all(reference["error" + suffix] for suffix in PAIR):
-            print(f"{folder}: no {REFERENCE} to judge by at {at}")
+            print(f"{folder}: no reference {REFERENCE} at {at}")
             continue
-        yield key, {row["solution"]: Answer(row, reference) for row in rows}
+        yield key, {row["solution"]: MethodResult(row, reference) for row in rows}
 
 
 def cell(answers):
-    """The worst of a problem's answers; two numbers tell nothing apart that one does not."""
+    """The cell of a problem over its systems of units: worst letter, largest L1, median of the times."""
     if not answers:
         return ""
     letter = min((one.letter for one in answers), key=WORST.index)
@@ -94,7 +95,7 @@ def cell(answers):
 
 
 def units_text(problems, methods):
-    """What units change, which should be nothing: over problems that were solved in several."""
+    """Summary of the differences between problems that were solved in several units; they should be negligible."""
     several = [found for found in problems.values() if len(found) > 1]
     widest, apart, lettered = 0.0, "", []
     for found in several:
@@ -106,11 +107,11 @@ def units_text(problems, methods):
             if len(numbers) > 1 and max(numbers) - min(numbers) > widest:
                 widest, apart = max(numbers) - min(numbers), method
     counts = sorted({(method, lettered.count(method)) for method in lettered})
-    text = f"{sum(map(len, several))} points of the plans are {len(several)} problems, all but a few in several units. "
-    text += f"Their L1 differ by at most {widest:.1g} ({apart}), " if several else ""
-    text += "their statuses do not." if not counts else ""
+    text = f"{sum(map(len, several))} points of the plans are {len(several)} problems, most of them in several units. "
+    text += f"Their L1 differs by at most {widest:.1g} ({apart}); " if several else ""
+    text += "their statuses are equal." if not counts else ""
     if counts:
-        text += "their statuses do: " + ", ".join(f"`{m}` at {n}" for m, n in counts) + "."
+        text += "their statuses differ: " + ", ".join(f"`{m}` at {n}" for m, n in counts) + "."
     return text.strip()
 
 

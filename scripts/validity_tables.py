@@ -1,6 +1,6 @@
-"""The tables of docs/validity.md, from workflows/sweep/map/validity.csv: called by scripts/validity.
+"""Makes the tables of docs/validity.md from workflows/sweep/map/validity.csv: called by scripts/validity.
 
-Within 1 %: an answer with a density, `ok` or `inaccurate`, whose L1 of p(y) and of p(y') is below 0.01.
+Within 1 %: a solution with a density, `ok` or `inaccurate`, whose L1 of p(y) and of p(y') is below 0.01.
 """
 
 import argparse
@@ -10,10 +10,10 @@ import re
 import statistics
 from pathlib import Path
 
-from made_parts import replace_part
+from document_parts import replace_part
 
 LIMITS = (0.01, 0.05)
-# Of the points above a bound so many have to be within a limit, and so many have to be there.
+# Definition of a bound: this fraction of the points above it is within the limit, and at least so many points exist.
 SHARE, FEWEST = 0.95, 4
 IMPULSES = ((0, 1), (1, 2), (2, 3), (3, 10), (10, 30), (30, 100), (100, float("inf")))
 CUBIC = ((0, 0.01), (0.01, 0.1), (0.1, 0.4), (0.4, 0.7), (0.7, 0.9), (0.9, 1))
@@ -21,11 +21,11 @@ LAWS = ("gaussian", "laplace", "two_point", "uniform")
 CELL = re.compile(r"(?P<l1>[\d.]+(?:e-\d+)?)?(?P<letter>[oxianpfu])(?P<milliseconds>[\d.]+)$")
 
 
-class Answer:
+class MethodResult:
     def __init__(self, cell):
         found = CELL.match(cell)
         if not found:
-            raise SystemExit(f"{cell}: no answer of the map")
+            raise SystemExit(f"{cell}: not a cell of the map")
         self.letter = found["letter"]
         self.seconds = float(found["milliseconds"]) / 1000
         self.l1 = float(found["l1"]) if found["l1"] else None
@@ -42,15 +42,15 @@ class Point:
         self.cubic = float(row["cubic_share"])
         self.law = row["law"]
         self.damping_ratio = float(row["damping_ratio"])
-        self.answers = {method: Answer(row[method]) for method in methods if row[method]}
+        self.answers = {method: MethodResult(row[method]) for method in methods if row[method]}
 
 
     def rate(self):
-        """Impulses in a time 1/c: equivalent linearisation has c + 2 (1-r) sqrt(k) / pi for damping."""
+        """Impulses in the time 1/c. The damping of equivalent linearisation is c + 2 (1-r) sqrt(k) / pi."""
         return self.impulses / 2 * (1 + (1 - self.restitution) / (math.pi * self.damping_ratio))
 
     def distance(self, other):
-        """As workflows/sweep/map/place.hpp has it."""
+        """As workflows/sweep/map/map_coordinates.hpp has it."""
         if self.law != other.law:
             return math.inf
         return math.hypot(
@@ -62,7 +62,7 @@ class Point:
 
 
 def table(header, rows):
-    """Aligned, the first column to the left."""
+    """A text table with aligned columns, the first one to the left."""
     cells = [header, *rows]
     widths = [max(len(row[k]) for row in cells) for k in range(len(header))]
     lines = []
@@ -97,7 +97,7 @@ def methods_table(points, methods):
 
 
 def bound(pairs, limit):
-    """The smallest x so that of the points at x and above SHARE are within the limit; nothing where there is none."""
+    """The smallest x such that the fraction SHARE of the points at x and above is within the limit, or None."""
     found, within = None, 0
     for count, (x, answer) in enumerate(sorted(pairs, key=lambda pair: -pair[0]), 1):
         within += answer.within(limit)
@@ -107,7 +107,7 @@ def bound(pairs, limit):
 
 
 def bounds_cell(pairs, written):
-    """The bounds for both limits; - where nothing is within, ? where there are too few points."""
+    """The bounds for both limits: "-" without a bound, "?" with too few points."""
     if len(pairs) < FEWEST:
         return "?"
     bounds = [bound(pairs, limit) for limit in LIMITS]
@@ -158,7 +158,7 @@ def cubic_table(points, methods):
             text = f"{max(numbers):.2g}" if numbers else "-"
             row.append(text if not lost or not numbers else f"{text} ({lost} of {len(inside)} none)")
         rows.append(row)
-    return table(["share of the stiffness that is cubic", *(range_text(*one) for one in CUBIC)], rows)
+    return table(["cubic fraction of the stiffness", *(range_text(*one) for one in CUBIC)], rows)
 
 
 def law_table(points, methods):
@@ -178,7 +178,7 @@ def law_table(points, methods):
 
 
 def impact_table(points):
-    """What the impact to first order costs where the cut series costs nothing."""
+    """Errors of the impact to first order, at points where the truncated series is accurate."""
     inside = [p for p in points if p.law == "gaussian" and p.impulses > 50 and p.restitution > 0.89]
     inside = [p for p in inside if "fd-km4-delta" in p.answers]
     header, rows = ["r"], [["fd-km4-delta"], ["fd-km4"]]
@@ -192,7 +192,7 @@ def impact_table(points):
 
 
 def steps_text(points, method):
-    """How often a method held, over impulses per decay time."""
+    """The number of points within the limits, by impulses per decay time."""
 
     def held(low, high):
         answers = [p.answers[method] for p in points if low <= p.impulses < high and method in p.answers]
@@ -202,7 +202,7 @@ def steps_text(points, method):
     worst = max(one.l1 if one.l1 is not None else 2 for one in answers)
     says_so = sum(one.letter == "o" for one in answers)
     text = f"With 3 impulses per decay time or more `{method}` was within 1 % at {close} of {count} points, "
-    text += f"`ok` at {says_so}, and off by at most {worst:.2g}; "
+    text += f"`ok` at {says_so}, with an L1 of at most {worst:.2g}; "
     for name, low, high in (("with 2 to 3", 2, 3), ("with 1 to 2", 1, 2)):
         count, (close, fair), _ = held(low, high)
         text += f"{name} within 1 % at {close}, within 5 % at {fair} of {count}; "
@@ -211,7 +211,7 @@ def steps_text(points, method):
 
 
 def paper_text(points):
-    """How many orders of the paper's closure are good where they should be."""
+    """The number of points within 1 % for each order of the paper's closure, at small losses and many impulses."""
     inside = [p for p in points if p.law == "gaussian" and p.restitution >= 0.95 and p.impulses >= 30]
     parts = []
     for order in (2, 4, 6, 8):
@@ -219,13 +219,13 @@ def paper_text(points):
         parts.append(f"{sum(one.within(LIMITS[0]) for one in answers)} (`n = {order}`)")
     text = ", ".join(parts[:-1]) + " and " + parts[-1]
     return (
-        "Where it should be best, at `r` from 0.95 and 30 impulses per decay time on, `gaussian` is within 1 % at "
-        f"{text} of {len(inside)} points."
+        "At small losses and frequent impulses (`r` of 0.95 or more, 30 impulses per decay time or more) `gaussian` is "
+        f"within 1 % at {text} of {len(inside)} points."
     )
 
 
 def distance_text(points, methods):
-    """What a unit of distance does to the errors of closures."""
+    """Ratios of the errors of closures between points at a distance of about one."""
     ratios = {method: [] for method in methods}
     for k, one in enumerate(points):
         for other in points[:k]:
@@ -243,8 +243,8 @@ def distance_text(points, methods):
     if not medians:
         return ""
     return (
-        f"Between points one unit apart (0.8 to 1.2) L1 of a closure differs by a factor {min(medians):.1f} to "
-        f"{max(medians):.1f} in the median, and by {min(nines):.0f} to {max(nines):.0f} in one pair of ten."
+        f"Between points at a distance of 0.8 to 1.2 the L1 of a closure differs by a factor of {min(medians):.1f} to "
+        f"{max(medians):.1f} (median); in a tenth of the pairs the factor exceeds {min(nines):.0f} to {max(nines):.0f}."
     )
 
 
@@ -252,7 +252,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("map", type=Path)
     parser.add_argument("--document", required=True, type=Path)
-    parser.add_argument("--check", action="store_true", help="write nothing; is the document up to date?")
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if the document is out of date")
     arguments = parser.parse_args()
     with open(arguments.map, newline="") as file:
         reader = csv.DictReader(file)

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::tests {
 
-/// L1 distances of both marginals to bin averages on the solution's own cells.
+/// L1 distances of both marginal densities to bin averages on the grid of the solution.
 template <class Y, class V>
 std::pair<double, double> distances(const transform::Solution& solution, const Y& y, const V& v) {
   const auto& grid = std::get<transform::GridDensity>(*solution.density);

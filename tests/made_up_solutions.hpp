@@ -11,16 +11,16 @@
 #include "transform/panel_marginals.hpp"
 #include "trapezoid.hpp"
 
-/// Solutions that no solver made: the shapes and the sizes of the differences are those of a real
-/// run, the values are known in advance.
+/// Synthetic solutions for tests. Shapes and sizes of the differences are similar to those of a
+/// real run; the exact values are known.
 namespace fpkcheck::tests {
 
-/// p(y, v) ~ exp(-a y^2/2 - b y^4) exp(-d v^2/2 - e v^4 + f v^6) on a box.
+/// Coefficients of p(y, v) ~ exp(-a y^2/2 - b y^4) exp(-d v^2/2 - e v^4 + f v^6) on a box.
 struct Shape {
   double a, b, d, e, f = 0;
 };
 
-inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_max) {
+inline transform::SmoothDensity smooth_density(const Shape& s, double y_max, double v_max) {
   const auto of_y = [s](double y) { return std::exp(-s.a * y * y / 2 - s.b * std::pow(y, 4)); };
   const auto of_v = [s](double v) {
     return std::exp(-s.d * v * v / 2 - s.e * std::pow(v, 4) + s.f * std::pow(v, 6));
@@ -29,38 +29,41 @@ inline transform::SmoothDensity smooth(const Shape& s, double y_max, double v_ma
   return {[=](double y, double v) { return of_y(y) * of_v(v) / norm; }, y_max, v_max};
 }
 
-/// Who a solution would be; looks as those of the built-in methods.
+/// The identity of a synthetic solution, with a plot style as of the built-in methods.
 inline transform::Identity identity(const std::string& id, const std::string& method,
                                     problem::Equation equation, problem::Impact impact) {
   using transform::Role;
-  transform::Identity who{.id = id, .method = method, .equation = equation, .impact = impact};
-  who.role = method == "epc" ? Role::closure : method == "fd" ? Role::equation : Role::simulation;
-  who.family = method;
-  who.meaning = "What " + method + " makes.";
-  who.look = {.colour = method == "fd" ? "#56B4E9" : "#000000",
-              .dash = "solid",
-              .width = method == "fd" ? 5.0 : 1.0,
-              .as_points = method == "mcs",
-              .layer = static_cast<int>(who.role),
-              .symbol = "circle"};
-  return who;
+  transform::Identity solution_identity{
+      .id = id, .method = method, .equation = equation, .impact = impact};
+  solution_identity.role = method == "epc"  ? Role::closure
+                           : method == "fd" ? Role::equation
+                                            : Role::simulation;
+  solution_identity.family = method;
+  solution_identity.meaning = "What " + method + " makes.";
+  solution_identity.plot_style = {.colour = method == "fd" ? "#56B4E9" : "#000000",
+                                  .dash = "solid",
+                                  .width = method == "fd" ? 5.0 : 1.0,
+                                  .as_points = method == "mcs",
+                                  .layer = static_cast<int>(solution_identity.role),
+                                  .symbol = "circle"};
+  return solution_identity;
 }
 
 inline transform::Identity closure_identity(const std::string& formulation, int order) {
-  auto who = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
-                      problem::Equation::km4, problem::Impact::delta);
-  who.formulation = formulation;
-  who.order = order;
-  who.family = "epc-" + formulation;
-  who.look.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
-  who.look.dash = "(10,4)";
-  who.look.width = 2;
-  return who;
+  auto solution_identity = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
+                                    problem::Equation::km4, problem::Impact::delta);
+  solution_identity.formulation = formulation;
+  solution_identity.order = order;
+  solution_identity.family = "epc-" + formulation;
+  solution_identity.plot_style.colour = formulation == "gaussian" ? "#D55E00" : "#CC79A7";
+  solution_identity.plot_style.dash = "(10,4)";
+  solution_identity.plot_style.width = 2;
+  return solution_identity;
 }
 
-inline transform::Solution solution(const transform::Identity& who,
+inline transform::Solution solution(const transform::Identity& solution_identity,
                                     const transform::SmoothDensity& density) {
-  transform::Solution s{.identity = who};
+  transform::Solution s{.identity = solution_identity};
   s.status = transform::Status::ok;
   s.seconds = 0.42;
   s.density = density;
@@ -70,7 +73,7 @@ inline transform::Solution solution(const transform::Identity& who,
   return s;
 }
 
-/// A histogram of `samples` independent samples of the density on the axes, with intervals.
+/// A histogram of `samples` independent samples of the density on the axes, with 95 % intervals.
 inline transform::Solution simulation(const compare::ComparisonAxes& axes,
                                       const transform::SmoothDensity& density, double samples) {
   auto s = solution(identity("mcs", "mcs", problem::Equation::kf, problem::Impact::exact), density);
@@ -90,14 +93,14 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   }
   s.sampling = {.y = 0.0011, .ydot = 0.0015};
   s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
-  s.observations =
-      transform::Observer().work("samples", samples).work("streams", std::int64_t{128}).take();
+  s.metrics =
+      transform::MetricBuilder().work("samples", samples).work("streams", std::int64_t{128}).take();
   return s;
 }
 
-inline transform::Solution without_density(const transform::Identity& who,
-                                           transform::Status status) {
-  transform::Solution s{.identity = who};
+inline transform::Solution solution_without_density(const transform::Identity& solution_identity,
+                                                    transform::Status status) {
+  transform::Solution s{.identity = solution_identity};
   s.status = status;
   s.reason =
       "the residual stopped falling at 0.013 after 60 Newton steps; the best of five starts is "
@@ -106,11 +109,11 @@ inline transform::Solution without_density(const transform::Identity& who,
   return s;
 }
 
-/// The eight solutions of one case, in the order of trust: four closures, three equations by finite
-/// differences, the simulation.
+/// Eight solutions of a case by increasing trust: four closures, three finite-volume solutions, the
+/// simulation.
 inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
   const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
-  const auto shape = [&](const Shape& s) { return smooth(s, y_max, v_max); };
+  const auto shape = [&](const Shape& s) { return smooth_density(s, y_max, v_max); };
   using problem::Equation;
   using problem::Impact;
   const auto fd = [&](const std::string& id, Equation equation, const Shape& s) {
@@ -123,7 +126,8 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
   all.back().reason = "the leading form is positive along y: Q rises from y = 5.1 on";
   all.push_back(
       solution(closure_identity("gaussian", 6), shape({2.345, 0.061, 2.395, -0.0249, -0.0002})));
-  all.push_back(without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
+  all.push_back(
+      solution_without_density(closure_identity("gaussian", 8), transform::Status::not_converged));
   all.push_back(fd("fd-white", Equation::white, {2.33, 0.055, 2.27, 0}));
   all.push_back(fd("fd-km4", Equation::km4, {2.3401, 0.06, 2.4, -0.0251}));
   all.push_back(fd("fd-kf", Equation::kf, {2.34, 0.06, 2.4, -0.025}));
@@ -131,7 +135,7 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
   return all;
 }
 
-/// The paper's case 1 with these solutions, under another name.
+/// Case 1 of the paper with the synthetic solutions, under a given name.
 inline results::Case made_up_case(const std::string& name = "case1") {
   auto problem = paper_case(1);
   problem.name = name;
@@ -139,8 +143,8 @@ inline results::Case made_up_case(const std::string& name = "case1") {
   return results::make_case(problem, axes, made_up_solutions(axes));
 }
 
-/// Gives a simulation what control functions make of it: averages over smooth bins that are those of
-/// a density, every other one a standard error too large, independent of each other.
+/// Adds the estimates with control variates to a simulation: averages of a density over smooth
+/// bins, every other average increased by a standard error, all independent.
 inline void add_smooth_estimates(transform::Solution& simulation,
                                  const compare::ComparisonAxes& axes,
                                  const transform::SmoothDensity& density, double error) {
@@ -171,14 +175,14 @@ inline void add_smooth_estimates(transform::Solution& simulation,
   simulation.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
 }
 
-/// made_up_case() with a simulation without noise.
-inline results::Case made_up_case_without_noise(double error = 1e-6) {
+/// made_up_case() with estimates by control variates in the simulation.
+inline results::Case made_up_case_with_control_variates(double error = 1e-6) {
   const auto problem = made_up_case().problem;
   const auto axes = compare::comparison_axes(problem);
   auto solutions = made_up_solutions(axes);
-  add_smooth_estimates(solutions.back(), axes,
-                       smooth({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()),
-                       error);
+  add_smooth_estimates(
+      solutions.back(), axes,
+      smooth_density({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()), error);
   return results::make_case(problem, axes, std::move(solutions));
 }
 

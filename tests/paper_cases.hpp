@@ -4,7 +4,7 @@
 
 #include "problem/problem.hpp"
 
-/// Problems that the tests share.
+/// Problems shared by tests.
 namespace fpkcheck::tests {
 
 struct Parameters {
@@ -13,7 +13,7 @@ struct Parameters {
   std::string law = "gaussian";
 };
 
-/// By default the paper's case 1.
+/// A problem of the paper's class; by default case 1 of the paper.
 inline problem::Problem make_problem(const Parameters& p = {}) {
   return {"test",
           problem::System({.damping = p.damping,
@@ -24,7 +24,7 @@ inline problem::Problem make_problem(const Parameters& p = {}) {
               {.arrival_rate = p.rate, .law = p.law, .intensity = p.intensity, .mean = p.mean})};
 }
 
-/// The paper's Table 1, number = 1 .. 4.
+/// Cases 1 .. 4 of Table 1 of the paper.
 inline problem::Problem paper_case(int number) {
   return make_problem({.cubic = number <= 2 ? 0.1 : 1.0, .intensity = number % 2 ? 0.1 : 1.0});
 }

@@ -11,10 +11,10 @@
 
 namespace fpkcheck::tests {
 
-/// The problem of this number out of all that the program accepts, as users might bring them: in
-/// any units, the damping .01 to 5 and the rate .02 to 300 of the frequency, r from .05 to 1, half
-/// of them with a cubic stiffness up to 100 times what makes its force equal to the linear one at a
-/// deviation, one of twenty without a linear one, all laws, half of them with a mean up to .95 of
+/// The random problem with this number from the paper's class, in any units. The damping is .01 to
+/// 5 and the rate .02 to 300 times the frequency, and r is .05 to 1. Half of the problems have a
+/// cubic stiffness, whose force at a deviation is up to 100 times the linear force; one in twenty
+/// has no linear stiffness. The law is any of four; half of the problems have a mean up to .95 of
 /// the root of E[Y^2].
 inline problem::Problem random_problem(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);

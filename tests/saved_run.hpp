@@ -6,7 +6,7 @@
 #include "made_up_solutions.hpp"
 #include "results/run.hpp"
 
-/// A run to be saved and reported on, for the tests of what is made from saved runs.
+/// A synthetic run for tests of saved runs and their reports.
 namespace fpkcheck::tests {
 
 inline results::Run made_up_run(const std::string& name = "case1") {

@@ -11,7 +11,7 @@
 
 namespace fpkcheck::tests {
 
-/// An empty directory that goes away with its owner.
+/// An empty directory that the destructor removes.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
@@ -25,7 +25,7 @@ class TemporaryDirectory {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Names of the entries, hidden ones too.
+  /// Names of all entries, including hidden files.
   std::vector<std::string> entries() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) {

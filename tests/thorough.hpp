@@ -4,13 +4,13 @@
 
 namespace fpkcheck::tests {
 
-/// Whether a test over many problems takes all of them: where FPKCHECK_THOROUGH is set, as by
-/// `ctest -C slow -R thorough`. Otherwise it takes a part.
-inline bool thorough() { return std::getenv("FPKCHECK_THOROUGH") != nullptr; }
+/// True if a test over many problems is to run all of them: FPKCHECK_THOROUGH is set, as by
+/// `ctest -C slow -R thorough`. Otherwise the test runs a part.
+inline bool is_thorough() { return std::getenv("FPKCHECK_THOROUGH") != nullptr; }
 
 template <class Number>
-Number usually(Number part, Number all) {
-  return thorough() ? all : part;
+Number part_unless_thorough(Number part, Number all) {
+  return is_thorough() ? all : part;
 }
 
 }  // namespace fpkcheck::tests

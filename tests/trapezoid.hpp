@@ -1,9 +1,10 @@
 #pragma once
 
-/// Quadrature for the tests, of its own so that the solvers' rules are judged by another.
+/// Quadrature for tests, independent of the quadrature rules of the solvers.
 namespace fpkcheck::tests {
 
-/// Trapezoidal rule with n intervals; spectrally accurate for functions that vanish at both ends.
+/// Trapezoidal rule with n intervals; spectrally accurate for smooth functions that vanish at both
+/// ends.
 template <class Function>
 double trapezoid(const Function& f, double a, double b, int n) {
   const double h = (b - a) / n;

@@ -5,19 +5,19 @@
 
 namespace fpkcheck::transform {
 
-void observe(Observer& observer, const BalanceResiduals& residuals,
-             const BalanceResiduals& standard_errors) {
+void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+                 const BalanceResiduals& standard_errors) {
   constexpr std::pair<const char*, std::optional<double> BalanceResiduals::*> kIdentities[] = {
       {"balances.virial", &BalanceResiduals::virial},
       {"balances.momentum", &BalanceResiduals::momentum}};
   for (const auto& [path, identity] : kIdentities) {
     const auto& error = standard_errors.*identity;
     const std::string error_path = std::string(path) + "_error";
-    observer.add({.path = path,
-                  .value = value_of(residuals.*identity),
-                  .kind = Kind::work,
-                  .error_at = error ? error_path : ""});
-    if (error) observer.error(error_path, *error);
+    builder.add({.path = path,
+                 .value = optional_value(residuals.*identity),
+                 .kind = Kind::work,
+                 .standard_error_path = error ? error_path : ""});
+    if (error) builder.error(error_path, *error);
   }
 }
 

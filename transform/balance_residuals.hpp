@@ -2,22 +2,22 @@
 
 #include <optional>
 
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::transform {
 
 /// Relative residuals of the identities of problem/motion_balances.hpp: 0 for the exact stationary
-/// density of any equation and impact. Nothing where a solution lacks what an identity needs. They
-/// accuse and do not acquit: what misses an identity is wrong, what meets it may be wrong elsewhere.
+/// density of any equation and impact. Empty if the solution lacks a quantity of the identity.
+/// A zero residual is necessary, not sufficient: a wrong density may satisfy both identities.
 struct BalanceResiduals {
   std::optional<double> virial = {};    ///< problem::virial_balance
   std::optional<double> momentum = {};  ///< problem::momentum_balance
 };
 
-/// Adds "balances.virial" and "balances.momentum", null where there are none, and the standard
-/// errors that there are as "balances.virial_error", "balances.momentum_error". None is a part of
-/// the answer to which a repeated run is held: moments are.
-void observe(Observer& observer, const BalanceResiduals& residuals,
-             const BalanceResiduals& standard_errors = {});
+/// Adds the metrics "balances.virial" and "balances.momentum" (null if absent) and the standard
+/// errors that are present, as "balances.virial_error" and "balances.momentum_error". All are
+/// diagnostics: a repeated run need not reproduce them, since it must reproduce the moments.
+void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+                 const BalanceResiduals& standard_errors = {});
 
 }  // namespace fpkcheck::transform

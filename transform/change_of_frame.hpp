@@ -7,24 +7,25 @@
 
 namespace fpkcheck::transform {
 
-/// Increasing edges in coordinates y, of increasing ones in x = frame.x(y); and back.
-std::vector<double> y_edges_of(const problem::Frame& frame, const std::vector<double>& x_edges);
-std::vector<double> x_edges_of(const problem::Frame& frame, const std::vector<double>& y_edges);
-/// Likewise velocities, whose sign alone may change.
-std::vector<double> v_edges_of(const problem::Frame& frame, const std::vector<double>& edges);
+/// Transforms increasing edges in x = frame.x(y) into increasing edges in y, and back.
+std::vector<double> to_y_edges(const problem::Frame& frame, const std::vector<double>& x_edges);
+std::vector<double> to_x_edges(const problem::Frame& frame, const std::vector<double>& y_edges);
+/// Transforms velocity edges, of which only the sign may change (so the map is its own inverse).
+std::vector<double> transform_v_edges(const problem::Frame& frame,
+                                      const std::vector<double>& edges);
 
-/// A density over (x, x') as one over (y, y'); and back.
-/// @param y_edges of axes of which the density may have cells: edges x_edges_of(frame, y_edges) get
-///        these very numbers (y - origin + origin differs from y by rounding, and histograms are
-///        compared on equal edges)
-Density in_physical_coordinates(const problem::Frame& frame, Density density,
+/// Transforms a density over (x, x') into a density over (y, y'), and back.
+/// @param y_edges edges of the axes on which the density may have its cells: cell edges equal to
+///        to_x_edges(frame, y_edges) become exactly these numbers (y - origin + origin differs from
+///        y by rounding, and histograms are compared on equal edges)
+Density to_physical_coordinates(const problem::Frame& frame, Density density,
                                 const std::vector<double>& y_edges = {});
-Density in_coordinates_of(const problem::Frame& frame, Density density);
+Density to_wall_coordinates(const problem::Frame& frame, Density density);
 
-/// The solution of a problem in its frame, with densities, marginals and atoms on the physical axes.
-/// Moments, their errors and observations are left as they are: a solver states the physical ones.
-/// @param y_edges of the axes that the solver was given, as above: also of its marginals
-Solution in_physical_coordinates(const problem::Frame& frame, Solution solution,
+/// Transforms densities, marginals and atoms of a solution from its frame to the physical axes.
+/// Moments, their errors and metrics stay unchanged: solvers return these in physical coordinates.
+/// @param y_edges edges of the axes passed to the solver, as above; used for its marginals too
+Solution to_physical_coordinates(const problem::Frame& frame, Solution solution,
                                  const std::vector<double>& y_edges = {});
 
 }  // namespace fpkcheck::transform

@@ -1,14 +1,14 @@
+#include "transform/conservative_remap.hpp"
 #include "transform/density.hpp"
-#include "transform/mass_transfer.hpp"
 
 namespace fpkcheck::transform {
 
-GridDensity on_cells(const GridDensity& density, std::span<const double> y_edges,
-                     std::span<const double> v_edges) {
-  const MassTransfer along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
+GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
+                               std::span<const double> v_edges) {
+  const ConservativeRemap along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
 
-  // Masses over (new v, old y), column by column of the new grid.
+  // Masses over (new v cell, old y cell), one column of the new grid after the other.
   std::vector<std::vector<double>> columns(grid.nv(), std::vector<double>(density.ny()));
   std::vector<double> row(density.nv());
   for (std::size_t i = 0; i < density.ny(); ++i) {

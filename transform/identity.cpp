@@ -4,16 +4,17 @@
 
 namespace fpkcheck::transform {
 
-bool is_guest(const Identity& identity) {
-  return identity.method == kGivenInFile || identity.method == kGivenAsFunction;
+bool is_external(const Identity& identity) {
+  return identity.method == kExternalFile || identity.method == kExternalFunction;
 }
 
-bool is_by_order(const Identity& identity) {
+bool is_distinguished_by_order(const Identity& identity) {
   if (!identity.order) return false;
-  return is_guest(identity) ? identity.family != identity.method : identity.role == Role::closure;
+  return is_external(identity) ? identity.family != identity.method
+                               : identity.role == Role::closure;
 }
 
-std::string solves_text(const Identity& identity) {
+std::string equation_and_impact_text(const Identity& identity) {
   return fmt::format("{}/{}", identity.equation ? name(*identity.equation) : "given",
                      identity.impact ? name(*identity.impact) : "-");
 }

@@ -5,74 +5,72 @@
 #include <string>
 #include <string_view>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "problem/model.hpp"
 
 namespace fpkcheck::transform {
 
-/// What part a solution plays in a comparison, by increasing trust.
+/// Kind of a solution in a comparison, by increasing trust.
 enum class Role {
-  given,       ///< brought along: nothing is known of how it came about
+  external,    ///< an external density of unknown origin
   closure,     ///< a density of assumed form
-  equation,    ///< a density equation, discretised
-  simulation,  ///< the trajectories themselves
+  equation,    ///< a discretised density equation
+  simulation,  ///< simulated trajectories
 };
-inline constexpr base::Named<Role> kRoleNames[] = {{Role::given, "given"},
-                                                   {Role::closure, "closure"},
-                                                   {Role::equation, "equation"},
-                                                   {Role::simulation, "simulation"}};
-constexpr std::span<const base::Named<Role>> names(Role) { return kRoleNames; }
+inline constexpr base::EnumEntry<Role> kRoleNames[] = {{Role::external, "given"},
+                                                       {Role::closure, "closure"},
+                                                       {Role::equation, "equation"},
+                                                       {Role::simulation, "simulation"}};
+constexpr std::span<const base::EnumEntry<Role>> names(Role) { return kRoleNames; }
 constexpr std::string_view name(Role role) { return base::name_of(role); }
 
-/// How a solution looks in every picture and on the page.
-struct Look {
+/// Colours and lines of a solution in every plot and on the page.
+struct PlotStyle {
   std::string colour = "#777777";  ///< "#RRGGBB"
   std::string dash = "solid";      ///< a dash type of gnuplot: "solid", "(10,4)"
   double width = 1.5;
   bool as_points = false;    ///< hollow points with intervals instead of a line
   int layer = 1;             ///< lower layers are drawn first
-  std::string symbol = "x";  ///< where it is a single point: a marker of plotly.js
+  std::string symbol = "x";  ///< marker of plotly.js for a single point
 
-  bool operator==(const Look&) const = default;
+  bool operator==(const PlotStyle&) const = default;
 };
 
-/// Which solution this is. A solver fills in what it solved; the registry of methods adds what
-/// tells it from others.
+/// Identification of a solution. The solver sets the method, the equation and the impact; the
+/// registry of methods adds family, meaning, trust and plot style.
 struct Identity {
   std::string id;      ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
-  std::string method;  ///< the solver: "epc", "fd", "mcs", "file"
-  /// Of a closure, with its variant: "gaussian", "moment-white"; else empty.
+  std::string method;  ///< solver: "epc", "fd", "mcs", or "file"
+  /// Formulation of a closure, with its variant: "gaussian", "moment-white"; else empty.
   std::string formulation = {};
-  std::optional<int> order = {};  ///< of a closure's polynomial
-  /// Nothing where nobody knows (a file).
+  std::optional<int> order = {};  ///< degree of the closure's polynomial
+  /// Equation and impact that were solved; empty if unknown (a file).
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
 
-  Role role = Role::given;
-  std::string family = {};   ///< what it is listed under: "epc-gaussian", "fd", "mcs"
-  std::string meaning = {};  ///< one sentence, for glossaries
-  int trust = 0;             ///< place in the order of trust, within the role
-  Look look = {};
+  Role role = Role::external;
+  std::string family = {};   ///< group in lists: "epc-gaussian", "fd", "mcs"
+  std::string meaning = {};  ///< one sentence for glossaries
+  int trust = 0;             ///< rank within the role, by increasing trust
+  PlotStyle plot_style = {};
 
   bool operator==(const Identity&) const = default;
 };
 
-/// Methods that solve nothing: a density that somebody brought along, in a file, or as a function
-/// or samples.
-inline constexpr std::string_view kGivenInFile = "file", kGivenAsFunction = "given";
+/// Method names of external densities: from a file, or from a function or samples.
+inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "given";
 
-/// A density that somebody brought along: what a user came to see, whatever its role.
-bool is_guest(const Identity& identity);
+/// True for an external density, whatever its role.
+bool is_external(const Identity& identity);
 
-/// A member of a family that differs by its order: a closure, or a density that somebody brought along
-/// with others of its family (methods/external/families.hpp).
-bool is_by_order(const Identity& identity);
+/// True if the members of the solution's family differ by their order: a closure, or an external
+/// density with a family of its own (methods/external/families.hpp).
+bool is_distinguished_by_order(const Identity& identity);
 
-/// "km4/delta" in tables: the equation that was solved, and its impact; "given/-" where nobody
-/// knows.
-std::string solves_text(const Identity& identity);
+/// Equation and impact that were solved, by their names in files: "km4/delta".
+std::string equation_and_impact_text(const Identity& identity);
 
-/// What tells the members of a family apart: "n6", "kf"; the id where there is nothing else.
+/// Name within the family: "n6", "kf"; the id if there is no shorter name.
 std::string short_name(const Identity& identity);
 
 }  // namespace fpkcheck::transform

@@ -4,21 +4,21 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
 
 enum class Variable { y, ydot };
 inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
-/// In tables and files.
-inline constexpr base::Named<Variable> kVariableNames[] = {{Variable::y, "y", "displacement"},
-                                                           {Variable::ydot, "ydot", "velocity"}};
-constexpr std::span<const base::Named<Variable>> names(Variable) { return kVariableNames; }
+/// Names in tables and files.
+inline constexpr base::EnumEntry<Variable> kVariableNames[] = {
+    {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
+constexpr std::span<const base::EnumEntry<Variable>> names(Variable) { return kVariableNames; }
 constexpr std::string_view name(Variable variable) { return base::name_of(variable); }
 
-/// A marginal density as averages over bins, so that densities given on cells, by a histogram or by
-/// a function are compared like with like.
+/// A marginal density as averages over bins: the common form in which densities on cells,
+/// histograms and functions are compared.
 struct Marginal {
   std::vector<double> edges;    ///< n + 1 increasing bin edges
   std::vector<double> density;  ///< n bin averages
@@ -30,12 +30,12 @@ struct Marginal {
   double width(std::size_t b) const { return edges[b + 1] - edges[b]; }
 };
 
-/// The marginal of y, paper (30), or of y', paper (34), averaged over the bins given by `edges`.
-/// A grid density is carried over by MassTransfer; where the edges coincide nothing is
-/// interpolated.
+/// The marginal of y, paper (30), or of y', paper (34), averaged over the bins between `edges`.
+/// ConservativeRemap transfers the masses of a grid density; coinciding edges need no
+/// interpolation.
 Marginal marginal(const Density& density, Variable variable, std::span<const double> edges);
 
-/// int |a - b|, as the sum over the common bins: from 0 (equal) to 2 (disjoint, of mass 1 each).
+/// int |a - b| as a sum over the common bins: from 0 (equal) to 2 (disjoint, of mass 1 each).
 /// @throws std::invalid_argument when the bins differ
 double l1(const Marginal& a, const Marginal& b);
 

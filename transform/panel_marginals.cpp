@@ -2,31 +2,32 @@
 
 #include <cmath>
 
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 
 namespace fpkcheck::transform {
 namespace {
 
-// Of y where it has no wall at 0.
+// Number of panels of y without a wall at 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
-std::vector<numerics::WeightedPoint> half_line_points(double end, Panels panels) {
-  // Each covers about one standard deviation of a bell that fills the box.
-  constexpr int kEven = 8;
-  if (panels == Panels::even) return numerics::panel_points(0.0, end, kEven);
-  constexpr int kGraded = 12;
-  constexpr double kGrading = 1.5;  // the last one is as wide as an even one
+std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing panels) {
+  // Each panel covers about one standard deviation of a Gaussian that fills the box.
+  constexpr int kUniformPanels = 8;
+  if (panels == PanelSpacing::uniform) return numerics::panel_points(0.0, end, kUniformPanels);
+  constexpr int kGradedPanels = 12;
+  constexpr double kGradingExponent =
+      1.5;  // exponent; the last panel is about as wide as a uniform one
   const auto edge = [&](int k) {
-    return end * std::pow(static_cast<double>(k) / kGraded, kGrading);
+    return end * std::pow(static_cast<double>(k) / kGradedPanels, kGradingExponent);
   };
-  constexpr int kShrunk = 5;
-  constexpr double kFactor = 0.25;
+  constexpr int kGeometricPanels = 5;
+  constexpr double kPanelRatio = 0.25;
   std::vector<double> edges{0};
-  for (int k = panels == Panels::shrinking ? kShrunk : 0; k > 0; --k) {
-    edges.push_back(edge(1) * std::pow(kFactor, k));
+  for (int k = panels == PanelSpacing::geometric ? kGeometricPanels : 0; k > 0; --k) {
+    edges.push_back(edge(1) * std::pow(kPanelRatio, k));
   }
-  for (int k = 1; k <= kGraded; ++k) edges.push_back(edge(k));
-  std::vector<numerics::WeightedPoint> points;
+  for (int k = 1; k <= kGradedPanels; ++k) edges.push_back(edge(k));
+  std::vector<numerics::QuadraturePoint> points;
   for (std::size_t k = 1; k < edges.size(); ++k) {
     const auto panel = numerics::panel_points(edges[k - 1], edges[k], 1);
     points.insert(points.end(), panel.begin(), panel.end());
@@ -44,7 +45,7 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 }  // namespace
 
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
-                               Panels panels) {
+                               PanelSpacing panels) {
   const auto y_points = density.y_min == 0
                             ? half_line_points(y_max, panels)
                             : numerics::panel_points(density.y_min, y_max, kPanelsBetweenOpenEnds);
@@ -81,7 +82,7 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
   return result;
 }
 
-double mean_of(const PanelMarginals& marginals, const numerics::Polynomial& g) {
+double displacement_mean(const PanelMarginals& marginals, const numerics::Polynomial& g) {
   double sum = 0;
   for (std::size_t i = 0; i < marginals.y.size(); ++i) {
     sum += marginals.weight_y[i] * marginals.p_y[i] * g(marginals.y[i]);

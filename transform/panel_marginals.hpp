@@ -7,34 +7,36 @@
 
 namespace fpkcheck::transform {
 
-/// How the box is cut into panels.
-enum class Panels {
-  even,
-  graded,  ///< the narrower the nearer to 0, where strong losses and rare impulses leave a spike
-  /// The first of these cut further, by the same factor each: what fans out from the origin looks
-  /// alike on every scale there.
-  shrinking
+/// Widths of the panels of the quadrature rule.
+enum class PanelSpacing {
+  uniform,
+  graded,  ///< narrower towards 0, where strong losses and rare impulses leave a spike
+  /// Graded, with the first panel subdivided geometrically: for densities that are self-similar
+  /// about the origin.
+  geometric
 };
 
-/// A density's marginals at the points of a composite Gauss-Legendre rule on
-/// [y_min, y_max] x [-v_max, 0] x [0, v_max], with what can be had from the same values.
+/// Marginals of a density at the points of a composite Gauss-Legendre rule on
+/// [y_min, y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max], with the mass and the moments from
+/// the same values.
 struct PanelMarginals {
-  std::vector<double> y;         ///< the rule's points in y
-  std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the rule's points
+  std::vector<double> y;         ///< points of the rule in y
+  std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the points of the rule
   std::vector<double> weight_y, weight_v;
   double mass = 0;
   Moments moments = {};
 };
 
-/// The box may be that of another density, so that two can be compared. Panels are those of a wall at
-/// y = 0; where the density's y_min is another they are even.
+/// Marginals of a density on a box, which may be the box of another density to compare with.
+/// `panels` applies to a wall at y = 0; for another y_min the panels of y are of equal width.
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
-                               Panels panels = Panels::even);
+                               PanelSpacing panels = PanelSpacing::uniform);
 
 /// E[g(y)] for a polynomial g.
-double mean_of(const PanelMarginals& marginals, const numerics::Polynomial& g);
+double displacement_mean(const PanelMarginals& marginals, const numerics::Polynomial& g);
 
-/// L1 distance of p(y) plus that of p(y'), of marginals at the same points.
+/// L1 distance of p(y) plus L1 distance of p(y').
+/// @pre both have the same points
 double distance(const PanelMarginals& a, const PanelMarginals& b);
 
 }  // namespace fpkcheck::transform

@@ -6,56 +6,57 @@
 #include <iterator>
 #include <utility>
 
-#include "transform/mass_transfer.hpp"
+#include "transform/conservative_remap.hpp"
 
 namespace fpkcheck::transform {
 namespace {
 
-constexpr int kReach = 2;  // spacings, of M to both sides
-// Boole's rule on four parts.
-constexpr int kSubdivision = 4;
+constexpr int kSupportHalfWidth = 2;  // half-width of the support of M, in spacings
+// Boole's rule on four intervals.
+constexpr int kBooleIntervals = 4;
 constexpr double kBoole[] = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
 
-double slope(double t) {
-  const double u = std::abs(t), far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
-  return std::copysign(1.0, t) * (12 * near * near - 3 * far * far) / 6;
+double cubic_spline_slope(double t) {
+  const double u = std::abs(t), outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
+  return std::copysign(1.0, t) * (12 * inner * inner - 3 * outer * outer) / 6;
 }
 
-/// Where F M' is smooth: between the knots of the bins, their middles and the edges, as far as the
-/// bins reach.
-std::vector<double> cuts_of(const SmoothBins& bins, const std::vector<double>& edges) {
-  const double begin = bins.first - kReach * bins.spacing;
-  const int halves = 2 * (bins.count - 1 + 2 * kReach);
+/// Points between which F M' is smooth: the knots of the bins, their midpoints and the edges,
+/// within the support of the bins.
+std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
+  const double begin = bins.first - kSupportHalfWidth * bins.spacing;
+  const int halves = 2 * (bins.count - 1 + 2 * kSupportHalfWidth);
   std::vector<double> cuts;
   for (int n = 0; n <= halves; ++n) cuts.push_back(begin + bins.spacing * n / 2);
   const double end = cuts.back();
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double edge) { return begin < edge && edge < end; });
   std::ranges::sort(cuts);
-  // Edges that lie next to knots but for rounding.
-  constexpr double kSame = 1e-9;
-  cuts.erase(std::unique(cuts.begin(), cuts.end(),
-                         [&](double a, double b) { return b - a < kSame * bins.spacing; }),
-             cuts.end());
+  // Edges that coincide with knots up to rounding.
+  constexpr double kCoincidenceTolerance = 1e-9;
+  cuts.erase(
+      std::unique(cuts.begin(), cuts.end(),
+                  [&](double a, double b) { return b - a < kCoincidenceTolerance * bins.spacing; }),
+      cuts.end());
   return cuts;
 }
 
 }  // namespace
 
 double cubic_spline(double t) {
-  const double u = std::abs(t), far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
-  return (far * far * far - 4 * near * near * near) / 6;
+  const double u = std::abs(t), outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
+  return (outer * outer * outer - 4 * inner * inner * inner) / 6;
 }
 
 double bin_weight(const SmoothBins& bins, int bin) {
   const double t = (bins.from - bins.first) / bins.spacing - bin, u = std::abs(t);
   // int_u^2 M for u >= 0
-  const double far = std::max(0.0, 2 - u), near = std::max(0.0, 1 - u);
-  const double beyond = (std::pow(far, 4) - 4 * std::pow(near, 4)) / 24;
+  const double outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
+  const double beyond = (std::pow(outer, 4) - 4 * std::pow(inner, 4)) / 24;
   return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
 }
 
-Marginal marginal_of(const SmoothBins& bins, std::vector<double> averages) {
+Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages) {
   std::vector<double> edges{std::isfinite(bins.from) ? bins.from : bins.first - bins.spacing / 2};
   for (int b = 0; b < bins.count; ++b) edges.push_back(edges.back() + bin_weight(bins, b));
   return {.edges = std::move(edges), .density = std::move(averages), .lower = {}, .upper = {}};
@@ -66,35 +67,36 @@ Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins) {
   for (std::size_t k = 0; k < sharp.size(); ++k) {
     masses.push_back(sharp.density[k] * sharp.width(k));
   }
-  const std::vector<double> cuts = cuts_of(bins, sharp.edges);
+  const std::vector<double> cuts = segment_ends(bins, sharp.edges);
   std::vector<double> nodes;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    for (int n = 0; n < kSubdivision; ++n) {
-      nodes.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) * n / kSubdivision);
+    for (int n = 0; n < kBooleIntervals; ++n) {
+      nodes.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) * n / kBooleIntervals);
     }
   }
   nodes.push_back(cuts.back());
-  const std::vector<double> between = MassTransfer(sharp.edges, nodes)(masses);
+  const std::vector<double> between = ConservativeRemap(sharp.edges, nodes)(masses);
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
-    // int M p = -int F M', where F = 0 at the begin of M serves as well as the whole cumulative.
-    const double begin = b - kReach, end = b + kReach;  // spacings
-    const auto place = [&](double x) { return (x - bins.first) / bins.spacing; };
+    // int M p = -int F M'; F may start at 0 at the left end of M, since int M' = 0.
+    const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;  // spacings
+    const auto scaled_position = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      const double middle = place((cuts[k] + cuts[k + 1]) / 2);
+      const double middle = scaled_position((cuts[k] + cuts[k + 1]) / 2);
       if (middle < begin) continue;
       if (middle > end) break;
       const double width = (cuts[k + 1] - cuts[k]) / bins.spacing;
-      for (int n = 0; n <= kSubdivision; ++n) {
-        const std::size_t at = k * kSubdivision + static_cast<std::size_t>(n);
+      for (int n = 0; n <= kBooleIntervals; ++n) {
+        const std::size_t at = k * kBooleIntervals + static_cast<std::size_t>(n);
         if (n > 0) cumulative += between[at - 1];
-        integral -= width * kBoole[n] * cumulative * slope(place(nodes[at]) - b);
+        integral -=
+            width * kBoole[n] * cumulative * cubic_spline_slope(scaled_position(nodes[at]) - b);
       }
     }
     averages.push_back(integral / bin_weight(bins, b));
   }
-  return marginal_of(bins, std::move(averages));
+  return smooth_bin_marginal(bins, std::move(averages));
 }
 
 }  // namespace fpkcheck::transform

@@ -7,14 +7,14 @@
 
 namespace fpkcheck::transform {
 
-/// Cubic cardinal B-splines M((x - first)/spacing - b), b = 0 .. count - 1, where M lives on
-/// (-2, 2): bins with soft edges, whose sum is 1. Sharp edges make an average depend on orbits that
-/// graze them, where no smooth function follows it; over these it can be known to 1e-6.
+/// Bins weighted by the cubic cardinal B-splines M((x - first)/spacing - b), b = 0 .. count - 1, of
+/// support (-2, 2) and sum 1. An average over a sharp bin depends on the orbits that graze its
+/// edges and is not a smooth functional; an average over a smooth bin can be computed to 1e-6.
 struct SmoothBins {
   double first = 0;  ///< centre of bin 0
   double spacing = 1;
   int count = 0;
-  /// Where the variable begins, a whole number of spacings from `first`: the wall, for y.
+  /// Lower end of the variable (the wall, for y), a whole number of spacings from `first`.
   double from = -std::numeric_limits<double>::infinity();
 
   bool operator==(const SmoothBins&) const = default;
@@ -25,15 +25,15 @@ double cubic_spline(double t);
 /// int M((x - first)/spacing - b) dx over x > from.
 double bin_weight(const SmoothBins& bins, int bin);
 
-/// Averages over smooth bins as a marginal: bin b is as wide as its weight, so that sums over the
-/// bins are integrals, and those far from `from` have the bins' centres.
+/// Converts averages over smooth bins to a marginal. The width of bin b is its weight, so that sums
+/// over the bins are integrals; bins far from `from` keep their centres.
 /// @param averages shape (count)
-Marginal marginal_of(const SmoothBins& bins, std::vector<double> averages);
+Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages);
 
-/// The averages of a density that is known by sharp bins, int M p dx / weight: the cumulative
-/// distribution between the edges by MassTransfer, integrated against -M' by Boole's rule. What
-/// lies beyond the edges counts as 0.
-/// @param sharp bins narrower than the smooth ones
+/// Averages int M p dx / weight of a density on sharp bins: ConservativeRemap interpolates the
+/// cumulative distribution between the edges, and Boole's rule integrates it against -M'. The
+/// density is 0 beyond the edges.
+/// @param sharp its bins must be narrower than the smooth bins
 Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins);
 
 }  // namespace fpkcheck::transform

@@ -1,12 +1,13 @@
 #include <cmath>
 
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::transform {
 namespace {
 
-// Panels per half-width: each covers about one standard deviation of a bell that fills the support.
+// Panels per half-width: each covers about one standard deviation of a Gaussian that fills the
+// support.
 constexpr int kPanels = 8;
 
 }  // namespace
@@ -31,8 +32,8 @@ double impact_flux(const SmoothDensity& density, int power) {
   return numerics::integrate_panels(integrand, -density.v_max, 0.0, kPanels);
 }
 
-GridDensity on_cells(const SmoothDensity& density, std::span<const double> y_edges,
-                     std::span<const double> v_edges) {
+GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
+                               std::span<const double> v_edges) {
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {

@@ -8,29 +8,29 @@
 
 namespace fpkcheck::transform {
 
-bool states_error(const Solution& solution) {
-  const auto& sampling = best_sampling(solution);
+bool has_error_estimate(const Solution& solution) {
+  const auto& sampling = best_sampling_error(solution);
   return std::ranges::all_of(kVariables, [&](Variable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
-    if (!solution.density && !solution.had_density && !estimated) return true;  // no such marginal
+    if (!solution.density && !solution.had_density && !estimated) return true;  // no marginal
     if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
     return sampling && std::isfinite(expected(*sampling, variable).value_or(HUGE_VAL));
   });
 }
 
-void require_stated_error(Solution& solution) {
-  if (!solution.is_ok() || states_error(solution)) return;
+void require_error_estimate(Solution& solution) {
+  if (!solution.is_ok() || has_error_estimate(solution)) return;
   solution.status = Status::inaccurate;
-  solution.reason = "the solution states no error (nothing here measures it)";
+  solution.reason = "no error estimate: the method has none and there is no reference";
 }
 
-void hold_to(double accuracy, const std::string& reason, Solution& solution) {
-  require_stated_error(solution);
+void require_accuracy(double accuracy, const std::string& reason, Solution& solution) {
+  require_error_estimate(solution);
   if (!solution.is_ok() || !solution.error) return;
   if (std::max(solution.error->y_l1, solution.error->ydot_l1) <= accuracy) return;
   solution.status = Status::inaccurate;
-  solution.reason = fmt::format("{} ({:g} is asked for: accuracy)", reason, accuracy);
+  solution.reason = fmt::format("{} (requested accuracy: {:g})", reason, accuracy);
 }
 
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id) {
@@ -42,14 +42,14 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
   for (const auto& [estimated, estimate] : solution.estimated_marginals) {
     if (estimated == variable && std::ranges::equal(estimate.edges, edges)) return estimate;
   }
-  if (!solution.density) throw std::logic_error("solution " + solution.id() + " has no density");
+  if (!solution.density) throw std::logic_error("solution " + solution.id() + ": no density");
   return marginal(*solution.density, variable, edges);
 }
 
 Marginal limit_marginal(const Solution& solution, Variable variable,
                         std::span<const double> edges) {
   if (!solution.density || !solution.extrapolation) {
-    throw std::logic_error("solution " + solution.id() + " has no limit");
+    throw std::logic_error("solution " + solution.id() + ": no grids to extrapolate from");
   }
   const auto& [coarser, factor] = *solution.extrapolation;
   Marginal limit = marginal(*solution.density, variable, edges);
@@ -60,7 +60,7 @@ Marginal limit_marginal(const Solution& solution, Variable variable,
   return limit;
 }
 
-const std::optional<SamplingError>& best_sampling(const Solution& solution) {
+const std::optional<SamplingError>& best_sampling_error(const Solution& solution) {
   return solution.smooth_sampling ? solution.smooth_sampling : solution.sampling;
 }
 
@@ -75,11 +75,11 @@ std::optional<double> expected(const SamplingError& sampling, Variable variable)
   return variable == Variable::y ? sampling.y : sampling.ydot;
 }
 
-std::optional<double> in_99(const SamplingError& sampling, Variable variable) {
+std::optional<double> quantile_99(const SamplingError& sampling, Variable variable) {
   return variable == Variable::y ? sampling.y_99 : sampling.ydot_99;
 }
 
-double l1(const StatedError& error, Variable variable) {
+double l1(const ErrorEstimate& error, Variable variable) {
   return variable == Variable::y ? error.y_l1 : error.ydot_l1;
 }
 

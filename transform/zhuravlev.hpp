@@ -17,7 +17,7 @@ struct PlaneDensity {
 ///
 ///     p(y, v) = p(z = y, z' = v) + p(z = -y, z' = -v),   y > 0.
 ///
-/// Its marginals are paper (30) and (34). Nothing is assumed about the symmetry of p(z, z').
+/// Its marginals are paper (30) and (34). p(z, z') needs no symmetry.
 SmoothDensity physical_density(PlaneDensity density);
 
 }  // namespace fpkcheck::transform

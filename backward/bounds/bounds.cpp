@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "backward/bounds/one_grid.hpp"
+#include "backward/bounds/grid_bounds.hpp"
 #include "backward/generator/normal_equations.hpp"
 #include "base/input_error.hpp"
 #include "base/process/processors.hpp"
@@ -22,64 +22,66 @@ namespace {
 
 constexpr int kWeightPower = 12;
 
-// One per processor where nobody says.
+// The requested number of threads, else one per processor.
 int threads_of(const Options& options) { return options.threads.value_or(base::processors()); }
 
-bool narrow_enough(const Bound& bound, const Options& options) {
-  const double wanted =
+bool is_narrow_enough(const Bound& bound, const Options& options) {
+  const double requested_half_width =
       std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
-  return wanted > 0 && bound.value.half_width() <= wanted;
+  return requested_half_width > 0 && bound.value.half_width() <= requested_half_width;
 }
 
-// Why a functional was not bounded more narrowly.
-struct End {
+// Why the refinement for a functional stopped.
+struct StopReason {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;       ///< that the next grid was expected to end after
-  std::string breakdown{};  ///< of the fit
+  double seconds = 0;           ///< expected time at the end of the next grid
+  std::string error_message{};  ///< error message of the fit
 };
 
-struct Refined {
+struct Refinement {
   Bounds bounds;
-  std::vector<End> ends;  ///< of each functional
+  std::vector<StopReason> ends;  ///< for each functional
 };
 
-using Numbers = std::vector<std::size_t>;
+using FunctionalIndices = std::vector<std::size_t>;
 
-// The functionals that go on to a grid of their ladders together.
-struct OnGrid {
-  Grid grid;
-  Numbers numbers;
+// The functionals that share the next grid of their sequences.
+struct GridGroup {
+  SplineGrid grid;
+  FunctionalIndices indices;
 };
 
-// Groups what is too wide at a level by grids, and notes what has no further grid.
-std::vector<OnGrid> at_level(std::size_t level, const Options& options, Refined& refined) {
-  std::vector<OnGrid> groups;
-  for (std::size_t i = 0; i < refined.bounds.each.size(); ++i) {
-    const Bound& bound = refined.bounds.each[i];
-    End& end = refined.ends[i];
-    if (end.cause != End::Cause::none || narrow_enough(bound, options)) continue;
-    const auto grids = grids_for(width_limit(bound.functional));
+// Groups the functionals with too wide bounds by their grid of this level. Marks the functionals
+// without a further grid.
+std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& options,
+                                        Refinement& refinement) {
+  std::vector<GridGroup> groups;
+  for (std::size_t i = 0; i < refinement.bounds.each.size(); ++i) {
+    const Bound& bound = refinement.bounds.each[i];
+    StopReason& end = refinement.ends[i];
+    if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
+    const auto grids = grid_sequence(width_limit(bound.functional));
     if (level >= grids.size()) {
-      end.cause = End::Cause::grids;
+      end.cause = StopReason::Cause::grids;
       continue;
     }
-    const auto same = std::ranges::find(groups, grids[level], &OnGrid::grid);
+    const auto same = std::ranges::find(groups, grids[level], &GridGroup::grid);
     if (same == groups.end()) {
       groups.push_back({grids[level], {i}});
     } else {
-      same->numbers.push_back(i);
+      same->indices.push_back(i);
     }
   }
   return groups;
 }
 
-// With two digits, above the value.
-double rounded_up(double value) {
+// Rounds up to two significant digits.
+double round_up_to_two_digits(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(value / unit) * unit;
 }
 
-// The same expectation in the mirrored problem, up to its sign.
+// The expectation in the mirrored problem, up to the sign.
 Functional mirrored(const Functional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
@@ -91,14 +93,14 @@ Functional mirrored(const Functional& functional) {
   return functional;
 }
 
-bool changes_sign(const Functional& functional) {
-  const PowerMean* const mean = std::get_if<PowerMean>(&functional);
+bool is_odd(const Functional& functional) {
+  const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
   return mean != nullptr && mean->power % 2 == 1;
 }
 
-// What follows from a mean: the momentum of impacts only where one wall has all of it.
-std::vector<Functional> that_can_be_bounded(const problem::System& system,
-                                            std::vector<Functional> functionals) {
+// The functionals without the impact momentum, unless the system has exactly one wall.
+std::vector<Functional> supported_functionals(const problem::System& system,
+                                              std::vector<Functional> functionals) {
   if (system.left().has_value() == system.right().has_value()) {
     std::erase_if(functionals,
                   [](const auto& f) { return std::holds_alternative<ImpactMomentum>(f); });
@@ -106,51 +108,56 @@ std::vector<Functional> that_can_be_bounded(const problem::System& system,
   return functionals;
 }
 
-Refined refined(const problem::Problem& problem, const Options& options) {
+Refinement refinement(const problem::Problem& problem, const Options& options) {
   using Clock = std::chrono::steady_clock;
   const Weight tau = weight(problem, kWeightPower);
-  Refined result;
+  Refinement result;
   for (const Functional& f : options.functionals) {
     result.bounds.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
   }
   result.ends.resize(options.functionals.size());
 
-  const auto begun = Clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  std::vector<double> before(options.functionals.size());  // time of the last grid of each
+  const auto start_time = Clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(Clock::now() - start_time).count();
+  };
+  std::vector<double> previous_seconds(
+      options.functionals.size());  // time of the functional's last grid
   for (std::size_t level = 0;; ++level) {
-    const auto groups = at_level(level, options, result);
+    const auto groups = next_grid_groups(level, options, result);
     if (groups.empty()) return result;
-    for (const auto& [grid, numbers] : groups) {
-      const double expected = elapsed() + kCostRatio * before[numbers.front()];
-      const auto end_all = [&result, &ended = numbers](const End& end) {
+    for (const auto& [grid, indices] : groups) {
+      const double expected = elapsed() + kGridCostRatio * previous_seconds[indices.front()];
+      const auto end_all = [&result, &ended = indices](const StopReason& end) {
         for (const std::size_t i : ended) result.ends[i] = end;
       };
       if (level > 0 && expected > options.seconds) {
-        end_all({End::Cause::time, expected});
+        end_all({StopReason::Cause::time, expected});
         continue;
       }
       std::vector<Functional> functionals;
-      for (const std::size_t i : numbers) functionals.push_back(options.functionals[i]);
+      for (const std::size_t i : indices) functionals.push_back(options.functionals[i]);
       const double start = elapsed();
-      OneGridReport report;
-      GridRecord record{grid, 0, 0, numbers, {}};
+      GridBoundsReport report;
+      GridRecord record{grid, 0, 0, indices, {}};
       try {
         record.values =
             bounds_on_grid(problem, tau, grid, functionals, threads_of(options), &report);
-      } catch (const FitBrokeDown& broken) {
-        end_all({End::Cause::fit, 0, broken.what()});  // no finer one either
+      } catch (const FitFailure& broken) {
+        end_all({StopReason::Cause::fit, 0, broken.what()});  // finer grids would fail too
         continue;
       }
       record.unknowns = report.unknowns;
       record.seconds = elapsed() - start;
-      for (std::size_t n = 0; n < numbers.size(); ++n) {
-        before[numbers[n]] = record.seconds;
-        numerics::Enclosure& value = result.bounds.each[numbers[n]].value;
-        value = value.intersected(record.values[n]);
-        // Both hold the same number: otherwise a theorem, or the processor, is not what it says.
+      for (std::size_t n = 0; n < indices.size(); ++n) {
+        previous_seconds[indices[n]] = record.seconds;
+        numerics::Enclosure& value = result.bounds.each[indices[n]].value;
+        value = value.intersection(record.values[n]);
+        // Both enclosures contain the expectation. An empty intersection means an error in the
+        // program or in the rounding of the processor.
         if (value.lower > value.upper) {
-          throw std::logic_error("bounds of " + name(functionals[n]) + " contradict each other");
+          throw std::logic_error("bounds of " + name(functionals[n]) +
+                                 " from two grids are disjoint");
         }
       }
       result.bounds.grids.push_back(std::move(record));
@@ -158,13 +165,14 @@ Refined refined(const problem::Problem& problem, const Options& options) {
   }
 }
 
-// A lone wall at the right is one at the left of the mirrored problem.
-Refined refined_by_mirror(const problem::Problem& problem, const Options& options) {
+// A single right wall becomes a left wall of the mirrored problem.
+Refinement mirrored_refinement(const problem::Problem& problem, const Options& options) {
   Options there = options;
   for (Functional& f : there.functionals) f = mirrored(f);
-  Refined result = refined(problem::seen_from({.origin = 0, .mirrored = true}, problem), there);
+  Refinement result =
+      refinement(problem::to_wall_coordinates({.origin = 0, .mirrored = true}, problem), there);
   const auto turn = [](const Functional& f, numerics::Enclosure& value) {
-    if (changes_sign(f)) value = {-value.upper, -value.lower};
+    if (is_odd(f)) value = {-value.upper, -value.lower};
   };
   for (Bound& bound : result.bounds.each) {
     turn(bound.functional, bound.value);
@@ -178,76 +186,81 @@ Refined refined_by_mirror(const problem::Problem& problem, const Options& option
   return result;
 }
 
-// Names of the functionals that ended so.
-std::vector<std::string> ended_by(End::Cause cause, const Refined& refined) {
+// Names of the functionals that stopped for this cause.
+std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
+                                                const Refinement& refinement) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < refined.ends.size(); ++i) {
-    if (refined.ends[i].cause == cause) names.push_back(name(refined.bounds.each[i].functional));
+  for (std::size_t i = 0; i < refinement.ends.size(); ++i) {
+    if (refinement.ends[i].cause == cause)
+      names.push_back(name(refinement.bounds.each[i].functional));
   }
   return names;
 }
 
-// Why bounds are wider than asked for, by the first limit that the caller can move.
-std::string limit_text(const Refined& refined, const Options& options) {
-  const auto& ends = refined.ends;
-  if (const auto names = ended_by(End::Cause::time, refined); !names.empty()) {
+// Reason for bounds wider than requested; the first applicable option that the caller can change.
+std::string width_reason(const Refinement& refinement, const Options& options) {
+  const auto& ends = refinement.ends;
+  if (const auto names = functionals_stopped_by(StopReason::Cause::time, refinement);
+      !names.empty()) {
     double seconds = 0;
-    for (const End& end : ends) seconds = std::max(seconds, end.seconds);
+    for (const StopReason& end : ends) seconds = std::max(seconds, end.seconds);
     return fmt::format(
-        "guaranteed, but wider than asked for: the next grid of {} was expected to "
-        "end after {:.2g} s; allow more than --seconds {:g}",
+        "guaranteed, but wider than requested: the next grid for {} would end after {:.2g} s; "
+        "increase --seconds above {:g}",
         fmt::join(names, ", "), seconds, options.seconds);
   }
-  if (const auto names = ended_by(End::Cause::grids, refined); !names.empty()) {
+  if (const auto names = functionals_stopped_by(StopReason::Cause::grids, refinement);
+      !names.empty()) {
     double widest = 0, relative = 0;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (ends[i].cause != End::Cause::grids) continue;
-      const numerics::Enclosure& value = refined.bounds.each[i].value;
+      if (ends[i].cause != StopReason::Cause::grids) continue;
+      const numerics::Enclosure& value = refinement.bounds.each[i].value;
       widest = std::max(widest, value.half_width());
       relative = std::max(relative, value.half_width() / std::abs(value.middle()));
     }
     return fmt::format(
-        "guaranteed, but wider than asked for: no finer grid is offered for {}; ask for {}",
+        "guaranteed, but wider than requested: no finer grid exists for {}; request {}",
         fmt::join(names, ", "),
         options.relative_half_width > 0
-            ? fmt::format("--width {:.2g}", rounded_up(relative))
-            : fmt::format("--absolute-width {:.2g}", rounded_up(widest)));
+            ? fmt::format("--width {:.2g}", round_up_to_two_digits(relative))
+            : fmt::format("--absolute-width {:.2g}", round_up_to_two_digits(widest)));
   }
-  const auto broken = std::ranges::find(ends, End::Cause::fit, &End::cause);
-  return fmt::format("guaranteed, but wider than asked for: {}",
-                     broken == ends.end() ? "" : broken->breakdown);
+  const auto broken = std::ranges::find(ends, StopReason::Cause::fit, &StopReason::cause);
+  return fmt::format("guaranteed, but wider than requested: {}",
+                     broken == ends.end() ? "" : broken->error_message);
 }
 
 }  // namespace
 
-Bounds bounds(const problem::Problem& problem, const Options& asked_for) {
-  validate(asked_for);
+Bounds bounds(const problem::Problem& problem, const Options& requested) {
+  validate(requested);
   Bounds refusal;
-  refusal.reason = weight_refused(problem);
+  refusal.reason = bounds_unsupported_reason(problem);
   if (!refusal.reason.empty()) {
     refusal.status = BoundsStatus::not_offered;
     return refusal;
   }
-  Options options = asked_for;
-  options.functionals = that_can_be_bounded(problem.system, asked_for.functionals);
+  Options options = requested;
+  options.functionals = supported_functionals(problem.system, requested.functionals);
   const bool by_mirror = problem.system.right() && !problem.system.left();
-  Refined found = by_mirror ? refined_by_mirror(problem, options) : refined(problem, options);
+  Refinement found =
+      by_mirror ? mirrored_refinement(problem, options) : refinement(problem, options);
   Bounds& result = found.bounds;
   for (std::size_t i = 0; i < result.each.size(); ++i) {
     const Bound& b = result.each[i];
     if (std::isfinite(b.value.half_width())) continue;
     result.status = BoundsStatus::failed;
-    result.reason = found.ends[i].cause == End::Cause::fit
-                        ? found.ends[i].breakdown
+    result.reason = found.ends[i].cause == StopReason::Cause::fit
+                        ? found.ends[i].error_message
                         : "no finite bounds of " + name(b.functional);
     return result;
   }
-  const bool asked = options.half_width > 0 || options.relative_half_width > 0;
-  const bool met = std::ranges::all_of(
-      result.each, [&](const Bound& bound) { return narrow_enough(bound, options); });
-  if (asked && !met) {
+  const bool is_width_requested = options.half_width > 0 || options.relative_half_width > 0;
+  const bool is_width_met = std::ranges::all_of(
+      result.each, [&](const Bound& bound) { return is_narrow_enough(bound, options); });
+  if (is_width_requested && !is_width_met) {
     result.status = BoundsStatus::width_not_met;
-    result.reason = limit_text(found, options);
+    result.reason = width_reason(found, options);
   }
   return result;
 }

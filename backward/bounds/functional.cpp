@@ -35,14 +35,14 @@ SmoothBin SmoothBin::cardinal(Axis axis, double centre, double spacing) {
 }
 
 std::vector<Functional> standard_functionals() {
-  return {PowerMean{Axis::displacement, 1}, PowerMean{Axis::displacement, 2},
-          PowerMean{Axis::velocity, 2},     PowerMean{Axis::displacement, 4},
-          PowerMean{Axis::velocity, 4},     ImpactMomentum{}};
+  return {PowerMoment{Axis::displacement, 1}, PowerMoment{Axis::displacement, 2},
+          PowerMoment{Axis::velocity, 2},     PowerMoment{Axis::displacement, 4},
+          PowerMoment{Axis::velocity, 4},     ImpactMomentum{}};
 }
 
 std::string name(const Functional& functional) {
   return std::visit(
-      Overloaded{[](const PowerMean& m) {
+      Overloaded{[](const PowerMoment& m) {
                    return m.power == 1 ? fmt::format("E[{}]", symbol(m.axis))
                                        : fmt::format("E[{}^{}]", symbol(m.axis), m.power);
                  },
@@ -55,7 +55,7 @@ std::string name(const Functional& functional) {
 
 double integrand(const Functional& functional, const problem::Problem& problem, double y,
                  double v) {
-  return std::visit(Overloaded{[&](const PowerMean& m) {
+  return std::visit(Overloaded{[&](const PowerMoment& m) {
                                  return std::pow(m.axis == Axis::displacement ? y : v, m.power);
                                },
                                [&](const SmoothBin& b) {
@@ -72,16 +72,16 @@ std::vector<double> breaks(const Functional& functional) {
 }
 
 Axis axis_of(const Functional& functional) {
-  return std::visit(Overloaded{[](const PowerMean& m) { return m.axis; },
+  return std::visit(Overloaded{[](const PowerMoment& m) { return m.axis; },
                                [](const SmoothBin& b) { return b.axis; },
                                [](const ImpactMomentum&) { return Axis::displacement; }},
                     functional);
 }
 
 void validate(const Functional& functional) {
-  if (const PowerMean* const m = std::get_if<PowerMean>(&functional)) {
+  if (const PowerMoment* const m = std::get_if<PowerMoment>(&functional)) {
     if (m->power < 1 || m->power > 4) {
-      throw InputError(fmt::format("{} cannot be bounded: powers 1 to 4 can", name(functional)));
+      throw InputError(fmt::format("{} cannot be bounded: use powers 1 to 4", name(functional)));
     }
   }
   if (const SmoothBin* const b = std::get_if<SmoothBin>(&functional)) {
@@ -89,12 +89,11 @@ void validate(const Functional& functional) {
     for (int i = 0; i < 4; ++i) increasing = increasing && b->knots[i] < b->knots[i + 1];
     if (!increasing || !std::isfinite(b->knots[4])) {
       throw InputError(
-
-          "the knots of a smooth bin do not increase (give a finite centre and a positive "
-          "spacing)");
+          "the knots of a smooth bin do not increase: give a finite centre and a positive "
+          "spacing");
     }
     if (b->axis == Axis::displacement && b->knots[0] < 0) {
-      throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g}: y >= 0", b->knots[0]));
+      throw InputError(fmt::format("a smooth bin of p(y) begins at {:.4g} < 0", b->knots[0]));
     }
   }
 }

@@ -9,11 +9,11 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr double kFinestOfAll = 3e-2;
+constexpr double kLeastCellFraction = 3e-2;
 
 }  // namespace
 
-numerics::SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
+numerics::SplineBasis displacement_basis(const SplineGrid& grid, const Weight& weight,
                                          const problem::System& system) {
   // (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
   const double a = weight.cubic / 4,
@@ -26,12 +26,12 @@ numerics::SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
     return numerics::SplineBasis(
         numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
   }
-  // V bends along the orbits that graze a wall, all over the plane: cells are hardly graded.
+  // V is not smooth along the orbits that graze a wall, anywhere in the plane: little grading.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
   std::vector<double> breaks =
-      numerics::graded_breaks(width, cells, kFinestOfAll * width, grid.even * width);
-  if (begin == -y) {  // no wall to be fine at
+      numerics::graded_breaks(width, cells, kLeastCellFraction * width, grid.even * width);
+  if (begin == -y) {  // no left wall: uniform cells
     for (std::size_t n = 0; n < breaks.size(); ++n) {
       breaks[n] = width * static_cast<double>(n) / cells;
     }
@@ -42,7 +42,7 @@ numerics::SplineBasis displacement_basis(const Grid& grid, const Weight& weight,
   return numerics::SplineBasis(std::move(breaks));
 }
 
-Ends ends_of(const numerics::SplineBasis& displacement, const problem::System& system) {
+BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system) {
   const double begin = displacement.breaks().front(), end = displacement.end();
   return {.left_wall = system.left().has_value(),
           .right_wall = system.right().has_value(),
@@ -50,9 +50,9 @@ Ends ends_of(const numerics::SplineBasis& displacement, const problem::System& s
           .right_open = !system.right() || system.right()->position > end};
 }
 
-ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restitution) {
-  // v^2/2 = edge h0 for v = -u. With losses further: v = r u is the other edge, and G there must
-  // not be small either.
+ImpactBasis velocity_basis(const SplineGrid& grid, const Weight& weight, double restitution) {
+  // v^2/2 = edge h0 at v = -u without losses. With losses the box is larger: the outgoing edge is
+  // v = r u, where G must not be small either.
   const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
   return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
                                                                    grid.finest * u, grid.even * u)),
@@ -61,32 +61,32 @@ ImpactBasis velocity_basis(const Grid& grid, const Weight& weight, double restit
 
 WidthLimit width_limit(const Functional& functional) {
   if (!breaks(functional).empty()) return WidthLimit::knots;
-  const PowerMean* const mean = std::get_if<PowerMean>(&functional);
+  const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
   return mean != nullptr && mean->power > 2 ? WidthLimit::tails : WidthLimit::origin;
 }
 
-std::span<const Grid> grids_for(WidthLimit limit) {
-  // V has a conical point at the origin: the error falls with the cells there as long as they are
-  // the worst. Finer ones than the last cost more digits of the normal equations than they give.
-  static constexpr Grid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
-                                     {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
-                                     {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
-                                     {72, 72, 2.5e-6, 0.15, 8}};
-  // Higher powers lose these digits first: in the end cells are wider at the origin and the box is
-  // larger.
-  static constexpr Grid kTails[] = {kOrigin[0],
-                                    kOrigin[1],
-                                    kOrigin[2],
-                                    kOrigin[3],
-                                    kOrigin[4],
-                                    {56, 56, 6e-5, 0.1, 9.5},
-                                    {64, 64, 3e-5, 0.12, 9.5}};
-  // The motion carries the knots of a bin all over the phase plane.
-  static constexpr Grid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
-                                    {28, 40, 3e-2, 0.1, 6},
-                                    {36, 50, 3e-2, 0.1, 6},
-                                    {50, 70, 2e-2, 0.1, 6},
-                                    {64, 90, 1e-2, 0.1, 6}};
+std::span<const SplineGrid> grid_sequence(WidthLimit limit) {
+  // V has a conical point at the origin: smaller cells there reduce the error while they dominate
+  // it. Beyond the last grid the normal equations lose more digits than smaller cells gain.
+  static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
+                                           {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
+                                           {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
+                                           {72, 72, 2.5e-6, 0.15, 8}};
+  // Higher powers lose these digits first: the last grids have wider cells at the origin and a
+  // larger box.
+  static constexpr SplineGrid kTails[] = {kOrigin[0],
+                                          kOrigin[1],
+                                          kOrigin[2],
+                                          kOrigin[3],
+                                          kOrigin[4],
+                                          {56, 56, 6e-5, 0.1, 9.5},
+                                          {64, 64, 3e-5, 0.12, 9.5}};
+  // The flow transports the knots of a bin through the whole phase plane.
+  static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
+                                          {28, 40, 3e-2, 0.1, 6},
+                                          {36, 50, 3e-2, 0.1, 6},
+                                          {50, 70, 2e-2, 0.1, 6},
+                                          {64, 90, 1e-2, 0.1, 6}};
   switch (limit) {
     case WidthLimit::origin:
       return kOrigin;

@@ -8,13 +8,13 @@ const Description<Options>& description() {
   static const auto options =
       Description<Options>("bounds ")
           .add("width", &Options::relative_half_width,
-               {"W",
-                "refine until every half-width is below W of the value, or the time is used up"},
-               not_negative())
-          .add("absolute_width", &Options::half_width, {"W", "the same, W itself"}, not_negative())
+               {"W", "refine until every half-width is below W times the value, or the time limit"},
+               non_negative())
+          .add("absolute_width", &Options::half_width,
+               {"W", "refine until every half-width is below W, or the time limit"}, non_negative())
           .add("seconds", &Options::seconds,
-               {"S", "begin no grid that is likely to end later (the first one always is)"},
-               not_negative())
+               {"S", "time limit: start no grid that would end later, except the first"},
+               non_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, 4096));
   return options;

@@ -8,23 +8,22 @@
 
 namespace fpkcheck::backward {
 
-/// What to bound, and how narrowly.
+/// Functionals, requested widths and limits of the computation.
 struct Options {
-  std::vector<Functional> functionals = standard_functionals();  ///< no part of the description
-  /// Grids are refined until every half-width is below `half_width` or below `relative_half_width`
-  /// of the value, whichever is larger; with both 0 until the time is used up.
+  std::vector<Functional> functionals = standard_functionals();  ///< not in the description
+  /// Grids are refined until every half-width is below `half_width` or `relative_half_width` times
+  /// the value, whichever is larger. With both 0 only the time limit ends the refinement.
   double half_width = 0;
   double relative_half_width = 0;
-  /// No grid is begun that is likely to end later than this many seconds (wall clock). The first
-  /// one always is.
+  /// Time limit in seconds (wall clock): no grid is started that would end later, except the first.
   double seconds = 10;
-  std::optional<int> threads{};  ///< automatic: one per processor; bounds do not depend on it
+  std::optional<int> threads{};  ///< default: one per processor; bounds do not depend on it
 };
 
-/// The options as the command line names them.
+/// The options with their names on the command line.
 const base::Description<Options>& description();
 
-/// @throws InputError on the first option that cannot be used
+/// @throws InputError on the first invalid option
 void validate(const Options& options);
 
 }  // namespace fpkcheck::backward

@@ -9,7 +9,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// The bound of E[G^(n/2)] from those of whole powers: E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+// Bound of E[G^(n/2)] from the bounds of integer powers: E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
   return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
@@ -28,13 +28,13 @@ std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, i
   for (int n = 0; n <= 2 * power; ++n) {
     impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
   }
-  // An impulse makes G + w Y + Y^2/2 of G, w = v + c y/2, |w| <= sqrt(2G). So
+  // An impulse changes G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence
   //
   //   j c E[G^j] <= lambda sum_{(i,l) != (0,0)} j!/(i! l! (j-i-l)!) 2^(i/2-l) |E[Y^(i+2l)]|
   //                        E[G^(j-i/2-l)].
   //
-  // Of these i = 1, l = 0 has E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which leaves a quadratic
-  // inequality for the root of E[G^j].
+  // The term i = 1, l = 0 has E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which gives a quadratic
+  // inequality for sqrt(E[G^j]).
   std::vector<numerics::Interval> bounds{numerics::Interval(1)};
   for (int j = 1; j <= power; ++j) {
     numerics::Interval constant = 0, linear = 0;
@@ -69,39 +69,38 @@ double Weight::operator()(double y, double v) const {
   return 1 + std::pow(energy(y, v) / scale, power);
 }
 
-std::string weight_refused(const problem::Problem& problem) {
+std::string bounds_unsupported_reason(const problem::Problem& problem) {
   const problem::System& system = problem.system;
   const auto& g = system.force().coefficients();
   const auto &left = system.left(), &right = system.right();
-  if (problem.noise.present() || !problem.impulses.present()) {
-    return "no bounds with white noise: they are those of impulses alone";
+  if (problem.noise.is_present() || !problem.impulses.is_present()) {
+    return "white noise is not supported: bounds are for impulses alone";
   }
   if (const auto& law = problem.impulses.law(); !has_enclosures(law)) {
-    return fmt::format("no bounds under {} impulses: their means are not enclosed", law.name());
+    return fmt::format("{} impulses are not supported: no enclosures of the law", law.name());
   }
   if (!system.damping_is_constant() || !(system.damping() > 0)) {
-    return "no bounds but for constant damping c > 0: no weight is known";
+    return "the damping is not supported: the weight needs constant damping c > 0";
   }
   if (g[0] != 0 || g[2] != 0 || g[3] < 0 || g[5] != 0) {
-    return "no bounds but for a force k y + mu y^3 with mu >= 0: no weight is known";
+    return "the force is not supported: the weight needs k y + mu y^3 with mu >= 0";
   }
   if ((left && left->position > 0) || (right && right->position < 0)) {
-    return "no bounds where the spring presses the mass to a wall: impacts raise the weight";
+    return "the spring presses the mass to a wall: impacts there increase the weight";
   }
   if (left && right && (left->restitution < 1 || right->restitution < 1)) {
-    return "no bounds with losses at two walls: splines meet the condition of one";
+    return "losses at two walls are not supported: the splines fit the impacts of one wall";
   }
   const double c = problem.system.damping(), k = problem.system.stiffness();
-  const bool under_damped = numerics::rounded_upward(
+  const bool under_damped = numerics::with_upward_rounding(
       [&] { return (4.0 * numerics::Interval(k) - square(numerics::Interval(c))).lower() > 0; });
   if (under_damped) return {};
-  return fmt::format(
-      "no bounds for c^2 >= 4k (c = {:.6g}, k = {:.6g}): the weight needs an underdamped spring", c,
-      k);
+  return fmt::format("c^2 >= 4k (c = {:.6g}, k = {:.6g}): the weight needs underdamped motion", c,
+                     k);
 }
 
 std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power) {
-  return numerics::rounded_upward([&] {
+  return numerics::with_upward_rounding([&] {
     std::vector<double> upper;
     for (const numerics::Interval& bound : moment_bounds(problem, power))
       upper.push_back(bound.upper());
@@ -113,7 +112,7 @@ Weight weight(const problem::Problem& problem, int power) {
   const double moment = energy_moment_bounds(problem, power).back();
   const problem::SystemCoefficients& c = problem.system.coefficients();
   Weight weight{c.damping, c.stiffness, c.cubic, power, std::pow(4 * moment, 1.0 / power), 0};
-  weight.mean_bound = numerics::rounded_upward([&] {
+  weight.mean_bound = numerics::with_upward_rounding([&] {
     return (1.0 +
             numerics::Interval(moment) / numerics::power(numerics::Interval(weight.scale), power))
         .upper();

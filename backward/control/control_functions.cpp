@@ -11,20 +11,20 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kDegree = numerics::KnotSplines::kDegree;
-constexpr int kPoints = 8;  // of Gauss's rule on a cell
+constexpr int kDegree = numerics::QuinticBSplines::kDegree;
+constexpr int kPoints = 8;  // of the Gauss rule on a cell
 
-void weigh(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
+void apply_weight(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
   for (std::size_t n = 0; n < q.points.size(); ++n) {
     q.weights(static_cast<Eigen::Index>(n)) *= weight(q.points[n]);
   }
 }
 
-/// <factor a, factor b> under the weight.
-using Grams = std::vector<std::vector<Eigen::MatrixXd>>;
+/// Weighted inner products <factor a, factor b>.
+using GramMatrices = std::vector<std::vector<Eigen::MatrixXd>>;
 
-Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
-  Grams g(factors.size(), std::vector<Eigen::MatrixXd>(factors.size()));
+GramMatrices gram_matrices(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
+  GramMatrices g(factors.size(), std::vector<Eigen::MatrixXd>(factors.size()));
   for (std::size_t a = 0; a < factors.size(); ++a) {
     const Eigen::MatrixXd weighted = weights.asDiagonal() * factors[a];
     for (std::size_t b = 0; b <= a; ++b) {
@@ -35,7 +35,8 @@ Grams grams(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
   return g;
 }
 
-Eigen::VectorXd map(const std::vector<double>& points, const std::function<double(double)>& f) {
+Eigen::VectorXd values_at_points(const std::vector<double>& points,
+                                 const std::function<double(double)>& f) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(points.size()));
   for (std::size_t n = 0; n < points.size(); ++n) {
     values(static_cast<Eigen::Index>(n)) = f(points[n]);
@@ -43,16 +44,16 @@ Eigen::VectorXd map(const std::vector<double>& points, const std::function<doubl
   return values;
 }
 
-/// int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), likewise at the right.
-Eigen::MatrixXd wall_gram(const ControlProblem& p, const ImpactWall& wall) {
-  numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(breaks_of_jumps(p.v, wall));
-  weigh(q, [&](double u) { return u * p.weight_v(u); });
-  const Eigen::MatrixXd jump = jumps_at(p.v, wall, q.points);
+/// int u w(wall, u) J J^T du with the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a right wall.
+Eigen::MatrixXd wall_gram(const ControlFit& p, const ImpactWall& wall) {
+  numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
+  apply_weight(q, [&](double u) { return u * p.weight_v(u); });
+  const Eigen::MatrixXd jump = impact_jumps(p.v, wall, q.points);
   return p.weight_y(wall.position) * (jump.transpose() * (q.weights.asDiagonal() * jump));
 }
 
-numerics::BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& in_y,
-                                          const Grams& in_v) {
+numerics::BlockBandedMatrix normal_matrix(const ControlFit& p, const GramMatrices& in_y,
+                                          const GramMatrices& in_v) {
   const Eigen::Index n = p.v.size();
   numerics::BlockBandedMatrix matrix(
       std::vector<Eigen::Index>(static_cast<std::size_t>(p.y.size()), n), kDegree);
@@ -64,9 +65,9 @@ numerics::BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& 
       }
     }
   }
-  // One function of y alone is not 0 at a wall, where it is 1.
+  // At a wall a single function of y does not vanish; its value is 1.
   for (const ImpactWall& wall : impact_walls(p.problem.system)) {
-    const int at = wall.away > 0 ? 0 : p.y.size() - 1;
+    const int at = wall.rebound_sign > 0 ? 0 : p.y.size() - 1;
     matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
   }
   return matrix;
@@ -74,32 +75,32 @@ numerics::BlockBandedMatrix normal_matrix(const ControlProblem& p, const Grams& 
 
 }  // namespace
 
-ControlFunctions control_functions(const ControlProblem& problem,
-                                   const std::vector<SeparableFunction>& functions) {
+ControlFunctions fit_control_functions(const ControlFit& problem,
+                                       const std::vector<SeparableFunction>& functions) {
   numerics::QuadratureRule in_y = numerics::gauss_rule<kPoints>(problem.y.breaks()),
                            in_v = numerics::gauss_rule<kPoints>(problem.v.breaks());
-  weigh(in_y, problem.weight_y);
-  weigh(in_v, problem.weight_v);
-  const GeneratorFactors y = factors_of_y(problem.problem.system, problem.y, in_y.points);
+  apply_weight(in_y, problem.weight_y);
+  apply_weight(in_v, problem.weight_v);
+  const GeneratorFactors y = displacement_factors(problem.problem.system, problem.y, in_y.points);
   const GeneratorFactors v =
-      factors_of_v(problem.problem, problem.v, in_v.points,
-                   impulse_means(problem.v, problem.problem.impulses, in_v.points));
+      velocity_factors(problem.problem, problem.v, in_v.points,
+                       impulse_means(problem.v, problem.problem.impulses, in_v.points));
   const NormalEquations equations(
-      normal_matrix(problem, grams(y, in_y.weights), grams(v, in_v.weights)),
+      normal_matrix(problem, gram_matrices(y, in_y.weights), gram_matrices(v, in_v.weights)),
       "the control functions");
 
-  // Right-hand sides -<f, L A_i B_j>: each f, and 1 in the last place.
-  const auto one = [](double) { return 1.0; };
+  // Right-hand sides -<f, L A_i B_j> for each f, and for 1 as the last.
+  const auto constant_one = [](double) { return 1.0; };
   std::vector<SeparableFunction> all(functions);
-  all.push_back({one, one});
+  all.push_back({constant_one, constant_one});
   const auto count = static_cast<Eigen::Index>(all.size());
   const Eigen::Index nv = problem.v.size();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(equations.size(), count);
-  std::vector<double> integrals;  // of w f
+  std::vector<double> integrals;  // int w f
   for (Eigen::Index f = 0; f < count; ++f) {
-    const auto& [of_y, of_v] = all[static_cast<std::size_t>(f)];
-    const Eigen::VectorXd wy = in_y.weights.cwiseProduct(map(in_y.points, of_y));
-    const Eigen::VectorXd wv = in_v.weights.cwiseProduct(map(in_v.points, of_v));
+    const auto& [y_factor, v_factor] = all[static_cast<std::size_t>(f)];
+    const Eigen::VectorXd wy = in_y.weights.cwiseProduct(values_at_points(in_y.points, y_factor));
+    const Eigen::VectorXd wv = in_v.weights.cwiseProduct(values_at_points(in_v.points, v_factor));
     integrals.push_back(wy.sum() * wv.sum());
     Eigen::Map<Eigen::MatrixXd> b(right.col(f).data(), nv, problem.y.size());
     for (std::size_t a = 0; a < y.size(); ++a) {
@@ -108,7 +109,8 @@ ControlFunctions control_functions(const ControlProblem& problem,
   }
   ControlFunctions result;
   result.coefficients = equations.solve(right);
-  // e_f is orthogonal to all L h, so <e_1, e_f> = <1, f> + <1, L h_f>, and <1, L A B> is -right.
+  // e_f is orthogonal to all L h: <e_1, e_f> = <1, f> + <1, L h_f>, where <1, L A B> is the last
+  // column of -right.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);
   for (Eigen::Index f = 0; f + 1 < count; ++f) {

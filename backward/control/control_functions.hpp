@@ -4,43 +4,43 @@
 #include <functional>
 #include <vector>
 
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
 
-/// f(y, v) = of_y(y) of_v(v).
+/// f(y, v) = y_factor(y) v_factor(v).
 struct SeparableFunction {
-  std::function<double(double)> of_y, of_v;
+  std::function<double(double)> y_factor, v_factor;
 };
 
-/// What the control functions are fitted in, and how.
-struct ControlProblem {
+/// Splines and weights of the least-squares fit of the control functions.
+struct ControlFit {
   const problem::Problem& problem;
-  const numerics::KnotSplines& y;  ///< from wall to wall, or as far as there is motion
-  const numerics::KnotSplines& v;
-  /// w(y, v) = weight_y weight_v, somewhat wider than the density.
+  const numerics::QuinticBSplines& y;  ///< from wall to wall, or over the range of the motion
+  const numerics::QuinticBSplines& v;
+  /// w(y, v) = weight_y weight_v, slightly wider than the density.
   std::function<double(double)> weight_y, weight_v;
-  /// What the square of a jump at a wall counts, by the flux u w(wall, u) of impacts: the time
-  /// between the samples of the simulation, inverted, makes the least variance of its mean.
+  /// Weight of the squared jump at a wall, integrated with the flux u w(wall, u) of impacts. The
+  /// variance of the simulated mean is least for the inverse of the sampling interval.
   double wall_weight;
 };
 
-/// Approximate solutions h of the backward equation L h = U - f, which need not satisfy the impact
+/// Approximate solutions h of the backward equation L h = U - f. They need not satisfy the impact
 /// condition.
 struct ControlFunctions {
-  /// Coefficient of A_i(y) B_j(v) in row i * v.size() + j, a column a functional.
+  /// Coefficient of A_i(y) B_j(v) in row i * v.size() + j, a column for each functional.
   Eigen::MatrixXd coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
 };
 
-/// Minimises int w (f - U + L h)^2 + wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du (the last
-/// for each wall) for all functionals at once. The generator is a sum of products
-/// (GeneratorFactors) and the weight is one: nine Gram matrices of v and of y, for three products,
-/// make the normal matrix, which is banded by blocks and factorised so. With the residuals e of f
-/// and of 1, U = <e_1, e_f> / <e_1, e_1>.
-/// @throws FitBrokeDown (backward/generator/normal_equations.hpp)
-ControlFunctions control_functions(const ControlProblem& problem,
-                                   const std::vector<SeparableFunction>& functions);
+/// Fits the control functions of all functionals at once: minimises int w (f - U + L h)^2 +
+/// wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du, with the last term for each wall. The
+/// generator is a sum of products (GeneratorFactors) and the weight is a product. For three
+/// products the normal matrix is therefore a sum of products of nine Gram matrices of v and of y;
+/// it is block banded. The residuals e_f of f and e_1 of 1 give U = <e_1, e_f> / <e_1, e_1>.
+/// @throws FitFailure (backward/generator/normal_equations.hpp)
+ControlFunctions fit_control_functions(const ControlFit& problem,
+                                       const std::vector<SeparableFunction>& functions);
 
 }  // namespace fpkcheck::backward

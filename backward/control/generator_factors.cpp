@@ -6,13 +6,14 @@
 
 namespace fpkcheck::backward {
 
-SplineValues values_at(const numerics::KnotSplines& splines, std::span<const double> points) {
+SplineValues spline_values(const numerics::QuinticBSplines& splines,
+                           std::span<const double> points) {
   const auto rows = static_cast<Eigen::Index>(points.size());
   SplineValues all{Eigen::MatrixXd::Zero(rows, splines.size()),
                    Eigen::MatrixXd::Zero(rows, splines.size())};
   for (Eigen::Index n = 0; n < rows; ++n) {
     const auto at = splines.at(points[static_cast<std::size_t>(n)]);
-    for (int l = 0; l <= numerics::KnotSplines::kDegree; ++l) {
+    for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
       all.value(n, at.first + l) = at.value[l];
       all.slope(n, at.first + l) = at.slope[l];
     }
@@ -27,67 +28,71 @@ std::vector<ImpactWall> impact_walls(const problem::System& system) {
   return walls;
 }
 
-Eigen::MatrixXd jumps_at(const numerics::KnotSplines& splines, const ImpactWall& wall,
-                         std::span<const double> speeds) {
+Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const ImpactWall& wall,
+                             std::span<const double> speeds) {
   std::vector<double> before, after;
   for (const double u : speeds) {
-    before.push_back(-wall.away * u);
-    after.push_back(wall.away * wall.restitution * u);
+    before.push_back(-wall.rebound_sign * u);
+    after.push_back(wall.rebound_sign * wall.restitution * u);
   }
-  return values_at(splines, after).value - values_at(splines, before).value;
+  return spline_values(splines, after).value - spline_values(splines, before).value;
 }
 
-std::vector<double> breaks_of_jumps(const numerics::KnotSplines& splines, const ImpactWall& wall) {
+std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
+                                       const ImpactWall& wall) {
   const double end = std::max(splines.end(), -splines.begin());
   std::vector<double> breaks{0};
   for (const double at : splines.breaks()) {
-    const double along = wall.away * at, speed = along < 0 ? -along : along / wall.restitution;
+    const double along = wall.rebound_sign * at,
+                 speed = along < 0 ? -along : along / wall.restitution;
     if (0 < speed && speed <= end) breaks.push_back(speed);
   }
   std::ranges::sort(breaks);
   return breaks;
 }
 
-GeneratorFactors factors_of_y(const problem::System& system, const numerics::KnotSplines& splines,
-                              std::span<const double> points) {
-  const SplineValues a = values_at(splines, points);
+GeneratorFactors displacement_factors(const problem::System& system,
+                                      const numerics::QuinticBSplines& splines,
+                                      std::span<const double> points) {
+  const SplineValues a = spline_values(splines, points);
   const numerics::Polynomial& damping = system.damping_polynomial();
-  Eigen::VectorXd force(a.value.rows()), of_damping(a.value.rows());
+  Eigen::VectorXd force(a.value.rows()), damping_change(a.value.rows());
   for (Eigen::Index n = 0; n < force.size(); ++n) {
     const double y = points[static_cast<std::size_t>(n)];
     force(n) = system.force()(y);
-    of_damping(n) = damping(y) - damping.coefficient(0);
+    damping_change(n) = damping(y) - damping.coefficient(0);
   }
   GeneratorFactors factors{a.slope, a.value, force.asDiagonal() * a.value};
-  if (damping.degree() > 0) factors.push_back(of_damping.asDiagonal() * a.value);
+  if (damping.degree() > 0) factors.push_back(damping_change.asDiagonal() * a.value);
   return factors;
 }
 
-GeneratorFactors factors_of_v(const problem::Problem& problem, const numerics::KnotSplines& splines,
-                              std::span<const double> points, const Eigen::MatrixXd& means) {
+GeneratorFactors velocity_factors(const problem::Problem& problem,
+                                  const numerics::QuinticBSplines& splines,
+                                  std::span<const double> points, const Eigen::MatrixXd& means) {
   const problem::System& system = problem.system;
-  const SplineValues b = values_at(splines, points);
+  const SplineValues b = spline_values(splines, points);
   const Eigen::Map<const Eigen::VectorXd> v(points.data(), b.value.rows());
-  Eigen::MatrixXd alone = -system.damping() * (v.asDiagonal() * b.slope);
-  if (problem.impulses.present()) {
-    alone = problem.impulses.arrival_rate() * (means - b.value) -
-            system.damping() * (v.asDiagonal() * b.slope);
+  Eigen::MatrixXd velocity_terms = -system.damping() * (v.asDiagonal() * b.slope);
+  if (problem.impulses.is_present()) {
+    velocity_terms = problem.impulses.arrival_rate() * (means - b.value) -
+                     system.damping() * (v.asDiagonal() * b.slope);
   }
   if (system.rayleigh() != 0) {
-    alone -= system.rayleigh() * (v.array().cube().matrix().asDiagonal() * b.slope);
+    velocity_terms -= system.rayleigh() * (v.array().cube().matrix().asDiagonal() * b.slope);
   }
-  if (problem.noise.present()) {
+  if (problem.noise.is_present()) {
     const double diffusion = problem.noise.diffusion();
     for (Eigen::Index n = 0; n < v.size(); ++n) {
       const double at = points[static_cast<std::size_t>(n)];
       const int first = splines.at(at).first;
-      const auto curvatures = splines.curvatures(at);
-      for (int l = 0; l <= numerics::KnotSplines::kDegree; ++l) {
-        alone(n, first + l) += diffusion * curvatures[l];
+      const auto second_derivatives = splines.second_derivatives(at);
+      for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
+        velocity_terms(n, first + l) += diffusion * second_derivatives[l];
       }
     }
   }
-  GeneratorFactors factors{v.asDiagonal() * b.value, std::move(alone), -b.slope};
+  GeneratorFactors factors{v.asDiagonal() * b.value, std::move(velocity_terms), -b.slope};
   if (system.damping_polynomial().degree() > 0) factors.push_back(-(v.asDiagonal() * b.slope));
   return factors;
 }

@@ -9,19 +9,19 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr unsigned kPointsOfAPart = 8;
+constexpr unsigned kPointsPerPart = 8;
 
-void add(const numerics::KnotSplines& splines, double at, double probability,
+void add(const numerics::QuinticBSplines& splines, double at, double probability,
          Eigen::Ref<Eigen::RowVectorXd> row) {
   const auto functions = splines.at(at);
-  for (int l = 0; l <= numerics::KnotSplines::kDegree; ++l) {
+  for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
     row(functions.first + l) += probability * functions.value[l];
   }
 }
 
-/// The ends of the parts of one smooth piece, seen from v.
-std::vector<double> parts(const numerics::KnotSplines& splines, double from, double to,
-                          double longest) {
+/// The ends of the subintervals of a smooth piece of the density, shifted by v.
+std::vector<double> part_ends(const numerics::QuinticBSplines& splines, double from, double to,
+                              double longest) {
   std::vector<double> ends{from};
   const auto up_to = [&](double next) {
     const double begin = ends.back();
@@ -38,19 +38,19 @@ std::vector<double> parts(const numerics::KnotSplines& splines, double from, dou
 
 }  // namespace
 
-Eigen::MatrixXd impulse_means(const numerics::KnotSplines& splines, const problem::ImpulseLaw& law,
-                              std::span<const double> v) {
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
+                              const problem::ImpulseLaw& law, std::span<const double> v) {
   Eigen::MatrixXd means =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(v.size()), splines.size());
   const auto atoms = law.atoms();
-  const auto pieces = law.smooth_pieces();
+  const auto pieces = law.density_breakpoints();
   Eigen::RowVectorXd row(splines.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     row.setZero();
     for (const auto& atom : atoms) add(splines, v[i] + atom.amplitude, atom.probability, row);
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-      const auto ends = parts(splines, v[i] + pieces[k], v[i] + pieces[k + 1], law.deviation());
-      const auto [points, weights] = numerics::gauss_rule<kPointsOfAPart>(ends);
+      const auto ends = part_ends(splines, v[i] + pieces[k], v[i] + pieces[k + 1], law.deviation());
+      const auto [points, weights] = numerics::gauss_rule<kPointsPerPart>(ends);
       for (std::size_t n = 0; n < points.size(); ++n) {
         const double z = points[n];
         add(splines, z, weights(static_cast<Eigen::Index>(n)) * law.density(z - v[i]), row);
@@ -61,9 +61,9 @@ Eigen::MatrixXd impulse_means(const numerics::KnotSplines& splines, const proble
   return means;
 }
 
-Eigen::MatrixXd impulse_means(const numerics::KnotSplines& splines,
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
                               const problem::ImpulseTrain& impulses, std::span<const double> v) {
-  if (!impulses.present()) return {};
+  if (!impulses.is_present()) return {};
   return impulse_means(splines, impulses.law(), v);
 }
 

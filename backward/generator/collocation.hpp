@@ -9,8 +9,8 @@
 
 namespace fpkcheck::backward {
 
-/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest:
-/// enough for a fit, which need not be trusted.
+/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest. A fit
+/// needs no guaranteed enclosures.
 struct VelocitySamples {
   std::vector<double> v;              ///< points, increasing
   Eigen::MatrixXd jump;               ///< lambda (K B - B) - c v B', shape (points, functions)
@@ -18,14 +18,14 @@ struct VelocitySamples {
   Eigen::SparseMatrix<double> force;  ///< -B'
 };
 
-/// Splines in y at points, each in one span.
+/// Values of the splines in y at points.
 struct DisplacementSamples {
   std::vector<double> y;
-  std::vector<int> span;
+  std::vector<int> span;                ///< span of each point
   std::vector<Eigen::MatrixXd> values;  ///< values and slopes, shape (2, degree + 1)
 };
 
-/// The points t_i in (0, 1) where the Chebyshev polynomial of degree `count` vanishes, increasing.
+/// The zeros in (0, 1) of the shifted Chebyshev polynomial of degree `count`, increasing.
 std::vector<double> chebyshev_points(int count);
 
 DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int per_cell);

@@ -1,6 +1,6 @@
 #include "backward/generator/difference_slopes.hpp"
 
-#include "numerics/splines/bezier.hpp"
+#include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::backward {
 
@@ -10,7 +10,7 @@ std::vector<numerics::BernsteinCoefficients> difference_slopes(const numerics::S
                                                                const numerics::Interval& to) {
   const int p = basis.degree();
   const numerics::SplineBasis lower({basis.breaks().begin(), basis.breaks().end()}, p - 1);
-  const auto rows = numerics::bezier_rows<numerics::Interval>(lower, span, from, to);
+  const auto rows = numerics::bezier_extraction<numerics::Interval>(lower, span, from, to);
   std::vector<numerics::BernsteinCoefficients> slopes;
   for (int l = 1; l <= p; ++l) {
     const numerics::Interval distance =

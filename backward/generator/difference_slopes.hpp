@@ -5,12 +5,13 @@
 
 namespace fpkcheck::backward {
 
-/// With S_l = B_{span+l} + B_{span+l+1} + .. on a span, whose first is 1, the derivative of a
-/// spline is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l'. These are the S_l', by
+/// Enclosures of S_l' on the segment from `from` to `to`, where S_l = B_{span+l} + B_{span+l+1} +
+/// .. on a span (S_0 = 1). The derivative of a spline is sum_{l=1}^p (c_{span+l} - c_{span+l-1})
+/// S_l' with
 ///
-///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots,
+///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots
 ///
-/// enclosed on the segment from `from` to `to`. de Boor, A Practical Guide to Splines, ch. X.
+/// (de Boor, A Practical Guide to Splines, ch. X).
 std::vector<numerics::BernsteinCoefficients> difference_slopes(const numerics::SplineBasis& basis,
                                                                int span,
                                                                const numerics::Interval& from,

@@ -1,7 +1,7 @@
 #include "backward/generator/displacement_operators.hpp"
 
 #include "backward/generator/difference_slopes.hpp"
-#include "numerics/splines/bezier.hpp"
+#include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::backward {
 
@@ -21,17 +21,17 @@ DisplacementOperators displacement_operators(const problem::Problem& problem,
       const numerics::Interval from = points[i], to = points[i + 1];
       operators.pieces.push_back({span, points[i], points[i + 1]});
       auto& factors = operators.factors.emplace_back();
-      const auto rows = numerics::bezier_rows<numerics::Interval>(basis, span, from, to);
-      const numerics::BernsteinCoefficients force =
-          on_segment(std::array{0.0, c.stiffness, 0.0, c.cubic}, numerics::Interval(0), from, to);
+      const auto rows = numerics::bezier_extraction<numerics::Interval>(basis, span, from, to);
+      const numerics::BernsteinCoefficients force = bernstein_on_segment(
+          std::array{0.0, c.stiffness, 0.0, c.cubic}, numerics::Interval(0), from, to);
       for (int l = 0; l < rows.rows(); ++l) {
         const numerics::BernsteinCoefficients value(rows.row(l).begin(), rows.row(l).end());
-        factors[0].push_back(elevated(value, degree));
+        factors[0].push_back(elevate_degree(value, degree));
         factors[2].push_back(product(force, value));
       }
       for (const numerics::BernsteinCoefficients& slope :
            difference_slopes(basis, span, from, to)) {
-        factors[1].push_back(elevated(slope, degree));
+        factors[1].push_back(elevate_degree(slope, degree));
       }
     }
   }

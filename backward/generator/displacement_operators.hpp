@@ -10,20 +10,20 @@
 
 namespace fpkcheck::backward {
 
-/// The three factors in y of the generator (VelocityOperators), on every piece of the displacement
-/// axis, with enclosed Bernstein coefficients of degree p + 3.
+/// Enclosures of the three factors in y of the generator (VelocityOperators) on every piece of the
+/// displacement axis, as Bernstein coefficients of degree p + 3.
 struct DisplacementOperators {
   struct Piece {
     int span;
     double from, to;
   };
   std::vector<Piece> pieces;
-  /// A, S' (of differences, difference_slopes.hpp) and (k y + mu y^3) A of the functions of a
-  /// piece, shape (pieces, 3, degree + 1; S': degree).
+  /// A, S' (difference_slopes.hpp) and (k y + mu y^3) A for the functions of a piece: shape
+  /// (pieces, 3, degree + 1), for S' (pieces, degree).
   std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
 };
 
-/// @param cuts further points, increasing, at which pieces are to end
+/// @param cuts additional ends of pieces, increasing
 DisplacementOperators displacement_operators(const problem::Problem& problem,
                                              const numerics::SplineBasis& basis,
                                              std::span<const double> cuts);

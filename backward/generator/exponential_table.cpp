@@ -1,17 +1,18 @@
-// Laplace's law: density exp(-|y - m|/s) / (2s) (s the scale). K B(v) = L(v + m) + R(v + m) with
+// Laplace law: density exp(-|y - m|/s) / (2s), s the scale. K B(v) = L(v + m) + R(v + m) with
 //
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
-// and R the same from above. The exponential law has one of them alone, with the weight w = 1 in
-// place of 1/2, at v + m - scale: R where its tail is above, L where it is below.
+// and R the mirrored integral over x > z. The exponential law has only one of the two integrals, at
+// v + m - scale and with the weight w = 1 in place of 1/2: R for an upper tail, L for a lower tail.
 //
-// Along the axis L is carried from piece to piece. Within a piece of length e, theta = (z -
-// begin)/e, it is L(begin) exp(-e theta/s) and a solution that starts at 0, each as a power series,
+// L is integrated from piece to piece along the axis. Within a piece of length e, with theta =
+// (z - begin)/e, L is the sum of L(begin) exp(-e theta/s) and of a solution that starts at 0. Both
+// are power series with
 //
-//     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1),
+//     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1).
 //
-// which for n > p are the terms of an exponential: what follows the last term kept, n = N - 1, is
-// at most |q_N| exp(e/s).
+// For n > p the terms are those of an exponential series: the remainder after the last term kept,
+// n = N - 1, is at most |q_N| exp(e/s).
 #include <algorithm>
 #include <cmath>
 
@@ -22,28 +23,28 @@ namespace {
 
 constexpr int kOneSidedOrder = 16;  // N
 
-// Bernstein coefficients of the two solutions on a piece, t in [0, 1].
-struct OneSided {
+// Bernstein coefficients in theta of the two solutions on a piece.
+struct OneSidedSolution {
   numerics::BernsteinCoefficients decay;  ///< exp(-e theta/s)
   std::vector<numerics::BernsteinCoefficients>
-      forced;                      ///< of each function of the piece, 0 at theta = 0
+      forced;                      ///< solution for each function of the piece, 0 at theta = 0
   numerics::Interval final_decay;  ///< exp(-e/s)
 };
 
-numerics::BernsteinCoefficients enclosed_series(numerics::BernsteinCoefficients powers,
-                                                const numerics::Interval& next,
-                                                const numerics::Interval& ratio) {
+numerics::BernsteinCoefficients enclose_series(numerics::BernsteinCoefficients powers,
+                                               const numerics::Interval& next,
+                                               const numerics::Interval& ratio) {
   const numerics::Interval growth = 1.0 / exponential(-ratio);
   const double rest = (magnitude(next) * growth).upper();
-  numerics::BernsteinCoefficients b = from_powers(powers);
-  for (numerics::Interval& c : b) c += numerics::plus_minus(rest);
+  numerics::BernsteinCoefficients b = bernstein_from_powers(powers);
+  for (numerics::Interval& c : b) c += numerics::symmetric_interval(rest);
   return b;
 }
 
-OneSided one_sided(const std::vector<numerics::BernsteinCoefficients>& functions,
-                   const numerics::Interval& length, double s, double weight) {
+OneSidedSolution solve_one_sided(const std::vector<numerics::BernsteinCoefficients>& functions,
+                                 const numerics::Interval& length, double s, double weight) {
   const numerics::Interval ratio = length / s;
-  OneSided solution;
+  OneSidedSolution solution;
   solution.final_decay = exponential(-ratio);
   const auto series = [&](const numerics::BernsteinCoefficients& forcing,
                           const numerics::Interval& start) {
@@ -55,110 +56,110 @@ OneSided one_sided(const std::vector<numerics::BernsteinCoefficients>& functions
           n < static_cast<int>(forcing.size()) ? forcing[n] : numerics::Interval(0);
       next = ratio * (weight * b - q[n]) / static_cast<double>(n + 1);
     }
-    return enclosed_series(std::move(q), next, ratio);
+    return enclose_series(std::move(q), next, ratio);
   };
   solution.decay = series({}, numerics::Interval(1));
   for (const numerics::BernsteinCoefficients& b : functions) {
-    solution.forced.push_back(series(to_powers(b), numerics::Interval(0)));
+    solution.forced.push_back(series(powers_from_bernstein(b), numerics::Interval(0)));
   }
   return solution;
 }
 
-// The shifted images of the pieces, in order, and what lies between them and the ends of the basis.
-struct Axis {
+// The shifted pieces in order, and further pieces between them and the ends of the basis.
+struct ShiftedAxis {
   std::vector<VelocityPiece> pieces;
-  std::size_t first = 0;  ///< image of the first piece
+  std::size_t first = 0;  ///< index of the shifted first piece
 };
 
-Axis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
-                  const numerics::Interval& shift, double longest) {
-  Axis axis;
+ShiftedAxis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                         const numerics::Interval& shift, double longest) {
+  ShiftedAxis axis;
   const numerics::Interval begin = pieces.front().from + shift, end = pieces.back().to + shift;
   const auto add_between = [&](const numerics::Interval& from, const numerics::Interval& to) {
-    for (const VelocityPiece& p : pieces_of(basis, {}, longest)) {
+    for (const VelocityPiece& p : velocity_pieces(basis, {}, longest)) {
       if (p.to.upper() <= from.lower() || p.from.lower() >= to.upper()) continue;
       const numerics::Interval a = p.from.lower() < from.lower() ? from : p.from;
       const numerics::Interval b = p.to.upper() > to.upper() ? to : p.to;
-      axis.pieces.push_back(located(basis, a, b));
+      axis.pieces.push_back(locate_piece(basis, a, b));
     }
   };
   if (shift.lower() > 0) add_between(pieces.front().from, begin);
   axis.first = axis.pieces.size();
   for (const VelocityPiece& p : pieces) {
-    axis.pieces.push_back(located(basis, p.from + shift, p.to + shift));
+    axis.pieces.push_back(locate_piece(basis, p.from + shift, p.to + shift));
   }
   if (shift.upper() < 0) add_between(end, pieces.back().to);
   return axis;
 }
 
-// w, of L and of R.
-struct Weights {
+// The weight w of L (below) and of R (above).
+struct TailWeights {
   double below, above;
 };
 
-ImpulseTable table_of_sides(const numerics::Interval& shift, double s, const Weights& weights,
-                            const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces) {
+ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const TailWeights& weights,
+                             const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces) {
   ImpulseTable table = empty_table(basis, pieces, kOneSidedOrder);
   double longest = 0, overhang = 0;
   for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
-  const Axis axis = shifted_axis(basis, pieces, shift, longest);
+  const ShiftedAxis axis = shifted_axis(basis, pieces, shift, longest);
   const int count = static_cast<int>(axis.pieces.size());
 
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // L or R of all functions at the end of the axis: its part of the constant beyond it.
-    std::vector<numerics::Interval> carried(basis.size(), numerics::Interval(0));
-    carried[forward ? 0 : basis.size() - 1] = weight;
+    // L or R of all functions at the end of the axis: the integral over the constant beyond it.
+    std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
+    end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
       const int i = forward ? step : count - 1 - step;
       const VelocityPiece& piece = axis.pieces[i];
-      PieceFunctions functions = functions_on(basis, piece);
+      PieceFunctions functions = piece_functions(basis, piece);
       overhang = std::max(overhang, functions.overhang_error);
       if (!forward) {
         for (numerics::BernsteinCoefficients& b : functions.value) std::reverse(b.begin(), b.end());
       }
-      const OneSided solution = one_sided(functions.value, piece.length(), s, weight);
+      const OneSidedSolution solution = solve_one_sided(functions.value, piece.length(), s, weight);
       const int target = i - static_cast<int>(axis.first);
       if (target >= 0 && target < static_cast<int>(pieces.size())) {
         const auto add = [&](int b, const numerics::Interval& factor,
                              const numerics::BernsteinCoefficients& c) {
-          const std::span<numerics::Interval> out = table.of(target, b);
+          const std::span<numerics::Interval> out = table.coefficients_of(target, b);
           for (int j = 0; j < kOneSidedOrder; ++j) {
             out[j] += factor * c[forward ? j : kOneSidedOrder - 1 - j];
           }
         };
-        for (int b = 0; b < basis.size(); ++b) add(b, carried[b], solution.decay);
+        for (int b = 0; b < basis.size(); ++b) add(b, end_values[b], solution.decay);
         for (std::size_t l = 0; l < functions.index.size(); ++l) {
           add(functions.index[l], numerics::Interval(1), solution.forced[l]);
         }
       }
-      for (numerics::Interval& c : carried) c *= solution.final_decay;
+      for (numerics::Interval& c : end_values) c *= solution.final_decay;
       for (std::size_t l = 0; l < functions.index.size(); ++l) {
-        carried[functions.index[l]] += solution.forced[l].back();
+        end_values[functions.index[l]] += solution.forced[l].back();
       }
     }
   }
-  // A function misrepresented by an amount everywhere changes K B by no more.
+  // An error of B that is bounded everywhere changes K B by at most this bound.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // An image that lies beyond the basis altogether leaves a stretch between that is not there.
-  const double reach = (pieces.back().to - pieces.front().from).lower();
-  if (!(magnitude(shift) < reach)) table.remainder = HUGE_VAL;
+  // If the shifted pieces lie wholly beyond the basis, the pieces between are missing: no bound.
+  const double range_length = (pieces.back().to - pieces.front().from).lower();
+  if (!(magnitude(shift) < range_length)) table.remainder = HUGE_VAL;
   return table;
 }
 
 }  // namespace
 
-ImpulseTable table_of(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
-  return table_of_sides(law.mean, law.scale, {0.5, 0.5}, basis, pieces);
+ImpulseTable law_table(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces) {
+  return make_tail_table(law.mean, law.scale, {0.5, 0.5}, basis, pieces);
 }
 
-ImpulseTable table_of(const problem::ExponentialLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
+ImpulseTable law_table(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces) {
   const numerics::Interval start = numerics::Interval(law.mean) - law.scale;
-  return table_of_sides(start, std::abs(law.scale), law.scale > 0 ? Weights{0, 1} : Weights{1, 0},
-                        basis, pieces);
+  return make_tail_table(start, std::abs(law.scale),
+                         law.scale > 0 ? TailWeights{0, 1} : TailWeights{1, 0}, basis, pieces);
 }
 
 }  // namespace fpkcheck::backward

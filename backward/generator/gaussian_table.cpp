@@ -1,14 +1,16 @@
 // Y ~ N(m, s^2). With v = v0 + h x on the target piece and z = z0 + g y on a source piece,
-// D = (z0 - v0 - m)/s and Hermite's polynomials He,
+// D = (z0 - v0 - m)/s and the Hermite polynomials He,
 //
 //     K B(v) = int B(z) phi((z - v - m)/s) dz/s
 //            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
 //
-// Errors, each for |V| <= 1 (the functions are positive and their sum is 1):
-// - sources further than kReach deviations: P(|Y - m| > kReach s) <= 2 exp(-kReach^2/2);
+// Truncation errors for |V| <= 1 (the functions are positive and their sum is 1):
+// - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
+// exp(-kSourceRange^2/2);
 // - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);
-// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!, so with
-//   a = sqrt(2) g/s, b = sqrt(2) h/s at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
+// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With
+//   a = sqrt(2) g/s, b = sqrt(2) h/s the error is at most
+//   0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
 #include <cmath>
 #include <stdexcept>
 
@@ -17,9 +19,9 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kOrder = 16;    // N
-constexpr int kSources = 20;  // K
-constexpr double kReach = 9;
+constexpr int kOrder = 16;          // N
+constexpr int kSourceMoments = 20;  // K
+constexpr double kSourceRange = 9;
 
 numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.from + piece.to) / 2.0; }
 
@@ -34,18 +36,19 @@ numerics::BernsteinCoefficients centred_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
   for (int i = 0; i < q; ++i) b = product(b, x);
-  return elevated(b, n);
+  return elevate_degree(b, n);
 }
 
-// int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSources): the mean of the Bernstein coefficients.
+// int_0^1 B_j^p(t) (2t - 1)^k dt, shape (p + 1, kSourceMoments): the mean of the Bernstein
+// coefficients of the integrand.
 std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
-  std::vector<numerics::BernsteinCoefficients> integrals(p + 1,
-                                                         numerics::BernsteinCoefficients(kSources));
+  std::vector<numerics::BernsteinCoefficients> integrals(
+      p + 1, numerics::BernsteinCoefficients(kSourceMoments));
   for (int j = 0; j <= p; ++j) {
     numerics::BernsteinCoefficients b(p + 1, numerics::Interval(0));
     b[j] = 1;
-    for (int k = 0; k < kSources; ++k) {
+    for (int k = 0; k < kSourceMoments; ++k) {
       numerics::Interval sum = 0;
       for (const numerics::Interval& c : b) sum += c;
       integrals[j][k] = sum / static_cast<double>(b.size());
@@ -55,7 +58,7 @@ std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   return integrals;
 }
 
-// A source: (-1)^k (g/s)^k/k! int B y^k dz/s of its functions.
+// A source piece: the moments (-1)^k (g/s)^k/k! int B y^k dz/s of its functions.
 struct Source {
   numerics::Interval centre;
   double half;
@@ -63,15 +66,15 @@ struct Source {
   std::vector<numerics::BernsteinCoefficients> moments;
 };
 
-Source source_of(const ImpactBasis& basis, const VelocityPiece& piece, double s,
-                 const std::vector<numerics::BernsteinCoefficients>& integrals) {
+Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double s,
+                   const std::vector<numerics::BernsteinCoefficients>& integrals) {
   const numerics::Interval half = piece.length() / 2.0;
-  const PieceFunctions functions = functions_on(basis, piece);
+  const PieceFunctions functions = piece_functions(basis, piece);
   Source source{centre_of(piece), half.upper(), functions.index, {}};
   for (const numerics::BernsteinCoefficients& b : functions.value) {
-    numerics::BernsteinCoefficients moments(kSources);
+    numerics::BernsteinCoefficients moments(kSourceMoments);
     numerics::Interval factor = 2.0 * half / s;
-    for (int k = 0; k < kSources; ++k) {
+    for (int k = 0; k < kSourceMoments; ++k) {
       if (k > 0) factor *= -half / s / static_cast<double>(k);
       numerics::Interval sum = 0;
       for (std::size_t j = 0; j < b.size(); ++j) sum += b[j] * integrals[j][k];
@@ -82,47 +85,50 @@ Source source_of(const ImpactBasis& basis, const VelocityPiece& piece, double s,
   return source;
 }
 
-// sum_{n >= first} a^n / sqrt(n!): for a <= 3/4 each term is at most 3/4 of the one before.
+// Bound of sum_{n >= first} a^n / sqrt(n!): for a <= 3/4 the ratio of consecutive terms is at most
+// 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
-  if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: pieces longer than allowed");
+  if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));
 }
 
 }  // namespace
 
-ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
+ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces) {
   const double s = law.deviation;
   ImpulseTable table = empty_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
-  // Beyond the ends the first and the last function are 1.
-  std::vector<VelocityPiece> sourced(pieces);
-  const double reach = kReach * s + std::abs(law.mean) + s, step = 0.6 * s;
+  // Source pieces beyond the ends, where the first or the last function is 1.
+  std::vector<VelocityPiece> source_pieces(pieces);
+  const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
   for (const VelocityPiece& piece : pieces) widest = std::max(widest, piece.length().upper());
-  for (numerics::Interval to = pieces.front().from; to.upper() > basis.begin() - reach - widest;) {
+  for (numerics::Interval to = pieces.front().from;
+       to.upper() > basis.begin() - source_range - widest;) {
     const numerics::Interval from = to.lower() - step;
-    sourced.push_back({Side::below, 0, numerics::Interval(from.lower()), to, 0});
+    source_pieces.push_back({VelocitySide::below, 0, numerics::Interval(from.lower()), to, 0});
     to = from.lower();
   }
-  for (numerics::Interval from = pieces.back().to; from.lower() < basis.end() + reach + widest;) {
+  for (numerics::Interval from = pieces.back().to;
+       from.lower() < basis.end() + source_range + widest;) {
     const numerics::Interval to = from.upper() + step;
-    sourced.push_back({Side::above, 0, from, numerics::Interval(to.upper()), 0});
+    source_pieces.push_back({VelocitySide::above, 0, from, numerics::Interval(to.upper()), 0});
     from = to.upper();
   }
   std::vector<Source> sources;
   double overhang = 0;
-  for (const VelocityPiece& piece : sourced) {
-    sources.push_back(source_of(basis, piece, s, integrals));
-    overhang = std::max(overhang, functions_on(basis, piece).overhang_error);
+  for (const VelocityPiece& piece : source_pieces) {
+    sources.push_back(make_source(basis, piece, s, integrals));
+    overhang = std::max(overhang, piece_functions(basis, piece).overhang_error);
   }
 
   std::vector<numerics::BernsteinCoefficients> bernstein;
   for (int q = 0; q < kOrder; ++q) bernstein.push_back(centred_power(q, kOrder - 1));
   // phi(D) = exp(-D^2/2) / sqrt(2 pi), 1/sqrt(2 pi) = 0.398942280401432677939946...
   const numerics::Interval root(0.3989422804014326, 0.3989422804014328);
-  std::vector<numerics::Interval> hermite(kOrder + kSources);
+  std::vector<numerics::Interval> hermite(kOrder + kSourceMoments);
   numerics::Interval largest_h = 0, largest_g = 0;
   for (const Source& source : sources) largest_g = std::max(largest_g.upper(), source.half);
 
@@ -134,25 +140,25 @@ ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
     for (const Source& source : sources) {
       const numerics::Interval distance = (source.centre - v0 - law.mean) / s;
       if (std::max(distance.lower(), -distance.upper()) >
-          kReach + 1.001 * (half.upper() + source.half) / s) {
+          kSourceRange + 1.001 * (half.upper() + source.half) / s) {
         continue;
       }
       hermite[0] = root * exponential(-square(distance) / 2.0);
       hermite[1] = distance * hermite[0];
-      for (int n = 1; n + 1 < kOrder + kSources; ++n) {
+      for (int n = 1; n + 1 < kOrder + kSourceMoments; ++n) {
         hermite[n + 1] = distance * hermite[n] - static_cast<double>(n) * hermite[n - 1];
       }
       for (std::size_t l = 0; l < source.index.size(); ++l) {
         numerics::Interval* const out = &powers[static_cast<std::size_t>(source.index[l] * kOrder)];
         for (int q = 0; q < kOrder; ++q) {
           numerics::Interval sum = 0;
-          for (int k = 0; k < kSources; ++k) sum += hermite[q + k] * source.moments[l][k];
+          for (int k = 0; k < kSourceMoments; ++k) sum += hermite[q + k] * source.moments[l][k];
           out[q] += sum;
         }
       }
     }
     for (int b = 0; b < basis.size(); ++b) {
-      const std::span<numerics::Interval> out = table.of(static_cast<int>(target), b);
+      const std::span<numerics::Interval> out = table.coefficients_of(static_cast<int>(target), b);
       numerics::Interval factor = 1;
       for (int q = 0; q < kOrder; ++q) {
         if (q > 0) factor *= half / s / static_cast<double>(q);
@@ -165,12 +171,14 @@ ImpulseTable table_of(const problem::GaussianLaw& law, const ImpactBasis& basis,
 
   const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
                            b = sqrt(numerics::Interval(2)) * largest_h / s;
-  // The lengths of all sources that a target sees, in deviations.
-  const numerics::Interval seen = 2.0 * (kReach + 2.0 * (largest_h + 2.0 * largest_g) / s);
+  // Total length of the sources of a target, in deviations.
+  const numerics::Interval source_length =
+      2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
   const numerics::Interval sources_cut =
-      0.44 * seen * root_factorial_tail(b, 0) * root_factorial_tail(a, kSources);
+      0.44 * source_length * root_factorial_tail(b, 0) * root_factorial_tail(a, kSourceMoments);
   const numerics::Interval series_cut = power(largest_h / s, kOrder) / sqrt(factorial(kOrder));
-  const numerics::Interval reach_cut = 2.0 * exponential(numerics::Interval(-kReach * kReach / 2));
+  const numerics::Interval reach_cut =
+      2.0 * exponential(numerics::Interval(-kSourceRange * kSourceRange / 2));
   const numerics::Interval overhangs = 4.0 * (basis.speeds().degree() + 1.0) * overhang;
   table.remainder = (sources_cut + series_cut + reach_cut + overhangs).upper();
   return table;

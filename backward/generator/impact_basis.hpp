@@ -4,11 +4,11 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of v on [-u_max, r u_max], continued as constants beyond. Incoming, v = -u, and
-/// outgoing, v = r u, are the same splines of the impact speed u, joined continuously at v = 0 (an
-/// inner knot of full multiplicity). So the impact condition V(0, r u) = V(0, -u) holds exactly,
-/// for all u, when at y = 0 the coefficients of `b` and `mirrored(b)` are equal, whatever the
-/// rounding of r u.
+/// Splines of v on [-u_max, r u_max], continued as constants. The incoming side, v = -u, and the
+/// outgoing side, v = r u, have the same splines of the impact speed u, joined continuously at v =
+/// 0 (an inner knot of full multiplicity). If the coefficients of `b` and `mirrored(b)` are equal
+/// at y = 0, the impact condition V(0, r u) = V(0, -u) therefore holds exactly for all u, whatever
+/// the rounding of r u.
 class ImpactBasis {
  public:
   ImpactBasis(numerics::SplineBasis speeds, double restitution)
@@ -17,10 +17,10 @@ class ImpactBasis {
   const numerics::SplineBasis& speeds() const { return speeds_; }
   double restitution() const { return restitution_; }
   int size() const { return 2 * speeds_.size() - 1; }
-  /// The function that is not zero at v = 0.
+  /// Index of the only function that does not vanish at v = 0.
   int centre() const { return speeds_.size() - 1; }
   int mirrored(int b) const { return size() - 1 - b; }
-  /// Function h of the speed on the incoming or on the outgoing side.
+  /// Index of function h of the speed on the incoming and on the outgoing side.
   int incoming(int h) const { return centre() - h; }
   int outgoing(int h) const { return centre() + h; }
   double begin() const { return -speeds_.end(); }

@@ -16,28 +16,28 @@ using problem::LaplaceLaw;
 using problem::TwoPointLaw;
 using problem::UniformLaw;
 
-// Offsets y where the law's density or its derivative jumps, or its atoms.
-std::vector<double> kinks_of(const GaussianLaw&) { return {}; }
-std::vector<double> kinks_of(const LaplaceLaw& law) {
+// Amplitudes at which the density of the law or its derivative jumps, or which are atoms.
+std::vector<double> kink_offsets(const GaussianLaw&) { return {}; }
+std::vector<double> kink_offsets(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
 }
-std::vector<double> kinks_of(const TwoPointLaw& law) {
+std::vector<double> kink_offsets(const TwoPointLaw& law) {
   return {law.mean - law.deviation, law.mean + law.deviation};
 }
-std::vector<double> kinks_of(const UniformLaw& law) {
+std::vector<double> kink_offsets(const UniformLaw& law) {
   return {law.mean - law.half_width, law.mean + law.half_width};
 }
 
-std::vector<double> kinks_of(const ExponentialLaw& law) { return {law.mean - law.scale}; }
+std::vector<double> kink_offsets(const ExponentialLaw& law) { return {law.mean - law.scale}; }
 
-// Pieces are short against the length over which the law's kernel varies.
+// Pieces are short compared with the length scale of the law's density.
 double longest_piece(const GaussianLaw& law) { return 0.8 * law.deviation; }
 double longest_piece(const LaplaceLaw& law) { return 0.6 * law.scale; }
 double longest_piece(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
 double longest_piece(const TwoPointLaw& law) { return 2 * law.deviation; }
 double longest_piece(const UniformLaw& law) { return law.half_width; }
 
-// E[(Y - mean)^n]; n even where the law is symmetric.
+// E[(Y - mean)^n]; for even n only if the law is symmetric.
 numerics::Interval central_moment(const GaussianLaw& law, int n) {
   numerics::Interval m = power(numerics::Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
@@ -65,11 +65,11 @@ numerics::Interval central_moment(const UniformLaw& law, int n) {
 template <class Law>
 concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
   central_moment(law, 0);
-  table_of(law, basis, {});
+  law_table(law, basis, {});
 };
 
-[[noreturn]] void refuse(std::string_view law) {
-  throw std::logic_error(fmt::format("no enclosures for the law {}: ask has_enclosures", law));
+[[noreturn]] void throw_unsupported(std::string_view law) {
+  throw std::logic_error(fmt::format("law {}: no enclosures; check has_enclosures first", law));
 }
 
 }  // namespace
@@ -84,9 +84,9 @@ ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& 
       [&]<class Law>(const Law& kind) -> std::vector<double> {
         if constexpr (Enclosed<Law>) {
           kinks.longest = longest_piece(kind);
-          return kinks_of(kind);
+          return kink_offsets(kind);
         } else {
-          refuse(Law::kName);
+          throw_unsupported(Law::kName);
         }
       },
       law.kind());
@@ -102,9 +102,9 @@ ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityP
   return std::visit(
       [&]<class Law>(const Law& kind) -> ImpulseTable {
         if constexpr (Enclosed<Law>) {
-          return table_of(kind, basis, pieces);
+          return law_table(kind, basis, pieces);
         } else {
-          refuse(Law::kName);
+          throw_unsupported(Law::kName);
         }
       },
       law.kind());
@@ -121,7 +121,7 @@ numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
           }
           return sum;
         } else {
-          refuse(Law::kName);
+          throw_unsupported(Law::kName);
         }
       },
       law.kind());

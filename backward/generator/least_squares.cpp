@@ -9,16 +9,17 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kMostSteps = 12;
-constexpr double kConverged = 1e-20;  // of the first product of gradient and step: rounding
+constexpr int kMaxSteps = 12;
+// Relative to the first product of gradient and preconditioned gradient: the level of rounding.
+constexpr double kConverged = 1e-20;
 
-// The rows of the least-squares problem, applied through their three separable terms.
-class Rows {
+// The rows of the least-squares problem, applied as a sum of three separable terms.
+class FitRows {
  public:
-  explicit Rows(const LeastSquaresProblem& p)
+  explicit FitRows(const LeastSquaresProblem& p)
       : p_(p),
         functions_(p.velocity.size()),
-        tied_(p.velocity.centre() + 1),
+        constrained_size_(p.velocity.centre() + 1),
         per_span_(p.displacement.degree() + 1),
         weights_(static_cast<Eigen::Index>(p.v.v.size()), static_cast<Eigen::Index>(p.y.y.size())) {
     for (std::size_t i = 0; i < p.y.y.size(); ++i) {
@@ -32,11 +33,11 @@ class Rows {
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
   double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
 
-  /// At a wall both functions of a mirrored pair have one unknown.
+  /// Numbers of unknowns: at a wall the two functions of a mirrored pair share one unknown.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
     for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
-      if (is_tied(static_cast<int>(a))) sizes[a] = tied_;
+      if (is_constrained(static_cast<int>(a))) sizes[a] = constrained_size_;
     }
     return sizes;
   }
@@ -46,7 +47,7 @@ class Rows {
     const Eigen::SparseMatrix<double>& drift = p_.v.drift;
     Eigen::MatrixXd motion, weighted;
     for (int i = 0; i < y_points(); ++i) {
-      // L = A M + A' D with M = jump + g(y) force, D = drift
+      // L = A M + A' D with M = jump + g(y) force and D = drift
       motion = p_.v.jump + force(i) * p_.v.force;
       weighted = weights_.col(i).cwiseSqrt().asDiagonal() * motion;
       Eigen::MatrixXd mm = Eigen::MatrixXd::Zero(functions_, functions_);
@@ -69,7 +70,8 @@ class Rows {
     return matrix;
   }
 
-  /// L V at all points, shape (v points, y points), of coefficients (functions of y, of v).
+  /// L V at all points, shape (v points, y points), for coefficients of shape (functions of y, of
+  /// v).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),
                           force_term = p_.v.force * c.transpose();
@@ -85,8 +87,8 @@ class Rows {
     return result;
   }
 
-  /// The transpose of `apply` with the weights: unknowns of the normal equations.
-  Eigen::VectorXd transposed(const Eigen::MatrixXd& residual) const {
+  /// The weighted transpose of `apply`: a vector in the unknowns of the normal equations.
+  Eigen::VectorXd apply_transpose(const Eigen::MatrixXd& residual) const {
     const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
     Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), p_.displacement.size());
     Eigen::MatrixXd forced = value, slope = value;
@@ -99,22 +101,23 @@ class Rows {
     }
     const Eigen::MatrixXd g = p_.v.jump.transpose() * value + p_.v.force.transpose() * forced +
                               p_.v.drift.transpose() * slope;  // (functions of v, of y)
-    return folded(g);
+    return unknowns_of_gradient(g);
   }
 
   double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
     return (weights_.array() * a.array() * b.array()).sum();
   }
 
-  /// numerics::BernsteinCoefficients from unknowns.
-  Eigen::MatrixXd unfolded(const Eigen::VectorXd& x) const {
+  /// Spline coefficients from the unknowns.
+  Eigen::MatrixXd coefficients_of_unknowns(const Eigen::VectorXd& x) const {
     const int rows = p_.displacement.size(), centre = p_.velocity.centre();
     Eigen::MatrixXd c(rows, functions_);
     Eigen::Index first = 0;
     for (int a = 0; a < rows; ++a) {
-      if (is_tied(a)) {
-        for (int b = 0; b < tied_; ++b) c(a, centre - b) = c(a, centre + b) = x(first + b);
-        first += tied_;
+      if (is_constrained(a)) {
+        for (int b = 0; b < constrained_size_; ++b)
+          c(a, centre - b) = c(a, centre + b) = x(first + b);
+        first += constrained_size_;
       } else {
         c.row(a) = x.segment(first, functions_).transpose();
         first += functions_;
@@ -124,18 +127,19 @@ class Rows {
   }
 
  private:
-  bool is_tied(int row) const {
-    return (row == 0 && p_.tied_at_begin) || (row == p_.displacement.size() - 1 && p_.tied_at_end);
+  bool is_constrained(int row) const {
+    return (row == 0 && p_.has_impact_condition_at_begin) ||
+           (row == p_.displacement.size() - 1 && p_.has_impact_condition_at_end);
   }
 
-  Eigen::VectorXd folded(const Eigen::MatrixXd& g) const {
+  Eigen::VectorXd unknowns_of_gradient(const Eigen::MatrixXd& g) const {
     const int columns = p_.displacement.size();
     Eigen::VectorXd x(columns * functions_);
     Eigen::Index first = 0;
     for (int a = 0; a < columns; ++a) {
-      const Eigen::Index count = is_tied(a) ? tied_ : functions_;
-      if (is_tied(a)) {
-        x.segment(first, count) = folded_rows(g.col(a));
+      const Eigen::Index count = is_constrained(a) ? constrained_size_ : functions_;
+      if (is_constrained(a)) {
+        x.segment(first, count) = add_mirrored_rows(g.col(a));
       } else {
         x.segment(first, count) = g.col(a);
       }
@@ -145,43 +149,44 @@ class Rows {
     return x;
   }
 
-  // Adds the rows of mirrored functions, the centre counted once.
-  Eigen::MatrixXd folded_rows(const Eigen::MatrixXd& g) const {
-    Eigen::MatrixXd f = g.bottomRows(tied_);
-    f.bottomRows(tied_ - 1) += g.topRows(tied_ - 1).colwise().reverse();
+  // Adds the rows of mirrored functions; the centre counts once.
+  Eigen::MatrixXd add_mirrored_rows(const Eigen::MatrixXd& g) const {
+    Eigen::MatrixXd f = g.bottomRows(constrained_size_);
+    f.bottomRows(constrained_size_ - 1) += g.topRows(constrained_size_ - 1).colwise().reverse();
     return f;
   }
 
   void add(numerics::BlockBandedMatrix& matrix, int row, int column,
            const Eigen::MatrixXd& block) const {
-    if (!is_tied(row) && !is_tied(column)) {
+    if (!is_constrained(row) && !is_constrained(column)) {
       matrix.block(row, column) += block;
-    } else if (!is_tied(row)) {
-      matrix.block(row, column) += folded_rows(block.transpose()).transpose();
-    } else if (!is_tied(column)) {
-      matrix.block(row, column) += folded_rows(block);
+    } else if (!is_constrained(row)) {
+      matrix.block(row, column) += add_mirrored_rows(block.transpose()).transpose();
+    } else if (!is_constrained(column)) {
+      matrix.block(row, column) += add_mirrored_rows(block);
     } else {
-      matrix.block(row, column) += folded_rows(folded_rows(block).transpose()).transpose();
+      matrix.block(row, column) +=
+          add_mirrored_rows(add_mirrored_rows(block).transpose()).transpose();
     }
   }
 
   const LeastSquaresProblem& p_;
-  int functions_, tied_, per_span_;
+  int functions_, constrained_size_, per_span_;
   Eigen::MatrixXd weights_;  // squares, shape (v points, y points)
 };
 
-/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal equations,
-/// which rounding and its ridge put off on the finest grids: three or four steps on the others. Each
-/// column ends where it is converged or rounding lets it go no further.
-/// @param residual, x those of x = 0; the residuals end within rounding of f + A x
-void minimise(const Rows& rows, const NormalEquations& equations,
+/// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal
+/// equations. Three or four steps suffice, except on the finest grids, where rounding and the ridge
+/// degrade the preconditioner. A column stops at convergence or when rounding prevents progress.
+/// @param residual, x start values for x = 0; at the end the residuals equal f + A x up to rounding
+void minimise(const FitRows& rows, const NormalEquations& equations,
               std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
   Eigen::MatrixXd gradient(x.rows(), x.cols()), direction = x;
   Eigen::VectorXd first, last;
   std::vector<bool> ended(residual.size());
-  for (int step = 0; step < kMostSteps && std::ranges::count(ended, false) > 0; ++step) {
+  for (int step = 0; step < kMaxSteps && std::ranges::count(ended, false) > 0; ++step) {
     for (Eigen::Index n = 0; n < x.cols(); ++n) {
-      gradient.col(n) = -rows.transposed(residual[static_cast<std::size_t>(n)]);
+      gradient.col(n) = -rows.apply_transpose(residual[static_cast<std::size_t>(n)]);
     }
     const Eigen::MatrixXd preconditioned = equations.solve(gradient);
     const Eigen::VectorXd product = gradient.cwiseProduct(preconditioned).colwise().sum();
@@ -196,7 +201,7 @@ void minimise(const Rows& rows, const NormalEquations& equations,
       }
       direction.col(n) =
           preconditioned.col(n) + (step > 0 ? product(n) / last(n) : 0) * direction.col(n);
-      const Eigen::MatrixXd change = rows.apply(rows.unfolded(direction.col(n)));
+      const Eigen::MatrixXd change = rows.apply(rows.coefficients_of_unknowns(direction.col(n)));
       const double length = product(n) / rows.dot(change, change);
       x.col(n) += length * direction.col(n);
       residual[at] += length * change;
@@ -210,10 +215,10 @@ void minimise(const Rows& rows, const NormalEquations& equations,
 BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions) {
-  const Rows rows(problem);
+  const FitRows rows(problem);
   const NormalEquations equations(rows.normal_matrix(), "the fit");
 
-  // Right-hand sides: each f, and 1 in the last place.
+  // Right-hand sides: each f, and 1 as the last.
   const std::size_t count = functions.size() + 1;
   std::vector<Eigen::MatrixXd> f(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -229,7 +234,8 @@ BackwardSolutions solve_backward(
   std::vector<Eigen::MatrixXd> residual = f;
   minimise(rows, equations, residual, x);
   for (std::size_t n = 0; n < count; ++n) {
-    residual[n] = f[n] + rows.apply(rows.unfolded(x.col(static_cast<Eigen::Index>(n))));
+    residual[n] =
+        f[n] + rows.apply(rows.coefficients_of_unknowns(x.col(static_cast<Eigen::Index>(n))));
   }
 
   BackwardSolutions solutions;
@@ -237,18 +243,20 @@ BackwardSolutions solve_backward(
   for (std::size_t n = 0; n + 1 < count; ++n) {
     const double mean = rows.dot(one, residual[n]) / rows.dot(one, one);
     solutions.means.push_back(mean);
-    Eigen::MatrixXd c = rows.unfolded(x.col(n) - mean * x.rightCols<1>());
-    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // L of a constant is 0
+    Eigen::MatrixXd c = rows.coefficients_of_unknowns(x.col(n) - mean * x.rightCols<1>());
+    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // a constant is free: L of it is 0
     solutions.coefficients.push_back(std::move(c));
     const Eigen::MatrixXd left = residual[n] - mean * one;
-    std::pair<double, double> extremes{0, 0};
+    std::pair<double, double> residual_extremes{0, 0};
     for (int i = 0; i < rows.y_points(); ++i) {
       for (int j = 0; j < rows.v_points(); ++j) {
-        const double judged = left(j, i) * problem.judging_weight(problem.y.y[i], problem.v.v[j]);
-        extremes = {std::min(extremes.first, judged), std::max(extremes.second, judged)};
+        const double weighted_residual =
+            left(j, i) * problem.residual_weight(problem.y.y[i], problem.v.v[j]);
+        residual_extremes = {std::min(residual_extremes.first, weighted_residual),
+                             std::max(residual_extremes.second, weighted_residual)};
       }
     }
-    solutions.extremes.push_back(extremes);
+    solutions.residual_extremes.push_back(residual_extremes);
   }
   return solutions;
 }

@@ -9,15 +9,14 @@
 
 namespace fpkcheck::backward {
 
-/// Approximate solutions of the backward equation L V = U - f, one per functional f.
+/// Approximate solutions of the backward equation L V = U - f, one for each functional f.
 struct BackwardSolutions {
-  /// numerics::BernsteinCoefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v), with
-  /// c_{0,b} = c_{0,mirrored(b)} to the last bit where there is a wall at the left; the last ones
-  /// likewise.
+  /// Spline coefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v). At a left
+  /// wall c_{0,b} = c_{0,mirrored(b)} to the last bit; likewise the last row at a right wall.
   std::vector<Eigen::MatrixXd> coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
-  /// The least and largest (f + L V - U) / (a weight for judging) at the points.
-  std::vector<std::pair<double, double>> extremes;
+  /// Least and largest value of (f + L V - U) residual_weight at the points.
+  std::vector<std::pair<double, double>> residual_extremes;
 };
 
 struct LeastSquaresProblem {
@@ -26,18 +25,18 @@ struct LeastSquaresProblem {
   const ImpactBasis& velocity;
   const DisplacementSamples& y;
   const VelocitySamples& v;
-  /// Weight of a row of the fit, and of a residual that is judged.
-  std::function<double(double y, double v)> row_weight, judging_weight;
-  /// At which ends of y V meets the impact condition of the velocity's basis.
-  bool tied_at_begin = true, tied_at_end = false;
+  /// Weight of the rows of the fit, and of the residuals in `residual_extremes`.
+  std::function<double(double y, double v)> row_weight, residual_weight;
+  /// True for the ends of y at which V satisfies the impact condition of `velocity`.
+  bool has_impact_condition_at_begin = true, has_impact_condition_at_end = false;
 };
 
-/// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once:
-/// conjugate gradients with the scaled normal equations, a small ridge added and factorised by blocks,
-/// as preconditioner. V is fitted to f
-/// and to 1; the residuals e_f, e_1 give U = <e_1, e_f> / <e_1, e_1>.
+/// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once, by
+/// conjugate gradients. The preconditioner is the block-banded Cholesky factor of the scaled normal
+/// equations with a small ridge. The fit is for f and for 1; their residuals e_f and e_1 give
+/// U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions f(y, v)
-/// @throws FitBrokeDown (backward/generator/normal_equations.hpp)
+/// @throws FitFailure (backward/generator/normal_equations.hpp)
 BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions);

@@ -9,13 +9,13 @@ constexpr double kRidge = 1e-13;
 
 }  // namespace
 
-NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& of_what)
+NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name)
     : matrix_(std::move(matrix)),
       scale_(matrix_.diagonal().array().max(1e-300).sqrt().inverse().matrix()) {
   matrix_.scale(scale_);
   matrix_.add_to_diagonal(kRidge);
   if (!matrix_.factorise()) {
-    throw FitBrokeDown("the normal equations of " + of_what + " are not positive definite");
+    throw FitFailure("the normal equations of " + fit_name + " are not positive definite");
   }
 }
 

@@ -8,18 +8,18 @@
 
 namespace fpkcheck::backward {
 
-/// The normal equations have no Cholesky factor.
-struct FitBrokeDown : std::runtime_error {
+/// Thrown if the normal equations have no Cholesky factor.
+struct FitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Normal equations of a fit, scaled to a unit diagonal, with a ridge of 1e-13 added to it, and
-/// factorised by blocks.
+/// Normal equations of a fit, scaled to a unit diagonal, with a ridge of 1e-13, as a block-banded
+/// Cholesky factor.
 class NormalEquations {
  public:
-  /// @param of_what "the fit"
-  /// @throws FitBrokeDown "the normal equations of `of_what` are not positive definite"
-  NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& of_what);
+  /// @param fit_name name of the fit in the message: "the fit"
+  /// @throws FitFailure "the normal equations of `fit_name` are not positive definite"
+  NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 
   /// @param right shape (unknowns, right-hand sides)
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;

@@ -4,25 +4,26 @@
 
 namespace fpkcheck::backward {
 
-ImpulseTable table_of(const problem::TwoPointLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
-  const int order = basis.speeds().degree() + 2;  // the generator's own v V_y has this order
+ImpulseTable law_table(const problem::TwoPointLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces) {
+  const int order = basis.speeds().degree() + 2;  // order of the term v V_y of the generator
   ImpulseTable table = empty_table(basis, pieces, order);
   double overhang = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.deviation;
       const PieceFunctions there =
-          functions_on(basis, located(basis, pieces[i].from + shift, pieces[i].to + shift));
+          piece_functions(basis, locate_piece(basis, pieces[i].from + shift, pieces[i].to + shift));
       overhang = std::max(overhang, there.overhang_error);
       for (std::size_t l = 0; l < there.index.size(); ++l) {
-        const numerics::BernsteinCoefficients b = elevated(there.value[l], order - 1);
-        const std::span<numerics::Interval> out = table.of(static_cast<int>(i), there.index[l]);
+        const numerics::BernsteinCoefficients b = elevate_degree(there.value[l], order - 1);
+        const std::span<numerics::Interval> out =
+            table.coefficients_of(static_cast<int>(i), there.index[l]);
         for (int j = 0; j < order; ++j) out[j] += b[j] / 2.0;
       }
     }
   }
-  // At a point no more than the functions of two spans, 2 (p + 1), are affected.
+  // At a point the error affects at most the functions of two spans, 2 (p + 1).
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
 }

@@ -5,16 +5,16 @@
 namespace fpkcheck::backward {
 namespace {
 
-// I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end of the
-// last.
-class Primitive {
+// I(v) = int_{begin}^v B for all functions, at the beginning of each span and at the end of the
+// last span.
+class Antiderivative {
  public:
-  explicit Primitive(const ImpactBasis& basis) : basis_(basis) {
+  explicit Antiderivative(const ImpactBasis& basis) : basis_(basis) {
     std::vector<numerics::Interval> sum(basis.size(), numerics::Interval(0));
-    spans_ = pieces_of(basis, {}, 4 * (basis.end() - basis.begin()));
+    spans_ = velocity_pieces(basis, {}, 4 * (basis.end() - basis.begin()));
     for (const VelocityPiece& span : spans_) {
       at_begin_.push_back(sum);
-      const PieceFunctions functions = functions_on(basis, span);
+      const PieceFunctions functions = piece_functions(basis, span);
       for (std::size_t l = 0; l < functions.index.size(); ++l) {
         sum[functions.index[l]] += span.length() * mean(functions.value[l]);
       }
@@ -26,17 +26,19 @@ class Primitive {
   /// @return a bound of |I - polynomial|
   double add(const VelocityPiece& piece, const numerics::Interval& factor,
              std::span<numerics::Interval> coefficients, int order) const {
-    const PieceFunctions functions = functions_on(basis_, piece);
-    const int known = span_number(piece);
-    const bool below = piece.side == Side::below;
+    const PieceFunctions functions = piece_functions(basis_, piece);
+    const int span_index = span_number(piece);
+    const bool below = piece.side == VelocitySide::below;
     for (int b = 0; b < basis_.size(); ++b) {
-      for (int j = 0; j < order; ++j) coefficients[b * order + j] += factor * at_begin_[known][b];
+      for (int j = 0; j < order; ++j)
+        coefficients[b * order + j] += factor * at_begin_[span_index][b];
     }
-    // From the beginning of the span (below the range: back from its beginning) to the piece.
+    // Integral from the beginning of the span to the piece; below the range, from the piece to the
+    // beginning of the range.
     const numerics::Interval begin =
-        known < static_cast<int>(spans_.size()) ? spans_[known].from : spans_.back().to;
+        span_index < static_cast<int>(spans_.size()) ? spans_[span_index].from : spans_.back().to;
     const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
-    const PieceFunctions across = functions_on(basis_, gap);
+    const PieceFunctions across = piece_functions(basis_, gap);
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
       numerics::BernsteinCoefficients integral(functions.value[l].size() + 1);
       integral[0] = below ? piece.from - begin : gap.length() * mean(across.value[l]);
@@ -45,7 +47,7 @@ class Primitive {
       for (std::size_t j = 0; j + 1 < integral.size(); ++j) {
         integral[j + 1] = integral[j] + step * functions.value[l][j];
       }
-      integral = elevated(integral, order - 1);
+      integral = elevate_degree(integral, order - 1);
       for (int j = 0; j < order; ++j) {
         coefficients[functions.index[l] * order + j] += factor * integral[j];
       }
@@ -62,13 +64,13 @@ class Primitive {
   int span_number(const VelocityPiece& piece) const {
     const int count = basis_.speeds().spans();
     switch (piece.side) {
-      case Side::below:
+      case VelocitySide::below:
         return 0;
-      case Side::incoming:
+      case VelocitySide::incoming:
         return count - 1 - piece.span;
-      case Side::outgoing:
+      case VelocitySide::outgoing:
         return count + piece.span;
-      case Side::above:
+      case VelocitySide::above:
         return 2 * count;
     }
     return 0;
@@ -81,24 +83,25 @@ class Primitive {
 
 }  // namespace
 
-ImpulseTable table_of(const problem::UniformLaw& law, const ImpactBasis& basis,
-                      const std::vector<VelocityPiece>& pieces) {
+ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
+                       const std::vector<VelocityPiece>& pieces) {
   const int order = basis.speeds().degree() + 2;
   ImpulseTable table = empty_table(basis, pieces, order);
-  const Primitive primitive(basis);
+  const Antiderivative antiderivative(basis);
   numerics::Interval error = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::span<numerics::Interval> out(table.of(static_cast<int>(i), 0).data(),
+    const std::span<numerics::Interval> out(table.coefficients_of(static_cast<int>(i), 0).data(),
                                             static_cast<std::size_t>(basis.size() * order));
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.half_width;
-      const VelocityPiece there = located(basis, pieces[i].from + shift, pieces[i].to + shift);
+      const VelocityPiece there = locate_piece(basis, pieces[i].from + shift, pieces[i].to + shift);
       const numerics::Interval factor = sign / (2.0 * numerics::Interval(law.half_width));
-      const double missed = primitive.add(there, factor, out, order);
-      error = std::max(error.upper(), (magnitude(factor) * numerics::Interval(missed)).upper());
+      const double piece_error = antiderivative.add(there, factor, out, order);
+      error =
+          std::max(error.upper(), (magnitude(factor) * numerics::Interval(piece_error)).upper());
     }
   }
-  // Two shifts, each affecting no more than the functions of two spans.
+  // Each of the two shifts affects at most the functions of two spans.
   table.remainder = (4.0 * (basis.speeds().degree() + 1.0) * error).upper();
   return table;
 }

@@ -12,7 +12,7 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
   std::sort(kinks.cuts.begin(), kinks.cuts.end());
 
   VelocityOperators operators;
-  operators.pieces = pieces_of(basis, kinks.cuts, kinks.longest);
+  operators.pieces = velocity_pieces(basis, kinks.cuts, kinks.longest);
   operators.jump = impulse_table(basis, operators.pieces, law);
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
@@ -22,7 +22,7 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
   jump.remainder = (rate * jump.remainder).upper();
   for (std::size_t i = 0; i < operators.pieces.size(); ++i) {
     const VelocityPiece& piece = operators.pieces[i];
-    const PieceFunctions functions = functions_on(basis, piece);
+    const PieceFunctions functions = piece_functions(basis, piece);
     const numerics::BernsteinCoefficients v{piece.from, piece.to};
     const numerics::Interval length = piece.length();
     operators.index.push_back(functions.index);
@@ -32,14 +32,15 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
       const numerics::BernsteinCoefficients& b = functions.value[l];
       numerics::BernsteinCoefficients slope = derivative(b);
       for (numerics::Interval& s : slope) s /= length;
-      const numerics::BernsteinCoefficients value = elevated(b, degree);
-      const numerics::BernsteinCoefficients damped = elevated(product(v, slope), degree);
-      const std::span<numerics::Interval> out = jump.of(static_cast<int>(i), functions.index[l]);
+      const numerics::BernsteinCoefficients value = elevate_degree(b, degree);
+      const numerics::BernsteinCoefficients damped = elevate_degree(product(v, slope), degree);
+      const std::span<numerics::Interval> out =
+          jump.coefficients_of(static_cast<int>(i), functions.index[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
-      operators.drift.back().push_back(elevated(product(v, b), degree));
+      operators.drift.back().push_back(elevate_degree(product(v, b), degree));
     }
     for (const numerics::BernsteinCoefficients& slope : difference_slopes(basis, piece)) {
-      numerics::BernsteinCoefficients force = elevated(slope, degree);
+      numerics::BernsteinCoefficients force = elevate_degree(slope, degree);
       for (numerics::Interval& s : force) s = -s;
       operators.force.back().push_back(std::move(force));
     }

@@ -3,15 +3,15 @@
 #include <cmath>
 
 #include "backward/generator/difference_slopes.hpp"
-#include "numerics/splines/bezier.hpp"
+#include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::backward {
 namespace {
 
-// The ends of a span in v, increasing.
-std::array<numerics::Interval, 2> ends_of(const ImpactBasis& basis, Side side, int span) {
+// Ends of a span in v, increasing.
+std::array<numerics::Interval, 2> span_ends(const ImpactBasis& basis, VelocitySide side, int span) {
   const double u0 = basis.speeds().breaks()[span], u1 = basis.speeds().breaks()[span + 1];
-  if (side == Side::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
+  if (side == VelocitySide::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
   const numerics::Interval r = basis.restitution();
   return {r * u0, r * u1};
 }
@@ -20,8 +20,8 @@ double middle(const numerics::Interval& from, const numerics::Interval& to) {
   return (from.lower() + to.upper()) / 2;
 }
 
-// |B'| <= p / (the shortest knot interval on which it lives), in v.
-double steepest(const ImpactBasis& basis) {
+// Bound of |dB/dv|: p / (the shortest knot interval in v).
+double max_slope(const ImpactBasis& basis) {
   const std::span<const double> u = basis.speeds().breaks();
   double shortest = u[1] - u[0];
   for (std::size_t i = 1; i + 1 < u.size(); ++i) shortest = std::min(shortest, u[i + 1] - u[i]);
@@ -30,35 +30,35 @@ double steepest(const ImpactBasis& basis) {
 
 }  // namespace
 
-VelocityPiece located(const ImpactBasis& basis, const numerics::Interval& from,
-                      const numerics::Interval& to) {
+VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
+                           const numerics::Interval& to) {
   const double v = middle(from, to), r = basis.restitution();
-  VelocityPiece piece{Side::below, 0, from, to, 0};
+  VelocityPiece piece{VelocitySide::below, 0, from, to, 0};
   if (v < basis.begin()) {
     piece.overhang = std::max(0.0, (to - basis.begin()).upper());
   } else if (v > basis.end()) {
-    piece.side = Side::above;
+    piece.side = VelocitySide::above;
     piece.overhang = std::max(0.0, (numerics::Interval(r) * basis.speeds().end() - from).upper());
   } else {
-    piece.side = v < 0 ? Side::incoming : Side::outgoing;
+    piece.side = v < 0 ? VelocitySide::incoming : VelocitySide::outgoing;
     piece.span = basis.speeds().span_of(v < 0 ? -v : v / r);
-    const auto [begin, end] = ends_of(basis, piece.side, piece.span);
+    const auto [begin, end] = span_ends(basis, piece.side, piece.span);
     piece.overhang = std::max({0.0, (begin - from).upper(), (to - end).upper()});
   }
   return piece;
 }
 
-PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece) {
+PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece) {
   const int p = basis.speeds().degree();
   PieceFunctions functions;
   double slope = 0;
-  if (piece.side == Side::below || piece.side == Side::above) {
-    functions.index = {piece.side == Side::below ? 0 : basis.size() - 1};
+  if (piece.side == VelocitySide::below || piece.side == VelocitySide::above) {
+    functions.index = {piece.side == VelocitySide::below ? 0 : basis.size() - 1};
     functions.value = {numerics::BernsteinCoefficients(p + 1, numerics::Interval(1))};
   } else {
-    const bool in = piece.side == Side::incoming;
+    const bool in = piece.side == VelocitySide::incoming;
     const numerics::Interval r = basis.restitution();
-    const auto rows = numerics::bezier_rows<numerics::Interval>(
+    const auto rows = numerics::bezier_extraction<numerics::Interval>(
         basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
         in ? numerics::Interval(-piece.to) : piece.to / r);
     for (int l = 0; l <= p; ++l) {
@@ -71,11 +71,11 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
     }
     slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
   }
-  // On the overhang both the polynomial and the function start from the same value at the span's
-  // end: they part by no more than the sum of their slopes allows.
+  // At the end of the span the polynomial and the function are equal. On the overhang their
+  // difference is at most its length times the sum of the bounds of both slopes.
   functions.overhang_error =
-      (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + steepest(basis))).upper();
-  // A piece whose length is not known to be positive has no slope.
+      (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + max_slope(basis))).upper();
+  // A piece without a positive lower bound of its length has no bound of the slope.
   if (!(piece.length().lower() > 0)) {
     functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
   }
@@ -84,7 +84,7 @@ PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece
 
 std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
                                                                const VelocityPiece& piece) {
-  const bool in = piece.side == Side::incoming;
+  const bool in = piece.side == VelocitySide::incoming;
   const numerics::Interval r = basis.restitution(),
                            sign_and_scale = in ? numerics::Interval(-1) : 1.0 / r;
   std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(
@@ -104,13 +104,13 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
   return breaks;
 }
 
-std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
-                                     double longest) {
-  // Cuts closer than this to a break are left to the overhang of their pieces.
+std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
+                                           double longest) {
+  // Cuts closer than this to a break are omitted; the overhang of the pieces covers them.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
-  const auto add_span = [&](Side side, int span) {
-    const auto [begin, end] = ends_of(basis, side, span);
+  const auto add_span = [&](VelocitySide side, int span) {
+    const auto [begin, end] = span_ends(basis, side, span);
     std::vector<numerics::Interval> points{begin};
     for (const double cut : cuts) {
       if (cut > points.back().upper() + negligible && cut < end.lower() - negligible) {
@@ -131,8 +131,8 @@ std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const d
       }
     }
   };
-  for (int s = basis.speeds().spans(); s-- > 0;) add_span(Side::incoming, s);
-  for (int s = 0; s < basis.speeds().spans(); ++s) add_span(Side::outgoing, s);
+  for (int s = basis.speeds().spans(); s-- > 0;) add_span(VelocitySide::incoming, s);
+  for (int s = 0; s < basis.speeds().spans(); ++s) add_span(VelocitySide::outgoing, s);
   return pieces;
 }
 

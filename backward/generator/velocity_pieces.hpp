@@ -8,20 +8,20 @@
 
 namespace fpkcheck::backward {
 
-/// Which polynomials a velocity sees.
-enum class Side {
+/// Part of the velocity axis.
+enum class VelocitySide {
   below,     ///< v < -u_max: the first function is 1
   incoming,  ///< v = -u
   outgoing,  ///< v = r u
   above      ///< v > r u_max: the last function is 1
 };
 
-/// A segment of the velocity axis within one span of an ImpactBasis, or beyond all of them.
+/// A segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
 struct VelocityPiece {
-  Side side;
-  int span;                     ///< of the speeds; 0 beyond them
-  numerics::Interval from, to;  ///< the ends of the segment in v, increasing
-  /// How far the segment may reach out of its span, by the rounding of its ends.
+  VelocitySide side;
+  int span;                     ///< span of the speeds; 0 beyond all spans
+  numerics::Interval from, to;  ///< ends of the segment in v, increasing
+  /// Bound of the length by which the segment exceeds its span, due to the rounding of its ends.
   double overhang;
 
   /// Length of the segment.
@@ -30,28 +30,28 @@ struct VelocityPiece {
 
 /// The functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
 struct PieceFunctions {
-  std::vector<int> index;                              ///< functions that do not vanish there
-  std::vector<numerics::BernsteinCoefficients> value;  ///< Bernstein coefficients of each
-  /// |function - polynomial| on the segment is at most this, for every function: 0 without
-  /// overhang.
+  std::vector<int> index;                              ///< functions that do not vanish on it
+  std::vector<numerics::BernsteinCoefficients> value;  ///< Bernstein coefficients of each function
+  /// Bound of |function - polynomial| on the segment for every function; 0 without overhang.
   double overhang_error;
 };
 
-/// The span that holds a segment, decided by its middle.
-VelocityPiece located(const ImpactBasis& basis, const numerics::Interval& from,
-                      const numerics::Interval& to);
-PieceFunctions functions_on(const ImpactBasis& basis, const VelocityPiece& piece);
+/// Assigns a segment to the span that contains its midpoint.
+VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
+                           const numerics::Interval& to);
+PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece);
 
-/// d/dv of S_l = B_l + B_{l+1} + .., l = 1 .. degree, the functions of a piece in the order of
-/// functions_on: p B_{p-1} / (a knot distance), one B-spline of the degree below each.
+/// Enclosures of dS_l/dv, l = 1 .. degree, where S_l = B_l + B_{l+1} + .. over the functions of a
+/// piece in the order of piece_functions(). Each derivative is p B_{p-1} / (a knot distance), a
+/// single B-spline of degree p - 1.
 std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
                                                                const VelocityPiece& piece);
 
-/// Cuts the range of the basis at the ends of all spans and at `cuts`, and into parts no longer
+/// Divides the range of the basis at the ends of all spans, at `cuts`, and into pieces no longer
 /// than `longest`.
-std::vector<VelocityPiece> pieces_of(const ImpactBasis& basis, std::span<const double> cuts,
-                                     double longest);
-/// The points of the velocity axis where the basis is not smooth: ends of spans, increasing.
+std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
+                                           double longest);
+/// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.
 std::vector<double> velocity_breaks(const ImpactBasis& basis);
 
 }  // namespace fpkcheck::backward

@@ -46,11 +46,11 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
     const auto [at, t] = places[i];
     const std::vector<double> bernstein = bernstein_basis(operators.order() - 1, t);
     for (int b = 0; b < basis.size(); ++b) {
-      samples.jump(i, b) = sum(operators.jump.of(static_cast<int>(at), b), bernstein);
+      samples.jump(i, b) = sum(operators.jump.coefficients_of(static_cast<int>(at), b), bernstein);
     }
     for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
       drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));
-      // of (c_l - c_{l-1}) S_l'
+      // the term (c_l - c_{l-1}) S_l'
       if (l == 0) continue;
       const double slope = sum(operators.force[at][l - 1], bernstein);
       force.emplace_back(i, operators.index[at][l], slope);

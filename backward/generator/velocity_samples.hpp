@@ -5,7 +5,7 @@
 
 namespace fpkcheck::backward {
 
-/// The operators at `per_cell` Chebyshev points of every cell of v.
+/// The velocity factors at `per_cell` Chebyshev points of every cell of v.
 VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
                                  int per_cell);
 

@@ -7,63 +7,65 @@
 #include <utility>
 #include <vector>
 
-#include "backward/control/general_control.hpp"
-#include "backward/residual/spline_shares.hpp"
+#include "backward/control/general_fit.hpp"
+#include "backward/residual/spline_fractions.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::backward {
 namespace {
 
-// The jumps at the wall count as if in samples of the density four times a radian of the
-// undamped motion; the corrected moments hardly depend on it.
+// Weight of the jumps at the wall, as for four samples per radian of the undamped motion. The
+// corrected moments hardly depend on it.
 constexpr double kWallWeight = 4;
 
-WeakResiduals usual_residuals(const problem::Problem& problem, ControlSplines splines) {
+WeakResiduals make_weak_residuals(const problem::Problem& problem, ControlSplines splines) {
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlProblem fit_of(const problem::Problem& problem, const WeakResiduals& residuals) {
-  const auto control = problem::of_the_paper(problem) ? usual_control : general_control;
+ControlFit control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
+  const auto control = problem::is_paper_oscillator(problem) ? paper_class_fit : general_fit;
   const double wall_weight = kWallWeight * problem::scales(problem).frequency;
   return control(problem, residuals.y(), residuals.v(), wall_weight);
 }
 
 const ControlCells& cells_for(const problem::Features& features) {
   if (features.wells < 2) return DensityResiduals::kCells;
-  return features.noise ? DensityResiduals::kCellsOfWells : DensityResiduals::kCellsOfSharpWells;
+  return features.noise ? DensityResiduals::kWellCells : DensityResiduals::kSharpWellCells;
 }
 
-// By how many times its error in L1 a density may be off where the backward equation is not
-// resolved: faults gather there.
-constexpr double kGathered = 10;
-// (E_p - E)|e|, and the L1 distance, of densities that have nothing in common.
-constexpr double kDisjoint = 2;
+// Ratio of the local error to the L1 error of a density where the backward equation is not
+// resolved: errors concentrate there.
+constexpr double kConcentration = 10;
+// L1 distance of disjoint densities; also the largest (E_p - E)[e] in units of the unresolved
+// residual.
+constexpr double kDisjointL1 = 2;
 
-// The contrast of wells up to which e is about constant in each of them: in random wells (RandomWells
-// in tests/backward/residual) shares that are wrong by d are stated with less than 2 d from 0.65 on.
-constexpr double kMostContrast = 0.5;
+// Largest contrast for which there is an error estimate. In random wells (RandomWells in
+// tests/backward/residual) the estimate for probabilities of wells wrong by d falls below 2 d from
+// a contrast of 0.65.
+constexpr double kMaxContrast = 0.5;
 
-/// The error t with t = found + min(kGathered t, kDisjoint) unresolved + contrast t: shares of wells
-/// that are wrong by d, which is t/2 at the most, leave 2 d contrast in (E_p - E)[e]. Infinite where
-/// the residuals do not determine the shares.
-double with_unresolved(const JudgedError& error) {
-  if (error.contrast > kMostContrast) return std::numeric_limits<double>::infinity();
+/// The error t that solves t = found + min(kConcentration t, kDisjointL1) unresolved + contrast t.
+/// Probabilities of wells that are wrong by d <= t/2 contribute 2 d contrast to (E_p - E)[e].
+/// Infinite if the residuals do not determine these probabilities.
+double total_error(const ErrorComponents& error) {
+  if (error.contrast > kMaxContrast) return std::numeric_limits<double>::infinity();
   const double of_wells = 1 - error.contrast;
-  const double most = (error.found + kDisjoint * error.unresolved) / of_wells;
-  const double left = of_wells - kGathered * error.unresolved;
+  const double most = (error.found + kDisjointL1 * error.unresolved) / of_wells;
+  const double left = of_wells - kConcentration * error.unresolved;
   return left > 0 ? std::min(most, error.found / left) : most;
 }
 
 }  // namespace
 
-std::optional<transform::StatedError> WeightedResiduals::stated() const {
-  transform::StatedError result{.y_l1 = kNotSeen * with_unresolved(y_l1),
-                                .ydot_l1 = kNotSeen * with_unresolved(ydot_l1),
-                                .moments = {}};
-  if (std::max(result.y_l1, result.ydot_l1) >= kDisjoint) return std::nullopt;
+std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
+  transform::ErrorEstimate result{.y_l1 = kSubBinFactor * total_error(y_l1),
+                                  .ydot_l1 = kSubBinFactor * total_error(ydot_l1),
+                                  .moments = {}};
+  if (std::max(result.y_l1, result.ydot_l1) >= kDisjointL1) return std::nullopt;
   const double most = std::max(result.y_l1, result.ydot_l1);
-  const double share = std::min(kGathered * most, kDisjoint);
+  const double share = std::min(kConcentration * most, kDisjointL1);
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const auto moment = transform::kMoments[k].moment;
     result.moments.*moment =
@@ -76,28 +78,28 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem)
     : DensityResiduals(problem, cells_for(problem::features(problem))) {}
 
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
-    : residuals_(usual_residuals(problem, residual_splines(problem, cells))),
-      functions_(judged_functions(residuals_.y(), residuals_.v(), problem.frame)),
-      h_(control_functions(fit_of(problem, residuals_), functions_.all)),
-      unresolved_(fit_of(problem, residuals_), functions_.all, h_) {}
+    : residuals_(make_weak_residuals(problem, residual_splines(problem, cells))),
+      functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)),
+      h_(fit_control_functions(control_fit(problem, residuals_), functions_.all)),
+      unresolved_(control_fit(problem, residuals_), functions_.all, h_) {}
 
 Eigen::MatrixXd DensityResiduals::coefficients(Eigen::Index function) const {
   return h_.coefficients.col(function).reshaped<Eigen::RowMajor>(y().size(), v().size());
 }
 
-WeightedResiduals DensityResiduals::of(const transform::Density& density) const {
+DensityErrors DensityResiduals::estimate_errors(const transform::Density& density) const {
   const WeakForm weak = residuals_(density);
-  WeightedResiduals result{.mass = weak.mass,
-                           .corrected = weak.moments,
-                           .error = {},
-                           .contributions = {},
-                           .unresolved = {},
-                           .contrasts = {},
-                           .y_l1 = {},
-                           .ydot_l1 = {}};
+  DensityErrors result{.mass = weak.mass,
+                       .corrected = weak.moments,
+                       .error = {},
+                       .contributions = {},
+                       .unresolved = {},
+                       .contrasts = {},
+                       .y_l1 = {},
+                       .ydot_l1 = {}};
   const Eigen::VectorXd errors =
       -(h_.coefficients.transpose() * weak.residuals.reshaped<Eigen::RowMajor>().eval());
-  const Eigen::VectorXd unresolved = unresolved_.of(weak);
+  const Eigen::VectorXd unresolved = unresolved_.mean_residuals(weak);
   const Eigen::VectorXd& contrasts = unresolved_.contrasts();
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const Eigen::MatrixXd h = coefficients(static_cast<Eigen::Index>(k));
@@ -110,18 +112,18 @@ WeightedResiduals DensityResiduals::of(const transform::Density& density) const 
     result.contrasts[k] = contrasts(static_cast<Eigen::Index>(k));
   }
   const auto in_bins = [&](int first, int count) {
-    return JudgedError{errors.segment(first, count).cwiseAbs().sum(),
-                       unresolved.segment(first, count).sum(),
-                       contrasts.segment(first, count).sum() / 2};
+    return ErrorComponents{errors.segment(first, count).cwiseAbs().sum(),
+                           unresolved.segment(first, count).sum(),
+                           contrasts.segment(first, count).sum() / 2};
   };
   result.y_l1 = in_bins(functions_.moments, functions_.y_bins);
   result.ydot_l1 = in_bins(functions_.moments + functions_.y_bins, functions_.v_bins);
   return result;
 }
 
-Eigen::MatrixXd DensityResiduals::spread(const Eigen::MatrixXd& contributions,
-                                         std::span<const double> y_edges,
-                                         std::span<const double> v_edges) const {
+Eigen::MatrixXd DensityResiduals::spread_contributions(const Eigen::MatrixXd& contributions,
+                                                       std::span<const double> y_edges,
+                                                       std::span<const double> v_edges) const {
   const auto inverse_widths = [](std::span<const double> edges) {
     Eigen::VectorXd inverse(std::ssize(edges) - 1);
     for (Eigen::Index k = 0; k < inverse.size(); ++k) {
@@ -131,7 +133,7 @@ Eigen::MatrixXd DensityResiduals::spread(const Eigen::MatrixXd& contributions,
     return inverse;
   };
   const Eigen::MatrixXd in_cells =
-      spline_shares(y(), y_edges) * contributions * spline_shares(v(), v_edges).transpose();
+      spline_fractions(y(), y_edges) * contributions * spline_fractions(v(), v_edges).transpose();
   return inverse_widths(y_edges).asDiagonal() * in_cells * inverse_widths(v_edges).asDiagonal();
 }
 

@@ -6,9 +6,9 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr std::ptrdiff_t kEdges = 8;  // that a polynomial of degree 7 joins
+constexpr std::ptrdiff_t kStencilEdges = 8;  // stencil of a polynomial of degree 7
 
-/// The slopes at x of Lagrange's polynomials of some edges.
+/// The slopes at x of the Lagrange polynomials on some edges.
 std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
   std::vector<double> slopes;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -28,9 +28,10 @@ std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
 
 }  // namespace
 
-SparseRows reconstruction(std::span<const double> edges, std::span<const double> points) {
+SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const double> points) {
   const auto zero = std::ranges::lower_bound(edges, 0.0) - edges.begin();
-  const bool parted = zero < std::ssize(edges) && edges[static_cast<std::size_t>(zero)] == 0;
+  const bool has_edge_at_zero =
+      zero < std::ssize(edges) && edges[static_cast<std::size_t>(zero)] == 0;
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t n = 0; n < points.size(); ++n) {
     const double x = points[n];
@@ -38,14 +39,14 @@ SparseRows reconstruction(std::span<const double> edges, std::span<const double>
     // The cell between edges k - 1 and k, and the edges begin .. end - 1 on its side of 0.
     const auto k = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, x) - edges.begin(), 1,
                                               std::ssize(edges) - 1);
-    const std::ptrdiff_t begin = parted && k > zero ? zero : 0;
-    const std::ptrdiff_t end = parted && k <= zero ? zero + 1 : std::ssize(edges);
-    const auto count = std::min(kEdges, end - begin);
+    const std::ptrdiff_t begin = has_edge_at_zero && k > zero ? zero : 0;
+    const std::ptrdiff_t end = has_edge_at_zero && k <= zero ? zero + 1 : std::ssize(edges);
+    const auto count = std::min(kStencilEdges, end - begin);
     const auto first = std::clamp(k - count / 2, begin, end - count);
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative on an edge counts the mass of every cell before it; all slopes sum to 0.
+    // The cumulative at an edge contains the masses of all cells before it; all slopes sum to 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

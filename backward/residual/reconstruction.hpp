@@ -7,13 +7,13 @@ namespace fpkcheck::backward {
 
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Values at points from averages over cells: the slope of the cumulative distribution, which is
-/// known on the edges and interpolated between them by polynomials of degree 7 as
-/// transform::MassTransfer does it. So each cell keeps its mass, and of a smooth function the
-/// values are of seventh order. No polynomial reaches across an edge at 0, and on an edge the cell
-/// after it counts (at the last one the last). 0 beyond the ends.
+/// Matrix that maps cell averages to values at points. The values are the slope of the cumulative
+/// distribution, interpolated between the edges by polynomials of degree 7 as in
+/// transform::ConservativeRemap. Each cell therefore keeps its mass, and the values of a smooth
+/// function are of seventh order. No stencil crosses an edge at 0. A point on an edge belongs to
+/// the cell after it, on the last edge to the last cell. Values beyond the ends are 0.
 /// @param edges n + 1, increasing
 /// @return shape (points, n)
-SparseRows reconstruction(std::span<const double> edges, std::span<const double> points);
+SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const double> points);
 
 }  // namespace fpkcheck::backward

@@ -14,12 +14,12 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr unsigned kSixPoints = 6;
-constexpr int kPanelsOfRange = 24;
+constexpr unsigned kGaussPoints = 6;
+constexpr int kPanelsPerRange = 24;
 
-/// On [begin, end], cut at both kinds of breaks.
-numerics::QuadratureRule rule_between(double begin, double end, std::span<const double> a,
-                                      std::span<const double> b) {
+/// Gauss rule on [begin, end], divided at both kinds of breaks.
+numerics::QuadratureRule composite_rule(double begin, double end, std::span<const double> a,
+                                        std::span<const double> b) {
   std::vector<double> cuts{begin, end};
   for (const auto& breaks : {a, b}) {
     std::ranges::copy_if(breaks, std::back_inserter(cuts),
@@ -27,18 +27,19 @@ numerics::QuadratureRule rule_between(double begin, double end, std::span<const 
   }
   std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  return numerics::gauss_rule<kSixPoints>(cuts);
+  return numerics::gauss_rule<kGaussPoints>(cuts);
 }
 
-/// The samples are averages over cells.
-SampledAxis of_averages(const numerics::QuadratureRule& rule, std::span<const double> edges) {
-  SparseRows rows = reconstruction(edges, rule.points);
+/// An axis whose samples are averages over cells.
+SampledAxis axis_from_averages(const numerics::QuadratureRule& rule,
+                               std::span<const double> edges) {
+  SparseRows rows = reconstruction_matrix(edges, rule.points);
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.row(n) *= rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
-/// The samples are values at the points.
-SampledAxis of_values(const numerics::QuadratureRule& rule) {
+/// An axis whose samples are values at the points.
+SampledAxis axis_from_values(const numerics::QuadratureRule& rule) {
   SparseRows rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.coeffRef(n, n) = rule.weights(n);
@@ -48,83 +49,87 @@ SampledAxis of_values(const numerics::QuadratureRule& rule) {
 void check_edges(std::span<const double> edges, const char* axis) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
-    throw InputError(std::string("the edges of the cells of ") + axis + " must increase");
+    throw InputError(std::string("the cell edges of ") + axis + " do not increase");
   }
 }
 
-/// How far a density reaches, up to rounding errors.
-struct Reach {
+/// The range of a density in y, with comparisons up to rounding errors.
+struct DisplacementRange {
   double low, high;
 
-  bool ends_at(const ImpactBreaks& wall) const {
-    return std::abs((wall.away > 0 ? low : high) - wall.position) <= rounding();
+  bool has_end_at(const ImpactBreaks& wall) const {
+    return std::abs((wall.rebound_sign > 0 ? low : high) - wall.position) <= rounding();
   }
-  bool passes(const ImpactBreaks& wall) const {
-    return wall.away > 0 ? low < wall.position - rounding() : high > wall.position + rounding();
+  bool extends_past(const ImpactBreaks& wall) const {
+    return wall.rebound_sign > 0 ? low < wall.position - rounding()
+                                 : high > wall.position + rounding();
   }
 
  private:
   double rounding() const { return 1e-12 * (high - low + std::abs(low)); }
 };
 
-SampledDensity sampled_form(const transform::GridDensity& density, const IntegrandBreaks& breaks) {
+SampledDensity sample_form(const transform::GridDensity& density, const IntegrandBreaks& breaks) {
   check_edges(density.y_edges, "y");
   check_edges(density.v_edges, "y'");
-  const Reach reach{density.y_edges.front(), density.y_edges.back()};
+  const DisplacementRange range_y{density.y_edges.front(), density.y_edges.back()};
   for (const ImpactBreaks& wall : breaks.walls) {
-    if (wall.away > 0 && !reach.ends_at(wall)) {
-      throw InputError("the cells of y must begin at 0, the wall");
+    if (wall.rebound_sign > 0 && !range_y.has_end_at(wall)) {
+      throw InputError("the cells of y do not begin at the wall, y = 0");
     }
-    if (reach.passes(wall)) throw InputError("the cells of y must end at the wall");
+    if (range_y.extends_past(wall)) throw InputError("the cells of y extend past the wall");
   }
   if (density.averages.size() != density.ny() * density.nv()) {
-    throw InputError("a density on cells needs one average for each of them");
+    throw InputError("the number of averages differs from the number of cells");
   }
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> averages(density.averages.data(),
                                             static_cast<Eigen::Index>(density.ny()),
                                             static_cast<Eigen::Index>(density.nv()));
   const auto &y = density.y_edges, &v = density.v_edges;
-  SampledDensity result{.y = of_averages(rule_between(y.front(), y.back(), breaks.y, y), y),
-                        .v = of_averages(rule_between(v.front(), v.back(), breaks.v, v), v),
-                        .samples = averages,
-                        .impacts = {}};
+  SampledDensity result{
+      .y = axis_from_averages(composite_rule(y.front(), y.back(), breaks.y, y), y),
+      .v = axis_from_averages(composite_rule(v.front(), v.back(), breaks.v, v), v),
+      .samples = averages,
+      .impacts = {}};
   for (const ImpactBreaks& wall : breaks.walls) {
-    // Along the wall by the speed of impact: the same cells, mirrored at the left one.
+    // The cells of v as cells of the impact speed: mirrored at a left wall.
     std::vector<double> edges;
-    for (const double edge : v) edges.push_back(-wall.away * edge);
-    if (wall.away > 0) std::ranges::reverse(edges);
+    for (const double edge : v) edges.push_back(-wall.rebound_sign * edge);
+    if (wall.rebound_sign > 0) std::ranges::reverse(edges);
     const numerics::QuadratureRule rule =
-        rule_between(0, std::max(0.0, edges.back()), wall.speeds, edges);
-    const double at[] = {wall.away > 0 ? y.front() : y.back()};
-    Eigen::VectorXd samples = (reconstruction(y, at) * averages).transpose();
-    if (wall.away > 0) samples.reverseInPlace();
-    if (!reach.ends_at(wall)) samples.setZero();
-    result.impacts.push_back({of_averages(rule, edges), std::move(samples)});
+        composite_rule(0, std::max(0.0, edges.back()), wall.speeds, edges);
+    const double at[] = {wall.rebound_sign > 0 ? y.front() : y.back()};
+    Eigen::VectorXd samples = (reconstruction_matrix(y, at) * averages).transpose();
+    if (wall.rebound_sign > 0) samples.reverseInPlace();
+    if (!range_y.has_end_at(wall)) samples.setZero();
+    result.impacts.push_back({axis_from_averages(rule, edges), std::move(samples)});
   }
   return result;
 }
 
-SampledDensity sampled_form(const transform::SmoothDensity& density,
-                            const IntegrandBreaks& breaks) {
+SampledDensity sample_form(const transform::SmoothDensity& density, const IntegrandBreaks& breaks) {
   const double range = density.y_max - density.y_min;
   if (!(range > 0) || !(density.v_max > 0) || !std::isfinite(range) ||
       !std::isfinite(density.v_max)) {
-    throw InputError("a density given as a function needs a finite range of y and of y'");
+    throw InputError("a density given as a function has no finite positive range of y or y'");
   }
-  const Reach reach{density.y_min, density.y_max};
-  if (std::ranges::any_of(breaks.walls, [&](const auto& wall) { return reach.passes(wall); })) {
-    throw InputError("a density given as a function must end at the wall");
+  const DisplacementRange range_y{density.y_min, density.y_max};
+  if (std::ranges::any_of(breaks.walls,
+                          [&](const auto& wall) { return range_y.extends_past(wall); })) {
+    throw InputError("the range of a density given as a function extends past the wall");
   }
   std::vector<double> in_y, in_v;
-  for (int k = 1; k <= kPanelsOfRange; ++k) {
-    in_y.push_back(density.y_min + range * k / kPanelsOfRange);
-    for (const double sign : {-1.0, 1.0}) in_v.push_back(sign * density.v_max * k / kPanelsOfRange);
+  for (int k = 1; k <= kPanelsPerRange; ++k) {
+    in_y.push_back(density.y_min + range * k / kPanelsPerRange);
+    for (const double sign : {-1.0, 1.0})
+      in_v.push_back(sign * density.v_max * k / kPanelsPerRange);
   }
-  SampledDensity result{.y = of_values(rule_between(density.y_min, density.y_max, breaks.y, in_y)),
-                        .v = of_values(rule_between(-density.v_max, density.v_max, breaks.v, in_v)),
-                        .samples = {},
-                        .impacts = {}};
+  SampledDensity result{
+      .y = axis_from_values(composite_rule(density.y_min, density.y_max, breaks.y, in_y)),
+      .v = axis_from_values(composite_rule(-density.v_max, density.v_max, breaks.v, in_v)),
+      .samples = {},
+      .impacts = {}};
   const auto &y = result.y.points, &v = result.v.points;
   result.samples.resize(std::ssize(y), std::ssize(v));
   for (Eigen::Index j = 0; j < std::ssize(v); ++j) {
@@ -134,12 +139,13 @@ SampledDensity sampled_form(const transform::SmoothDensity& density,
     }
   }
   for (const ImpactBreaks& wall : breaks.walls) {
-    SampledAxis speeds = of_values(rule_between(0, density.v_max, wall.speeds, in_v));
+    SampledAxis speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
-    // What the density is where y is off by a rounding error must not count.
+    // Clamped: the density may be 0 at a wall position with a rounding error.
     const double at = std::clamp(wall.position, density.y_min, density.y_max);
-    for (Eigen::Index n = 0; reach.ends_at(wall) && n < samples.size(); ++n) {
-      samples(n) = density.value(at, -wall.away * speeds.points[static_cast<std::size_t>(n)]);
+    for (Eigen::Index n = 0; range_y.has_end_at(wall) && n < samples.size(); ++n) {
+      samples(n) =
+          density.value(at, -wall.rebound_sign * speeds.points[static_cast<std::size_t>(n)]);
     }
     result.impacts.push_back({std::move(speeds), std::move(samples)});
   }
@@ -148,8 +154,8 @@ SampledDensity sampled_form(const transform::SmoothDensity& density,
 
 }  // namespace
 
-SampledDensity sampled(const transform::Density& density, const IntegrandBreaks& breaks) {
-  return std::visit([&](const auto& form) { return sampled_form(form, breaks); }, density);
+SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks) {
+  return std::visit([&](const auto& form) { return sample_form(form, breaks); }, density);
 }
 
 }  // namespace fpkcheck::backward

@@ -9,14 +9,14 @@
 
 namespace fpkcheck::backward {
 
-/// A quadrature rule along an axis, for a density of which `samples` are known along it: its values
-/// at the points, or its averages over cells.
+/// A quadrature rule along an axis for a density with `samples` along this axis: values at the
+/// points, or averages over cells.
 struct SampledAxis {
   std::vector<double> points;
-  /// The weight of a point times the density there, from the samples: shape (points, samples).
+  /// Maps samples to weight times density at the points: shape (points, samples).
   SparseRows weighted;
 
-  /// The integrals of functions times the density.
+  /// Integrals of functions times the density, as linear forms of the samples.
   /// @param functions values at the points, shape (points, functions)
   /// @return shape (functions, samples)
   Eigen::MatrixXd integrals(const Eigen::MatrixXd& functions) const {
@@ -26,37 +26,37 @@ struct SampledAxis {
 
 /// A density at a wall.
 struct SampledImpacts {
-  SampledAxis speeds;  ///< u > 0, towards the wall
+  SampledAxis speeds;  ///< impact speeds u > 0
   Eigen::VectorXd samples;
 };
 
-/// A density as linear functionals see it: an integral of a(y) b(v) p is a product of a row, the
-/// samples and a column.
+/// A density, discretised for linear functionals: an integral of a(y) b(v) p is a row times the
+/// matrix of samples times a column.
 struct SampledDensity {
   SampledAxis y, v;
   Eigen::MatrixXd samples;              ///< shape (samples along y, along v)
   std::vector<SampledImpacts> impacts;  ///< at each wall
 };
 
-/// Where what is integrated over impacts is not smooth.
+/// Impact speeds at which integrands over impacts at a wall are not smooth.
 struct ImpactBreaks {
-  double position;             ///< of the wall
-  double away;                 ///< 1 where y is larger than at the wall, -1 where it is less
+  double position;             ///< position of the wall
+  double rebound_sign;         ///< ImpactWall::rebound_sign: 1 at a left wall, -1 at a right wall
   std::vector<double> speeds;  ///< increasing from 0
 };
 
-/// Where integrands are not smooth, increasing; rules are cut there.
+/// Points at which integrands are not smooth, increasing; the quadrature rules are divided there.
 struct IntegrandBreaks {
   std::span<const double> y, v;
   std::span<const ImpactBreaks> walls;
 };
 
-/// A density by Gauss's rule of six points between all breaks, its own and those of the integrands:
-/// exact for splines of degree 5 times what reconstruction() makes of averages. Panels of a
-/// function are no longer than a 24th of its range.
-/// Where it ends before a wall there are no impacts.
-/// @throws InputError when the edges do not increase, reach beyond a wall, do not begin at a left one
-/// or do not fit the averages, and when the range of a function is not positive
-SampledDensity sampled(const transform::Density& density, const IntegrandBreaks& breaks);
+/// Samples a density by the Gauss rule of six points between all breaks of the density and of the
+/// integrands. The rule is exact for splines of degree 5 times the polynomials of
+/// reconstruction_matrix(). For a density given as a function the panels are at most 1/24 of its
+/// range. A density that ends before a wall has no impacts there.
+/// @throws InputError when the edges do not increase, extend past a wall, do not begin at a left
+/// wall or do not match the averages, and when the range of a function is not positive
+SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks);
 
 }  // namespace fpkcheck::backward

@@ -15,23 +15,24 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr std::size_t kNodes = 8;     // between breaks of v
-constexpr int kPowers = 5;            // 0 .. 4
-constexpr double kLeastCell = 1e-12;  // of the range: breaks that are one but for rounding
+constexpr std::size_t kNodesPerCell = 8;  // Gauss points between breaks of v
+constexpr int kPowers = 5;                // 0 .. 4
+constexpr double kMinBreakDistance =
+    1e-12;  // relative to the range: closer breaks coincide by rounding
 
-std::vector<double> nodes_of(const std::vector<double>& breaks) {
-  auto nodes = numerics::gauss_rule<kNodes>(breaks).points;
+std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
+  auto nodes = numerics::gauss_rule<kNodesPerCell>(breaks).points;
   std::ranges::sort(nodes);
   return nodes;
 }
 
-/// The breaks of B_j, and what impulses of one size, or a corner of their density, make of the
-/// knots where B_j is less smooth than elsewhere.
-std::vector<double> breaks_after_impulse(const numerics::KnotSplines& v,
+/// The breaks of B_j and of K B_j: multiple knots, where B_j is less smooth, are shifted by each
+/// atom of the law and by each corner of its density.
+std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
-  if (impulses.present()) {
-    amplitudes = impulses.law().smooth_pieces();
+  if (impulses.is_present()) {
+    amplitudes = impulses.law().density_breakpoints();
     for (const auto& atom : impulses.law().atoms()) amplitudes.push_back(atom.amplitude);
   }
   std::vector<double> breaks(v.breaks());
@@ -42,25 +43,25 @@ std::vector<double> breaks_after_impulse(const numerics::KnotSplines& v,
   }
   std::erase_if(breaks, [&](double x) { return x < v.begin() || x > v.end(); });
   std::ranges::sort(breaks);
-  const double least = kLeastCell * (v.end() - v.begin());
+  const double least = kMinBreakDistance * (v.end() - v.begin());
   breaks.erase(
       std::unique(breaks.begin(), breaks.end(), [=](double a, double b) { return b - a < least; }),
       breaks.end());
   return breaks;
 }
 
-std::vector<ImpactBreaks> breaks_at(const std::vector<ImpactWall>& walls,
-                                    const numerics::KnotSplines& v) {
+std::vector<ImpactBreaks> impact_breaks(const std::vector<ImpactWall>& walls,
+                                        const numerics::QuinticBSplines& v) {
   std::vector<ImpactBreaks> all;
   for (const ImpactWall& wall : walls) {
-    all.push_back({wall.position, wall.away, breaks_of_jumps(v, wall)});
+    all.push_back({wall.position, wall.rebound_sign, impact_jump_breaks(v, wall)});
   }
   return all;
 }
 
-/// 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
+/// The powers 1, x, .., x^4 of a coordinate x at points, shape (points, 5).
 template <class Coordinate>
-Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coordinate) {
+Eigen::MatrixXd coordinate_powers(std::span<const double> points, const Coordinate& coordinate) {
   Eigen::MatrixXd powers(std::ssize(points), kPowers);
   Eigen::VectorXd x(std::ssize(points));
   for (Eigen::Index n = 0; n < x.size(); ++n) {
@@ -71,8 +72,8 @@ Eigen::MatrixXd powers_at(std::span<const double> points, const Coordinate& coor
   return powers;
 }
 
-/// 1 between two breaks, shape (points, breaks - 1).
-Eigen::MatrixXd indicators(std::span<const double> points, const std::vector<double>& breaks) {
+/// Indicator functions of the cells between consecutive breaks, shape (points, breaks - 1).
+Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vector<double>& breaks) {
   Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
   for (std::size_t n = 0; n < points.size(); ++n) {
     const auto after = std::ranges::upper_bound(breaks, points[n]) - breaks.begin();
@@ -83,89 +84,93 @@ Eigen::MatrixXd indicators(std::span<const double> points, const std::vector<dou
 
 }  // namespace
 
-WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::KnotSplines y,
-                             numerics::KnotSplines v)
+WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::QuinticBSplines y,
+                             numerics::QuinticBSplines v)
     : problem_(problem),
       y_(std::move(y)),
       v_(std::move(v)),
       walls_(impact_walls(problem.system)),
-      wall_breaks_(breaks_at(walls_, v_)),
+      wall_breaks_(impact_breaks(walls_, v_)),
       v_breaks_(breaks_after_impulse(v_, problem.impulses)),
-      nodes_(nodes_of(v_breaks_)),
+      nodes_(gauss_nodes(v_breaks_)),
       means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
-/// K B_j by interpolation between the nodes of a cell, where it is smooth; beyond the ends as at
-/// the ends.
-Eigen::MatrixXd WeakResiduals::means_after_impulse(std::span<const double> v) const {
-  if (!problem_.impulses.present()) return {};
+/// K B_j by interpolation between the nodes of a cell, where it is smooth; constant beyond the
+/// ends.
+Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double> v) const {
+  if (!problem_.impulses.is_present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
   const auto& breaks = v_breaks_;
   for (std::size_t n = 0; n < v.size(); ++n) {
     const double x = std::clamp(v[n], v_.begin(), v_.end());
     const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
-    const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodes;
-    const std::span<const double, kNodes> nodes(nodes_.data() + first, kNodes);
-    Eigen::RowVectorXd lagrange(static_cast<Eigen::Index>(kNodes));
-    for (std::size_t a = 0; a < kNodes; ++a) {
+    const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodesPerCell;
+    const std::span<const double, kNodesPerCell> nodes(nodes_.data() + first, kNodesPerCell);
+    Eigen::RowVectorXd lagrange(static_cast<Eigen::Index>(kNodesPerCell));
+    for (std::size_t a = 0; a < kNodesPerCell; ++a) {
       double product = 1;
-      for (std::size_t b = 0; b < kNodes; ++b) {
+      for (std::size_t b = 0; b < kNodesPerCell; ++b) {
         if (b != a) product *= (x - nodes[b]) / (nodes[a] - nodes[b]);
       }
       lagrange(static_cast<Eigen::Index>(a)) = product;
     }
     result.row(static_cast<Eigen::Index>(n)).noalias() =
-        lagrange *
-        means_.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(kNodes));
+        lagrange * means_.middleRows(static_cast<Eigen::Index>(first),
+                                     static_cast<Eigen::Index>(kNodesPerCell));
   }
   return result;
 }
 
-/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, likewise at the right
+/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
 Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
                                           const SampledImpacts& impacts) const {
   const auto& speeds = impacts.speeds.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
-  const Eigen::MatrixXd jumps = jumps_at(v_, wall, speeds);
+  const Eigen::MatrixXd jumps = impact_jumps(v_, wall, speeds);
   return (impacts.speeds.integrals(u.asDiagonal() * jumps) * impacts.samples).transpose();
 }
 
 WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const SampledDensity p =
-      sampled(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
+      sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
-  // E_p[y^m y'^n] of the physical coordinates, before the mass is divided by.
+  // E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
   const problem::Frame& frame = problem_.frame;
   const Eigen::MatrixXd along_y =
-      p.y.integrals(powers_at(p.y.points, [&](double x) { return frame.y(x); })) * p.samples;
+      p.y.integrals(coordinate_powers(p.y.points, [&](double x) { return frame.y(x); })) *
+      p.samples;
   const Eigen::MatrixXd along_v =
-      p.v.integrals(powers_at(p.v.points, [&](double x) { return frame.v(x); }));
+      p.v.integrals(coordinate_powers(p.v.points, [&](double x) { return frame.v(x); }));
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
-    throw InputError(fmt::format("a density of mass {:.4g} has no residuals: no mean", mass));
+    throw InputError(fmt::format("no residuals: the mass {:.4g} is not positive", mass));
   }
   const auto moment = [&](int m, int n) { return powers(m, n) / mass; };
 
-  const GeneratorFactors y = factors_of_y(problem_.system, y_, p.y.points);
+  const GeneratorFactors y = displacement_factors(problem_.system, y_, p.y.points);
   const GeneratorFactors v =
-      factors_of_v(problem_, v_, p.v.points, means_after_impulse(p.v.points));
+      velocity_factors(problem_, v_, p.v.points, interpolated_impulse_means(p.v.points));
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
     residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
-    // The first (last) function of y is 1 at the left (right) wall, and all others vanish there.
-    residuals.row(walls_[n].away > 0 ? 0 : y_.size() - 1) += impacts(walls_[n], p.impacts[n]);
+    // At the left (right) wall the first (last) function of y is 1 and all other functions vanish.
+    residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
+        impacts(walls_[n], p.impacts[n]);
     const SampledAxis& speeds = p.impacts[n].speeds;
     const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
-    const Eigen::MatrixXd flux = u.asDiagonal() * indicators(speeds.points, wall_breaks_[n].speeds);
+    const Eigen::MatrixXd flux =
+        u.asDiagonal() * cell_indicators(speeds.points, wall_breaks_[n].speeds);
     of_impacts.push_back(speeds.integrals(flux) * p.impacts[n].samples / mass);
   }
-  const Eigen::MatrixXd cells = p.y.integrals(indicators(p.y.points, y_.breaks())) * p.samples *
-                                p.v.integrals(indicators(p.v.points, v_.breaks())).transpose();
-  const Eigen::MatrixXd means = p.y.integrals(values_at(y_, p.y.points).value) * p.samples *
-                                p.v.integrals(values_at(v_, p.v.points).value).transpose();
+  const Eigen::MatrixXd cells = p.y.integrals(cell_indicators(p.y.points, y_.breaks())) *
+                                p.samples *
+                                p.v.integrals(cell_indicators(p.v.points, v_.breaks())).transpose();
+  const Eigen::MatrixXd means = p.y.integrals(spline_values(y_, p.y.points).value) * p.samples *
+                                p.v.integrals(spline_values(v_, p.v.points).value).transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),
                       .y2 = moment(2, 0),

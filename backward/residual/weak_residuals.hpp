@@ -5,57 +5,58 @@
 
 #include "backward/control/generator_factors.hpp"
 #include "backward/residual/sampled_density.hpp"
-#include "numerics/splines/knot_splines.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck::backward {
 
-/// What a density of mass 1 does to the stationary equation when this is tested by splines, and
-/// what else integrals of the density tell.
+/// Weak residuals of the stationary equation for a density normalised to mass 1, and further
+/// integrals of the density.
 struct WeakForm {
-  double mass;  ///< before it was divided by
+  double mass;  ///< mass before the normalisation
   transform::Moments moments;
   Eigen::MatrixXd means;      ///< E_p[A_i(y) B_j(v)]
-  Eigen::MatrixXd residuals;  ///< rho_ij; both of shape (functions of y, functions of v)
+  Eigen::MatrixXd residuals;  ///< rho_ij; both have the shape (functions of y, functions of v)
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, of v).
   Eigen::MatrixXd cells;
-  /// int u p(0, -u) du between breaks_of_jumps(), for each of impact_walls().
+  /// int u p(0, -u) du between consecutive impact_jump_breaks(), for each of impact_walls().
   std::vector<Eigen::VectorXd> impacts;
 };
 
-/// The weak residuals of the stationary equation with the exact impact under the impulses
-/// themselves (equation `kf`, impact `map`),
+/// The weak residuals of the stationary equation with impulses and the exact impact (equation `kf`,
+/// impact `map`),
 ///
 ///     rho_ij = int p L(A_i B_j) dy dv + A_i(0) int u p(0, -u) [B_j(r u) - B_j(-u)] du,
 ///
-/// the last for each wall (at a right one, x = b, the last function of y takes the place of A_0, and
-/// p(b, u) [B_j(-r u) - B_j(u)] that of the integrand), which vanish for its solution, whatever the
-/// splines. As all A_i B_j sum to 1, all rho_ij sum to
-/// 0. Each term of L A_i B_j is a product, so p is integrated along one axis and then
-/// along the other.
+/// with the last term for each wall. (At a right wall, x = b, the last function of y replaces A_0
+/// and u p(b, u) [B_j(-r u) - B_j(u)] is the integrand.) They vanish for the solution, for any
+/// splines. The sum of all A_i B_j is 1, therefore the sum of all rho_ij is 0. Each term of L A_i
+/// B_j is a product, so that p is integrated along one axis after the other.
 class WeakResiduals {
  public:
-  /// @param problem in its frame; moments are those of the physical coordinates
-  /// @param y splines from wall to wall, or as far as there is motion; v with 0 among the breaks
-  WeakResiduals(const problem::Problem& problem, numerics::KnotSplines y, numerics::KnotSplines v);
+  /// @param problem in wall coordinates; the moments are in physical coordinates
+  /// @param y splines from wall to wall, or over the range of the motion
+  /// @param v splines with 0 among the breaks
+  WeakResiduals(const problem::Problem& problem, numerics::QuinticBSplines y,
+                numerics::QuinticBSplines v);
 
-  /// @throws InputError as sampled() does, and when the mass is not positive
+  /// @throws InputError as sample_density() does, and when the mass is not positive
   WeakForm operator()(const transform::Density& density) const;
 
-  const numerics::KnotSplines& y() const { return y_; }
-  const numerics::KnotSplines& v() const { return v_; }
+  const numerics::QuinticBSplines& y() const { return y_; }
+  const numerics::QuinticBSplines& v() const { return v_; }
 
  private:
-  Eigen::MatrixXd means_after_impulse(std::span<const double> v) const;
+  Eigen::MatrixXd interpolated_impulse_means(std::span<const double> v) const;
   Eigen::RowVectorXd impacts(const ImpactWall& wall, const SampledImpacts& impacts) const;
 
   problem::Problem problem_;
-  numerics::KnotSplines y_, v_;
+  numerics::QuinticBSplines y_, v_;
   std::vector<ImpactWall> walls_;
   std::vector<ImpactBreaks> wall_breaks_;
-  std::vector<double> v_breaks_;  // of B_j and K B_j
-  /// K B_j at eight points of Gauss's rule between neighbouring breaks of v, increasing.
+  std::vector<double> v_breaks_;  // breaks of B_j and K B_j
+  /// K B_j at the eight points of the Gauss rule between consecutive breaks of v, increasing.
   std::vector<double> nodes_;
   Eigen::MatrixXd means_;  // shape (nodes, functions)
 };

@@ -6,7 +6,7 @@
 #include <istream>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -25,20 +25,20 @@ std::vector<IniSetting> ini_settings(std::istream& ini, const std::string& where
   int line_number = 0;
   for (std::string line; std::getline(ini, line);) {
     ++line_number;
-    const std::string said = without_comment(line, line_number);
-    if (said.empty()) continue;
-    const std::string at = fmt::format("{}:{}", where, line_number);
-    if (said.front() == '[' && said.back() == ']') {
-      section = boost::algorithm::trim_copy(said.substr(1, said.size() - 2));
+    const std::string content = without_comment(line, line_number);
+    if (content.empty()) continue;
+    const std::string location = fmt::format("{}:{}", where, line_number);
+    if (content.front() == '[' && content.back() == ']') {
+      section = boost::algorithm::trim_copy(content.substr(1, content.size() - 2));
       continue;
     }
-    const auto equals = said.find('=');
+    const auto equals = content.find('=');
     if (equals == std::string::npos) {
-      throw InputError(fmt::format("{}: {} (a case file has [sections] and key = value lines)", at,
-                                   in_quotes(said)));
+      throw InputError(fmt::format("{}: {} is not a setting; write [section] or key = value",
+                                   location, in_quotes(content)));
     }
-    settings.push_back({section, boost::algorithm::trim_copy(said.substr(0, equals)),
-                        boost::algorithm::trim_copy(said.substr(equals + 1)), at});
+    settings.push_back({section, boost::algorithm::trim_copy(content.substr(0, equals)),
+                        boost::algorithm::trim_copy(content.substr(equals + 1)), location});
   }
   return settings;
 }

@@ -9,15 +9,16 @@
 #include <cerrno>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
-/// An open file.
+/// Owns a file descriptor.
 class Descriptor {
  public:
-  // Without waiting for who writes into a pipe; what it is shows only once it is open.
+  // O_NONBLOCK: opening a pipe without a writer would block, and the file type is known only after
+  // opening.
   explicit Descriptor(const std::filesystem::path& file)
       : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
   Descriptor(const Descriptor&) = delete;
@@ -38,21 +39,22 @@ class Descriptor {
 
 }  // namespace
 
-std::optional<std::string> read_input_file(const std::filesystem::path& file, std::size_t most) {
-  constexpr std::size_t kAtOnce = 1 << 20;
+std::optional<std::string> read_input_file(const std::filesystem::path& file,
+                                           std::size_t max_bytes) {
+  constexpr std::size_t kChunkBytes = 1 << 20;
   const Descriptor descriptor(file);
   if (!descriptor.is_regular()) return std::nullopt;
   std::string bytes;
   for (;;) {
-    // Read and counted rather than asked for: a file may grow, and some have no size.
+    // The size is counted while reading: a file may grow, and special files report no size.
     const std::size_t before = bytes.size();
-    bytes.resize(before + kAtOnce);
-    const ssize_t count = read(descriptor.number(), bytes.data() + before, kAtOnce);
+    bytes.resize(before + kChunkBytes);
+    const ssize_t count = read(descriptor.number(), bytes.data() + before, kChunkBytes);
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (bytes.size() > most) {
+    if (bytes.size() > max_bytes) {
       throw InputError(
-          fmt::format("{} has more than {} bytes (nothing that is read here is so large)",
-                      shown(file.string()), most));
+          fmt::format("{} has more than {} bytes: too large for an input file; name another file",
+                      sanitise(file.string()), max_bytes));
     }
     if (count == 0) return bytes;
     if (count < 0 && errno != EINTR) return std::nullopt;

@@ -7,10 +7,11 @@
 
 namespace fpkcheck::base {
 
-/// The bytes of a file that somebody names; nothing where there is no regular file that can be
-/// read: a pipe or a device could keep the program waiting, or never end.
-/// @param most how many bytes it may have
-/// @throws InputError on one line when it has more
-std::optional<std::string> read_input_file(const std::filesystem::path& file, std::size_t most);
+/// Reads a file that a user named. Returns nothing unless it is a readable regular file: a pipe or
+/// a device could block the program or never end.
+/// @param max_bytes largest accepted number of bytes
+/// @throws InputError on one line when the file is larger
+std::optional<std::string> read_input_file(const std::filesystem::path& file,
+                                           std::size_t max_bytes);
 
 }  // namespace fpkcheck::base

@@ -12,20 +12,21 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
 namespace fs = std::filesystem;
 using base::in_quotes;
-using base::shown;
+using base::sanitise;
 
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// One word a line: names hold spaces, and line ends where somebody wants to do harm.
-bool is_plain(const std::string& name) {
+// Each file name occupies a line of its own, because names may contain spaces. Names with a line
+// end or a slash are rejected: a forged journal could name files elsewhere.
+bool is_plain_file_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
 }
@@ -40,8 +41,8 @@ std::string text_of(const Journal& journal) {
   return text + "end\n";
 }
 
-// Nothing where it is not a whole journal of ours.
-std::optional<Journal> journal_in(std::istream& in) {
+// Nothing unless the text is a complete journal.
+std::optional<Journal> parse_journal(std::istream& in) {
   Journal journal;
   journal.writer.pid = 0;
   std::string line;
@@ -55,9 +56,9 @@ std::optional<Journal> journal_in(std::istream& in) {
     if (line == kRename) {
       Journal::Rename rename;
       if (!std::getline(in, rename.from) || !std::getline(in, rename.to)) return std::nullopt;
-      if (!is_plain(rename.from) || !is_plain(rename.to)) return std::nullopt;
+      if (!is_plain_file_name(rename.from) || !is_plain_file_name(rename.to)) return std::nullopt;
       journal.renames.push_back(std::move(rename));
-    } else if (line == kRemove && next() && is_plain(line)) {
+    } else if (line == kRemove && next() && is_plain_file_name(line)) {
       journal.removals.push_back(line);
     } else {
       return std::nullopt;
@@ -66,47 +67,50 @@ std::optional<Journal> journal_in(std::istream& in) {
   return std::nullopt;
 }
 
-std::optional<Journal> journal_at(const fs::path& file) {
+std::optional<Journal> read_journal(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
-  // In a directory that others may write to, somebody else's would have us remove our files.
+  // In a shared directory, a journal of another user could make this process remove the user's
+  // files.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
   constexpr std::size_t kMostBytes = 1 << 20;
   const auto text = base::read_input_file(file, kMostBytes);
   if (!text) return std::nullopt;
   std::istringstream in(*text);
-  return journal_in(in);
+  return parse_journal(in);
 }
 
-bool is_there(const fs::path& file) {
+bool path_exists(const fs::path& file) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(file, ignored));
 }
 
 }  // namespace
 
-void Journal::announce(const fs::path& directory) const {
-  // Written aside first, then given its name: whoever finds it finds all of it.
-  const fs::path file = directory / kFile, partial = partial_beside(file);
-  write_new(partial, text_of(*this));
+void Journal::publish(const fs::path& directory) const {
+  // Written under a temporary name and then linked: the journal is complete when it becomes
+  // visible.
+  const fs::path file = directory / kFileName, partial = partial_path(file);
+  write_new_file(partial, text_of(*this));
   std::error_code error;
-  fs::create_hard_link(partial, file, error);  // unlike a rename not over that of another process
+  // unlike a rename, never replaces the journal of another process
+  fs::create_hard_link(partial, file, error);
   if (error == std::errc::file_exists) {
     std::error_code ignored;
     fs::remove(partial, ignored);
     throw std::system_error(error);
   }
   if (error) {
-    fs::rename(partial, file);  // a file system without links
+    fs::rename(partial, file);  // file system without hard links
   } else {
     fs::remove(partial);
   }
   flush(directory);
 }
 
-// What is done already is not there any more.
-void Journal::carry_out(const fs::path& directory) const {
+// A missing source file means that the step is done already.
+void Journal::apply(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
     fs::rename(directory / from, directory / to, error);
@@ -117,41 +121,41 @@ void Journal::carry_out(const fs::path& directory) const {
     fs::remove(directory / name, ignored);
   }
   flush(directory);
-  fs::remove(directory / kFile);
+  fs::remove(directory / kFileName);
 }
 
-void finish_interrupted(const fs::path& directory) {
-  const fs::path file = directory / Journal::kFile;
-  // Another process is at it for some milliseconds.
-  constexpr int kTimes = 20;
-  constexpr std::chrono::milliseconds kBetween(100);
-  for (int time = 0; is_there(file); ++time) {
-    const auto journal = journal_at(file);
+void complete_interrupted_commit(const fs::path& directory) {
+  const fs::path file = directory / Journal::kFileName;
+  // Another running process needs some milliseconds; wait up to 2 s.
+  constexpr int kMaxAttempts = 20;
+  constexpr std::chrono::milliseconds kRetryInterval(100);
+  for (int attempt = 0; path_exists(file); ++attempt) {
+    const auto journal = read_journal(file);
     if (!journal) {
-      if (!is_there(file)) return;
+      if (!path_exists(file)) return;
       throw InputError(fmt::format(
-          "{} is no journal of yours, or damaged (a run that is stopped while its files are put in "
-          "place leaves one): remove it, and run again",
-          shown(file.string())));
+          "{} is not a journal of this user, or damaged: an interrupted run may have left it; "
+          "remove it and run again",
+          sanitise(file.string())));
     }
-    if (!journal->writer.may_run()) {
+    if (!journal->writer.may_be_running()) {
       try {
-        journal->carry_out(directory);
+        journal->apply(directory);
       } catch (const std::system_error& error) {
         throw InputError(fmt::format(
-            "the files of {} are not all in place ({}; a run was stopped as it put them there): "
-            "make the directory writable",
+            "the files in {} are incomplete: an interrupted run could not be completed ({}); make "
+            "the directory writable",
             in_quotes(directory.string()), error.code().message()));
       }
       return;
     }
-    if (time == kTimes) {
+    if (attempt == kMaxAttempts) {
       throw InputError(fmt::format(
-          "process {} on {} is putting files into {} (or was stopped there): wait, or remove {}",
-          journal->writer.pid, shown(journal->writer.host), in_quotes(directory.string()),
-          shown(file.string())));
+          "process {} on {} is writing files into {}, or was interrupted there; wait, or remove {}",
+          journal->writer.pid, sanitise(journal->writer.host), in_quotes(directory.string()),
+          sanitise(file.string())));
     }
-    std::this_thread::sleep_for(kBetween);
+    std::this_thread::sleep_for(kRetryInterval);
   }
 }
 

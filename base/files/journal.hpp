@@ -4,36 +4,37 @@
 #include <string>
 #include <vector>
 
-#include "base/files/whole_file.hpp"
+#include "base/files/atomic_file.hpp"
 
 namespace fpkcheck::base {
 
-/// What is being done to the files of a directory at once. It is written to the disk before the
-/// first of them is touched and goes after the last, so that whoever finds it there finishes what
-/// a process that was killed has begun: the directory has the files of before, or all the new ones.
+/// Write-ahead journal of a change to several files of one directory. It is on disk before the
+/// first file is replaced and removed after the last. A process that finds a journal completes the
+/// change of the process that was killed. The directory therefore holds either all old or all new
+/// files.
 struct Journal {
-  /// Of a file in the directory.
+  /// Renaming of a file within the directory.
   struct Rename {
     std::string from, to;
   };
 
-  Writer writer = Writer::this_one();
+  WriterProcess writer = WriterProcess::current_process();
   std::vector<Rename> renames{};
-  std::vector<std::string> removals{};  ///< of files that may not be there
+  std::vector<std::string> removals{};  ///< names of files to remove; they may be absent
 
-  static constexpr const char* kFile = ".fpkcheck-commit";
+  static constexpr const char* kFileName = ".fpkcheck-commit";
 
-  /// Puts the journal into the directory: from now on it will be done.
-  /// @throws std::system_error, and leaves none; file_exists where there is another one
-  void announce(const std::filesystem::path& directory) const;
-  /// Does what is not done yet, and removes the journal.
+  /// Writes the journal into the directory. From then on the change will be completed.
+  /// @throws std::system_error, leaving no journal; file_exists when the directory has one already
+  void publish(const std::filesystem::path& directory) const;
+  /// Applies the remaining steps and removes the journal.
   /// @throws std::system_error; the journal stays
-  void carry_out(const std::filesystem::path& directory) const;
+  void apply(const std::filesystem::path& directory) const;
 };
 
-/// Finishes what a process has begun that was killed; nothing where there is no journal.
-/// @throws InputError on one line where another process may be at it, where the journal is none of
-///         ours, or where the directory cannot be written
-void finish_interrupted(const std::filesystem::path& directory);
+/// Completes the change of a process that was killed; does nothing without a journal.
+/// @throws InputError on one line when another process may be working on the change, when the
+/// journal belongs to another user or is damaged, or when the directory is not writable
+void complete_interrupted_commit(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::base

@@ -10,27 +10,23 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/files/atomic_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
-namespace {
-
-constexpr int kFileOfEverybody = 0666;  // less the umask
-
-}  // namespace
 
 void LineLog::fail(const char* what) const {
-  throw std::runtime_error(fmt::format("{} cannot be {} ({})", base::shown(file_.string()), what,
+  throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::sanitise(file_.string()), what,
                                        std::generic_category().message(errno)));
 }
 
 LineLog::LineLog(const std::filesystem::path& file)
     : file_(file),
-      // Not through a link that somebody has put there, and without waiting for a pipe.
+      // O_NOFOLLOW: a planted link must not redirect the file. O_NONBLOCK: a pipe must not block.
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                       kFileOfEverybody)) {
+                       kFileMode)) {
   const bool a_file = descriptor_ >= 0 || (errno != ELOOP && errno != EISDIR && errno != ENXIO);
   if (descriptor_ < 0 && a_file) fail("opened");
   struct stat status = {};
@@ -39,19 +35,19 @@ LineLog::LineLog(const std::filesystem::path& file)
   if (ours) return;
   if (a_file) close(descriptor_);
   throw InputError(
-      regular ? fmt::format("{} is being written by another process (wait for it, or use another "
-                            "directory)",
-                            base::shown(file_.string()))
-              : fmt::format("{} is no regular file (remove it, or use another directory)",
-                            base::shown(file_.string())));
+      regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
+                            "directory",
+                            base::sanitise(file_.string()))
+              : fmt::format("{} is not a regular file; remove it, or use another directory",
+                            base::sanitise(file_.string())));
 }
 
 LineLog::~LineLog() { close(descriptor_); }
 
 std::vector<std::string> LineLog::read() {
-  constexpr std::size_t kAtOnce = 1 << 20;
+  constexpr std::size_t kChunkBytes = 1 << 20;
   std::string text;
-  std::string buffer(kAtOnce, '\0');
+  std::string buffer(kChunkBytes, '\0');
   for (;;) {
     const ssize_t count =
         pread(descriptor_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
@@ -66,9 +62,9 @@ std::vector<std::string> LineLog::read() {
     lines.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
-  cut_off_ = begin < text.size();
+  removed_partial_line_ = begin < text.size();
   length_ = static_cast<long long>(begin);
-  if (cut_off_ && ftruncate(descriptor_, length_) != 0) fail("written");
+  if (removed_partial_line_ && ftruncate(descriptor_, length_) != 0) fail("written");
   return lines;
 }
 
@@ -90,7 +86,7 @@ void LineLog::append(std::string_view line) {
 }
 
 void LineLog::flush() const {
-  // Some file systems have no such thing.
+  // Some file systems do not support fdatasync.
   if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
 }
 

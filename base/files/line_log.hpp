@@ -7,29 +7,30 @@
 
 namespace fpkcheck::base {
 
-/// A file that grows by whole lines, and that one process at a time writes. A process that is killed
-/// leaves at most a last line without its end, which whoever opens the file next cuts off.
+/// An append-only file of lines with an exclusive lock: one process at a time writes it. A killed
+/// process leaves at most one incomplete last line, which the next opening removes.
 class LineLog {
  public:
-  /// Opens the file, or makes it.
-  /// @throws InputError on one line where another process has it open, or where it is no regular
-  ///         file; std::runtime_error where it cannot be opened
+  /// Opens and locks the file; creates it if absent.
+  /// @throws InputError on one line when another process has locked the file, or when it is not a
+  /// regular file; std::runtime_error when it cannot be opened
   explicit LineLog(const std::filesystem::path& file);
   LineLog(const LineLog&) = delete;
   LineLog& operator=(const LineLog&) = delete;
   ~LineLog();
 
-  /// What was there, without the ends of lines; to be called once.
+  /// The existing lines, without line ends. Call once, before append().
   /// @throws std::runtime_error on one line
   std::vector<std::string> read();
-  /// Whether read() found a line without its end.
-  bool cut_off() const { return cut_off_; }
+  /// Whether read() removed an incomplete last line.
+  bool removed_partial_line() const { return removed_partial_line_; }
 
-  /// Adds a line, whole or not at all: once this returns, the process may be killed.
+  /// Appends a line, completely or not at all. Once this returns, a killed process does not lose
+  /// it.
   /// @param line without its end
-  /// @throws std::runtime_error on one line; the file is as it was
+  /// @throws std::runtime_error on one line; the file is unchanged
   void append(std::string_view line);
-  /// Waits until the file is on the disk: after this the machine may be switched off.
+  /// Waits until the data is on disk; afterwards a power failure does not lose it.
   void flush() const;
 
  private:
@@ -38,7 +39,7 @@ class LineLog {
   std::filesystem::path file_;
   int descriptor_;
   long long length_ = 0;
-  bool cut_off_ = false;
+  bool removed_partial_line_ = false;
 };
 
 }  // namespace fpkcheck::base

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/journal.hpp"
-#include "base/files/whole_file.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::runtime_error cannot_write(const fs::path& target, const std::error_code& why) {
-  return std::runtime_error(fmt::format("cannot write {} ({})", target.string(), why.message()));
+  return std::runtime_error(fmt::format("cannot write {}: {}", target.string(), why.message()));
 }
 
 }  // namespace
@@ -27,18 +27,18 @@ PendingFiles::~PendingFiles() {
 void PendingFiles::require_one_directory(const fs::path& target) const {
   const fs::path directory = target.parent_path();
   if ((!pending_.empty() && pending_.front().target.parent_path() != directory) ||
-      (!unwanted_.empty() && unwanted_.front().parent_path() != directory)) {
-    throw std::logic_error("pending files of two directories");
+      (!removals_.empty() && removals_.front().parent_path() != directory)) {
+    throw std::logic_error("pending files are in different directories");
   }
 }
 
-void PendingFiles::add(const fs::path& target, const Produce& produce) {
+void PendingFiles::add(const fs::path& target, const FileProducer& produce) {
   require_one_directory(target);
-  const fs::path temporary = partial_beside(target);
-  // Of another process that had our number.
+  const fs::path temporary = partial_path(target);
+  // Left by an earlier process with the same process id.
   std::error_code ignored;
   fs::remove(temporary, ignored);
-  // Noted first: what is half written when `produce` throws goes as well.
+  // Registered first, so that the destructor also removes a partial file when `produce` throws.
   pending_.push_back({temporary, target});
   produce(temporary);
 }
@@ -46,7 +46,7 @@ void PendingFiles::add(const fs::path& target, const Produce& produce) {
 void PendingFiles::add(const fs::path& target, std::string_view bytes) {
   add(target, [&](const fs::path& temporary) {
     try {
-      write_new(temporary, bytes);
+      write_new_file(temporary, bytes);
     } catch (const std::system_error& error) {
       throw cannot_write(target, error.code());
     }
@@ -55,11 +55,11 @@ void PendingFiles::add(const fs::path& target, std::string_view bytes) {
 
 void PendingFiles::remove(const fs::path& target) {
   require_one_directory(target);
-  unwanted_.push_back(target);
+  removals_.push_back(target);
 }
 
 void PendingFiles::commit() {
-  // All that can be known to go wrong, before the first target is replaced.
+  // Detectable errors are raised before the first target is replaced.
   for (const auto& [temporary, target] : pending_) {
     std::error_code error;
     if (!fs::exists(temporary, error)) {
@@ -69,36 +69,37 @@ void PendingFiles::commit() {
       throw cannot_write(target, std::make_error_code(std::errc::is_a_directory));
     }
   }
-  if (!pending_.empty()) put_in_place(pending_.front().target.parent_path());
+  if (!pending_.empty()) install_files(pending_.front().target.parent_path());
 }
 
-void PendingFiles::put_in_place(const fs::path& directory) {
+void PendingFiles::install_files(const fs::path& directory) {
   const fs::path first = pending_.front().target;
   try {
     for (const auto& file : pending_) flush(file.temporary);
-    if (pending_.size() == 1 && unwanted_.empty()) {
+    if (pending_.size() == 1 && removals_.empty()) {
       fs::rename(pending_.front().temporary, pending_.front().target);
       flush(directory);
     } else {
-      finish_interrupted(directory);
+      complete_interrupted_commit(directory);
       Journal journal;
       for (const auto& [temporary, target] : pending_) {
         journal.renames.push_back({temporary.filename().string(), target.filename().string()});
       }
-      for (const auto& target : unwanted_) journal.removals.push_back(target.filename().string());
-      journal.announce(directory);
-      pending_.clear();  // they stay until they are in place, by this process or the next
-      unwanted_.clear();
-      journal.carry_out(directory);
+      for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
+      journal.publish(directory);
+      // no longer removed on failure: this process or the next applies the journal
+      pending_.clear();
+      removals_.clear();
+      journal.apply(directory);
     }
   } catch (const std::system_error& error) {
     throw cannot_write(first, error.code());
   }
   pending_.clear();
-  unwanted_.clear();
+  removals_.clear();
 }
 
-void replace_file(const fs::path& target, const PendingFiles::Produce& produce) {
+void replace_file(const fs::path& target, const PendingFiles::FileProducer& produce) {
   PendingFiles file;
   file.add(target, produce);
   file.commit();

@@ -7,29 +7,32 @@
 
 namespace fpkcheck::base {
 
-/// Files that belong together: each is written beside its target, and all replace their targets at
-/// once, whatever happens: a process that is killed on the way leaves those of before or all the
-/// new ones (Journal). Without commit() the targets stay as they were and the partial files go.
+/// Files that are replaced as one transaction. Each is written beside its target; commit() replaces
+/// all targets. A process that is killed leaves all old or all new files (Journal). Without
+/// commit() the targets are unchanged and the partial files are removed.
 class PendingFiles {
  public:
   /// Writes a file under a temporary name in the target's directory.
-  using Produce = std::function<void(const std::filesystem::path& temporary)>;
+  using FileProducer = std::function<void(const std::filesystem::path& temporary)>;
 
   PendingFiles() = default;
   PendingFiles(const PendingFiles&) = delete;
   PendingFiles& operator=(const PendingFiles&) = delete;
   ~PendingFiles();
 
-  /// @param target in the directory of those before
+  /// Writes a partial file for the target.
+  /// @param target in the same directory as all previous targets
   /// @throws whatever `produce` throws
-  void add(const std::filesystem::path& target, const Produce& produce);
+  void add(const std::filesystem::path& target, const FileProducer& produce);
+  /// Writes a partial file with these bytes.
   /// @throws std::runtime_error on one line
   void add(const std::filesystem::path& target, std::string_view bytes);
-  /// The files are not to have this one beside them: commit() removes it where it is.
+  /// Marks a file for removal: commit() removes it if it exists.
   void remove(const std::filesystem::path& target);
 
+  /// Replaces all targets.
   /// @throws std::runtime_error on one line, before any target is touched, when a file was not
-  ///         produced or a directory stands in its place
+  /// produced or a directory has the name of a target
   void commit();
 
  private:
@@ -37,18 +40,18 @@ class PendingFiles {
     std::filesystem::path temporary, target;
   };
   void require_one_directory(const std::filesystem::path& target) const;
-  void put_in_place(const std::filesystem::path& directory);
+  void install_files(const std::filesystem::path& directory);
 
   std::vector<Pending> pending_;
-  std::vector<std::filesystem::path> unwanted_;
+  std::vector<std::filesystem::path> removals_;
 };
 
-/// Lets `produce` write a file under a temporary name in the target's directory, then renames it to
-/// the target. When anything fails, the target is as it was and the temporary file is gone.
-/// @throws whatever `produce` throws; std::runtime_error on one line when it left no file
-void replace_file(const std::filesystem::path& target, const PendingFiles::Produce& produce);
+/// Lets `produce` write a temporary file in the target's directory, then renames it to the target.
+/// On failure the target is unchanged and the temporary file is removed.
+/// @throws whatever `produce` throws; std::runtime_error on one line when it wrote no file
+void replace_file(const std::filesystem::path& target, const PendingFiles::FileProducer& produce);
 
-/// replace_file with these bytes.
+/// Replaces a file by one with these bytes.
 /// @throws std::runtime_error on one line
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 

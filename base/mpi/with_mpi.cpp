@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -16,22 +16,23 @@ void check_mpi(int code, const char* what) {
   std::array<char, MPI_MAX_ERROR_STRING> text{};
   int length = 0;
   MPI_Error_string(code, text.data(), &length);
-  throw std::runtime_error(fmt::format("MPI: {} ({})", what, text.data()));
+  throw std::runtime_error(fmt::format("MPI {}: {}", what, text.data()));
 }
 
-class MpiRanks : public Ranks {
+class MpiCommunicator : public Communicator {
  public:
-  MpiRanks() {
-    // Other threads solve; they do not ask MPI for anything.
+  MpiCommunicator() {
+    // FUNNELED suffices: the threads that solve make no MPI calls.
     int provided = 0;
-    check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "cannot begin");
+    check_mpi(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided),
+              "cannot initialise");
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
   }
-  MpiRanks(const MpiRanks&) = delete;
-  MpiRanks& operator=(const MpiRanks&) = delete;
-  ~MpiRanks() override { MPI_Finalize(); }
+  MpiCommunicator(const MpiCommunicator&) = delete;
+  MpiCommunicator& operator=(const MpiCommunicator&) = delete;
+  ~MpiCommunicator() override { MPI_Finalize(); }
 
   int rank() const override { return rank_; }
   int size() const override { return size_; }
@@ -43,7 +44,7 @@ class MpiRanks : public Ranks {
   std::optional<Message> receive() override {
     int arrived = 0;
     MPI_Status status;
-    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &arrived, &status), "cannot look");
+    check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &arrived, &status), "cannot probe");
     if (arrived == 0) return std::nullopt;
     int length = 0;
     MPI_Get_count(&status, MPI_CHAR, &length);
@@ -64,6 +65,6 @@ class MpiRanks : public Ranks {
 
 }  // namespace
 
-std::unique_ptr<Ranks> Ranks::join() { return std::make_unique<MpiRanks>(); }
+std::unique_ptr<Communicator> Communicator::join() { return std::make_unique<MpiCommunicator>(); }
 
 }  // namespace fpkcheck::base

@@ -1,12 +1,12 @@
 #include "base/input_error.hpp"
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 
 namespace fpkcheck::base {
 
-std::unique_ptr<Ranks> Ranks::join() {
+std::unique_ptr<Communicator> Communicator::join() {
   throw InputError(
-      "started by mpirun, but built without MPI (build with libopenmpi-dev installed, or start "
-      "each process with --shard i/N)");
+      "started by mpirun, but built without MPI: install libopenmpi-dev and build again, or start "
+      "each process with --shard i/N");
 }
 
 }  // namespace fpkcheck::base

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/options/parameter.hpp"
 #include "base/options/value.hpp"
 
 namespace fpkcheck::base {
 
-/// How the members of options are held as values, and found again. Specialised for flags,
-/// integers, numbers, texts, enums with a table of names, and optional ones of these.
+/// Converts a member of an options struct to a Value and back. Specialised for flags, integers,
+/// numbers, texts, enums with a table of names, and std::optional of these.
 template <class Member>
 struct Conversion;
 
@@ -57,7 +57,7 @@ struct Conversion<Enum> {
   static constexpr Type kType = Type::word;
   static Value get(Enum member) { return std::string(name_of(member)); }
   static void set(Enum& member, const Value& value) {
-    member = *value_named<Enum>(std::get<std::string>(value));
+    member = *enum_from_name<Enum>(std::get<std::string>(value));
   }
   static std::vector<std::string> choices() {
     std::vector<std::string> list;
@@ -77,7 +77,7 @@ struct Conversion<std::optional<Member>> {
     return member ? Conversion<Member>::get(*member) : Value();
   }
   static void set(std::optional<Member>& member, const Value& value) {
-    if (is_nothing(value)) {
+    if (is_unset(value)) {
       member.reset();
     } else {
       Conversion<Member>::set(member.emplace(), value);
@@ -93,26 +93,26 @@ concept Resettable = requires(Member member) {
   member.reset();
 };
 
-/// The parameters of one owner, in the order in which they are shown. Of the owner nothing is known
-/// here: Description<Owner> is what is used.
-class Descriptions {
+/// The parameters of one struct, in the order in which help texts and tables list them. This base
+/// class does not depend on the type of the struct; use Description<Owner>.
+class DescriptionBase {
  public:
   /// @param prefix of names in messages, e.g. "system." or "epc "
-  explicit Descriptions(std::string prefix) : prefix_(std::move(prefix)) {}
+  explicit DescriptionBase(std::string prefix) : prefix_(std::move(prefix)) {}
 
   const std::vector<Parameter>& all() const { return all_; }
   const std::string& prefix() const { return prefix_; }
-  /// Null when there is none.
+  /// Null when no parameter has this name.
   const Parameter* find(std::string_view name) const;
 
  protected:
   Values values_of(const void* owner) const;
-  Values named_values_of(const void* owner) const;
-  /// @throws InputError WHAT.NAME: missing, unknown, or of the wrong type
-  void read_into(void* owner, const Values& values, const std::string& what) const;
-  /// @throws InputError PREFIXname = value (must be ..) for the first that is out of its range
+  Values stored_values_of(const void* owner) const;
+  /// @throws InputError "WHAT.NAME is missing", "is unknown", or of the wrong type
+  void read_into(void* owner, const Values& values, const std::string& group) const;
+  /// @throws InputError "PREFIXname = value (must be ..)" for the first value outside its range
   void require_ranges(const void* owner) const;
-  /// @throws InputError LABEL value (must be ..)
+  /// @throws InputError "LABEL value (must be ..)"
   void set_parsed(void* owner, const Parameter& parameter, std::string_view text,
                   const std::string& label) const;
   void set(void* owner, const Parameter& parameter, const Value& value,
@@ -122,22 +122,22 @@ class Descriptions {
   std::vector<Parameter> all_;
 };
 
-/// The parameters of `Owner`, a struct: each has its name, help, range and the member that holds
-/// it, and what is read, written or shown of an owner comes from here.
+/// The parameters of the struct `Owner`: name, help text, range and data member of each. Parsing,
+/// JSON, tables and range checks are derived from this description.
 ///
 ///     const auto description = Description<Options>("epc ")
 ///                                  .add("order", &Options::order, {"N", "degree n"}, positive());
 template <class Owner>
-class Description : public Descriptions {
+class Description : public DescriptionBase {
  public:
-  using Descriptions::Descriptions;
+  using DescriptionBase::DescriptionBase;
 
   struct Text {
     std::string placeholder;  ///< "N" in `--order N`
     std::string help;
   };
 
-  /// On the command line its name has dashes in place of underscores.
+  /// Adds a parameter. Its command-line flag is the name with dashes in place of underscores.
   template <class Member>
   Description&& add(const std::string& name, Member Owner::*member, Text text,
                     std::optional<Range> range = {}) && {
@@ -147,7 +147,7 @@ class Description : public Descriptions {
                         .placeholder = std::move(text.placeholder),
                         .flag = dashed(name),
                         .type = Held::kType,
-                        .may_be_automatic = Resettable<Member>,
+                        .can_be_automatic = Resettable<Member>,
                         .range = std::move(range)};
     parameter.get = [member](const void* owner) {
       return Held::get(static_cast<const Owner*>(owner)->*member);
@@ -159,13 +159,13 @@ class Description : public Descriptions {
     all_.push_back(std::move(parameter));
     return std::move(*this);
   }
-  /// Of the one that was added last: another flag on the command line, or none.
+  /// Sets another command-line flag for the parameter added last; an empty flag removes it.
   Description&& with_flag(const std::string& flag) && {
     all_.back().flag = flag;
     return std::move(*this);
   }
   Description&& without_flag() && { return std::move(*this).with_flag(""); }
-  /// Of the one that was added last: its symbol in formulas.
+  /// Sets the symbol in formulas of the parameter added last.
   Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
     all_.back().symbol = plain;
     all_.back().typeset = typeset;
@@ -175,43 +175,43 @@ class Description : public Descriptions {
     all_.back().choices = std::move(choices);
     return std::move(*this);
   }
-  /// Of the one that was added last, a long word: what people are shown in its place.
-  Description&& shown_as(std::function<std::string(const std::string& word)> shown) && {
-    all_.back().shown = std::move(shown);
+  /// Sets a function that returns a short display text for a long word (the parameter added last).
+  Description&& with_display_text(
+      std::function<std::string(const std::string& word)> display_text) && {
+    all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Of the one that was added last: what a file that does not name it means.
-  Description&& with_fallback(Value value) && {
-    all_.back().fallback = std::move(value);
+  /// Sets the value that the parameter added last has in a file without its key.
+  Description&& with_default(Value value) && {
+    all_.back().default_value = std::move(value);
     return std::move(*this);
   }
-  /// As with_fallback, of what most owners do without: files and tables do not name it then.
-  Description&& without_naming(Value fallback) && {
-    all_.back().silent = true;
-    return std::move(*this).with_fallback(std::move(fallback));
+  /// Like with_default(), and files and tables omit the parameter while it has its default value.
+  Description&& with_omitted_default(Value default_value) && {
+    all_.back().omit_default = true;
+    return std::move(*this).with_default(std::move(default_value));
   }
 
-  /// All parameters as they are set, in order.
+  /// The values of all parameters, in order.
   Values values(const Owner& owner) const { return values_of(&owner); }
-  /// Those that are named: all but silent ones that have their fallback.
-  Values named_values(const Owner& owner) const { return named_values_of(&owner); }
+  /// The values that files store: all except parameters with omit_default at their default.
+  Values stored_values(const Owner& owner) const { return stored_values_of(&owner); }
 
-  /// The owner whose values these are; the ranges are not looked at.
-  /// @param what how messages name the values, e.g. "options"
-  /// @throws InputError naming the one that is missing, unknown or of the wrong type
-  Owner read(const Values& values, const std::string& what) const {
+  /// Builds an Owner from values. Ranges are not checked; see validate().
+  /// @param group name of the group of values in messages, e.g. "options"
+  /// @throws InputError naming the parameter that is missing, unknown or of the wrong type
+  Owner read(const Values& values, const std::string& group) const {
     Owner owner{};
-    read_into(&owner, values, what);
+    read_into(&owner, values, group);
     return owner;
   }
 
-  /// @throws InputError naming the first parameter that is out of its range, its value and what is
-  ///         allowed
+  /// @throws InputError naming the first parameter outside its range, its value and the range
   void validate(const Owner& owner) const { require_ranges(&owner); }
 
   /// Sets one parameter from a text.
-  /// @param label how messages name it, e.g. "--order"
-  /// @throws InputError when the text is no such value
+  /// @param label name of the parameter in messages, e.g. "--order"
+  /// @throws InputError when the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,
              const std::string& label) const {
     set_parsed(&owner, parameter, text, label);

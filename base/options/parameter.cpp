@@ -7,13 +7,13 @@
 #include <charconv>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
 template <class Number>
-std::optional<Value> number_in(std::string_view text) {
+std::optional<Value> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -21,7 +21,7 @@ std::optional<Value> number_in(std::string_view text) {
   return number;
 }
 
-std::string noun(const Parameter& parameter) {
+std::string type_text(const Parameter& parameter) {
   switch (parameter.type) {
     case Type::flag:
       return "true or false";
@@ -37,23 +37,23 @@ std::string noun(const Parameter& parameter) {
   return "";
 }
 
-// Why a text is no value of the parameter, beyond what is allowed.
-std::string why_not(const Parameter& parameter, std::string_view text) {
+// The reason why a text is not a value of the parameter.
+std::string rejection_reason(const Parameter& parameter, std::string_view text) {
   if (parameter.type == Type::number || parameter.type == Type::integer) {
     double ignored = 0;
     const auto error = std::from_chars(text.data(), text.data() + text.size(), ignored).ec;
     if (error == std::errc::result_out_of_range) return "out of the range of double precision";
     return parameter.type == Type::number ? "not a number" : "not an integer";
   }
-  return fmt::format("must be {}", parameter.allowed());
+  return fmt::format("must be {}", parameter.requirement());
 }
 
 }  // namespace
 
-std::string Parameter::allowed() const { return range ? range->allowed : noun(*this); }
+std::string Parameter::requirement() const { return range ? range->requirement : type_text(*this); }
 
-std::optional<Value> Parameter::accepted(const Value& value) const {
-  if (is_nothing(value)) return may_be_automatic ? std::optional(value) : std::nullopt;
+std::optional<Value> Parameter::converted_value(const Value& value) const {
+  if (is_unset(value)) return can_be_automatic ? std::optional(value) : std::nullopt;
   switch (type) {
     case Type::flag:
       return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
@@ -72,34 +72,35 @@ std::optional<Value> Parameter::accepted(const Value& value) const {
   return std::nullopt;
 }
 
-std::optional<Value> Parameter::parsed(std::string_view text) const {
-  if (may_be_automatic && text == "auto") return Value();
+std::optional<Value> Parameter::parse(std::string_view text) const {
+  if (can_be_automatic && text == "auto") return Value();
   switch (type) {
     case Type::flag:
       if (text == "true" || text == "false") return text == "true";
       return std::nullopt;
     case Type::integer:
-      return number_in<std::int64_t>(text);
+      return parse_number<std::int64_t>(text);
     case Type::number:
-      return number_in<double>(text);
+      return parse_number<double>(text);
     case Type::word:
-      return accepted(std::string(text));
+      return converted_value(std::string(text));
   }
   return std::nullopt;
 }
 
-bool Parameter::in_range(const Value& value) const {
+bool Parameter::is_in_range(const Value& value) const {
   if (!range) return true;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-    return range->holds(static_cast<double>(*whole));
+    return range->contains(static_cast<double>(*whole));
   }
   const auto* number = std::get_if<double>(&value);
-  return number == nullptr || range->holds(*number);
+  return number == nullptr || range->contains(*number);
 }
 
-Value value_from(const Parameter& parameter, std::string_view text, const std::string& label) {
-  if (const auto value = parameter.parsed(text)) return *value;
-  throw InputError(fmt::format("{} {} ({})", label, in_quotes(text), why_not(parameter, text)));
+Value parse_value(const Parameter& parameter, std::string_view text, const std::string& label) {
+  if (const auto value = parameter.parse(text)) return *value;
+  throw InputError(
+      fmt::format("{} {} ({})", label, in_quotes(text), rejection_reason(parameter, text)));
 }
 
 }  // namespace fpkcheck::base

@@ -11,49 +11,49 @@
 
 namespace fpkcheck::base {
 
-/// What a parameter may hold.
+/// Type of a parameter's value.
 enum class Type { flag, integer, number, word };
 
-/// One parameter, described once: the command line, case files, both directions of JSON and the
-/// check of its range come from this.
+/// The description of one parameter. Command line, case files, JSON in both directions and range
+/// checks are derived from it.
 struct Parameter {
   std::string name;  ///< in files: "restitution", "wall_density"
   std::string help;  ///< one or two phrases, for --help
   std::string placeholder = "X";
-  /// On the command line, without dashes: "wall-density"; empty where it is not offered there.
+  /// Command-line flag without the leading dashes: "wall-density"; empty when there is no flag.
   std::string flag = {};
-  /// In formulas, as plain text and as typeset: "mu", "μ".
+  /// Symbol in formulas, as plain text and typeset: "mu", "μ".
   std::string symbol = {}, typeset = {};
   Type type = Type::number;
-  bool may_be_automatic = false;
-  std::vector<std::string> choices = {};  ///< of a word; any word when empty
+  bool can_be_automatic = false;
+  std::vector<std::string> choices = {};  ///< choices of a word; when empty, any word
   std::optional<Range> range = {};
-  std::optional<Value> fallback = {};  ///< of a file that does not name it
-  bool silent = false;                 ///< not named where it has its fallback
-  /// Of a word that is long: what people are shown in its place.
-  std::function<std::string(const std::string& word)> shown = {};
+  std::optional<Value> default_value = {};  ///< value where a file lacks the key
+  bool omit_default = false;                ///< files omit the default value
+  /// Returns a short display text for a long word.
+  std::function<std::string(const std::string& word)> display_text = {};
 
   std::function<Value(const void* owner)> get = {};
   std::function<void(void* owner, const Value& value)> set = {};
 
-  /// After "must be": "an integer", "one of map, delta".
-  std::string allowed() const;
+  /// The text after "must be" in messages: "an integer", "one of map, delta".
+  std::string requirement() const;
 
-  /// The value if it is of the type that the parameter takes (a whole number is a number too);
-  /// nothing if it is not. The range is not looked at.
-  std::optional<Value> accepted(const Value& value) const;
+  /// The value, converted to the parameter's type (an integer converts to a number); nothing when
+  /// the type does not match. The range is not checked.
+  std::optional<Value> converted_value(const Value& value) const;
 
-  /// The value that a text stands for; "auto" is nothing where the parameter may be automatic.
-  /// @return nothing when it stands for none
-  std::optional<Value> parsed(std::string_view text) const;
+  /// Parses a text. Where the parameter may be automatic, "auto" gives an unset value.
+  /// @return nothing when the text is not a value of the parameter's type
+  std::optional<Value> parse(std::string_view text) const;
 
-  /// Whether the value is in the range; automatic is.
-  bool in_range(const Value& value) const;
+  /// Whether the value is in the range; true for an automatic (unset) value.
+  bool is_in_range(const Value& value) const;
 };
 
-/// The value that a text stands for; the range is not looked at.
-/// @param label how messages name it: "--order", "system.cubic ="
-/// @throws InputError LABEL 'text' (what is allowed)
-Value value_from(const Parameter& parameter, std::string_view text, const std::string& label);
+/// Parses a text; the range is not checked.
+/// @param label name of the parameter in messages: "--order", "system.cubic ="
+/// @throws InputError "LABEL 'text' (must be ..)"
+Value parse_value(const Parameter& parameter, std::string_view text, const std::string& label);
 
 }  // namespace fpkcheck::base

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::base {
 
-Range any_number() {
+Range finite_number() {
   return {[](double x) { return std::isfinite(x); }, "a finite number"};
 }
 
@@ -14,7 +14,7 @@ Range positive() {
   return {[](double x) { return std::isfinite(x) && x > 0; }, "a positive number"};
 }
 
-Range not_negative() {
+Range non_negative() {
   return {[](double x) { return std::isfinite(x) && x >= 0; }, "zero or positive"};
 }
 

@@ -5,21 +5,23 @@
 
 namespace fpkcheck::base {
 
-/// What is allowed of a number.
+/// The admissible values of a number.
 struct Range {
-  std::function<bool(double)> holds;
-  std::string allowed;  ///< after "must be": "a positive number"
+  std::function<bool(double)> contains;
+  std::string requirement;  ///< text after "must be": "a positive number"
 
-  /// The same range with the reason for it: "a positive number: without damping ..."
-  Range because(const std::string& reason) const { return {holds, allowed + ": " + reason}; }
+  /// The same range with a reason added to its text: "a positive number: without damping ..."
+  Range with_reason(const std::string& reason) const {
+    return {contains, requirement + ": " + reason};
+  }
 };
 
-/// Finite numbers (all of them).
-Range any_number();
+/// All finite numbers.
+Range finite_number();
 Range positive();
-Range not_negative();
+Range non_negative();
 Range between(double least, double greatest);           ///< both ends included
-Range strictly_between(double least, double greatest);  ///< neither
-Range even_between(int least, int greatest);            ///< integers
+Range strictly_between(double least, double greatest);  ///< both ends excluded
+Range even_between(int least, int greatest);            ///< even integers, both ends included
 
 }  // namespace fpkcheck::base

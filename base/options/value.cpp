@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::base {
 
-/// What a parameter was set to; nothing (std::monostate): automatic, or not there.
+/// The value of a parameter; std::monostate means automatic or absent.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 struct NamedValue {
@@ -24,10 +24,10 @@ inline bool contains(const Values& values, std::string_view name) {
   return std::ranges::find(values, name, &NamedValue::name) != values.end();
 }
 
-inline bool is_nothing(const Value& value) { return std::holds_alternative<std::monostate>(value); }
+inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }
 
-/// As people read it: numbers with the digits that it takes to read them back, words in quotes,
-/// "automatic" for nothing.
+/// The value as text for messages and tables: numbers with the digits that restore them exactly,
+/// words in quotes, "automatic" for an unset value.
 std::string text_of(const Value& value);
 
 }  // namespace fpkcheck::base

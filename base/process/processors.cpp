@@ -12,8 +12,8 @@
 namespace fpkcheck::base {
 namespace {
 
-// A fixed cpu_set_t ends at 1024 processors, and the call fails on a larger machine.
-int processors_by_affinity() {
+// cpu_set_t has a fixed size of 1024 processors, and sched_getaffinity fails on larger machines.
+int affinity_processor_count() {
   constexpr int kMostProcessors = 1 << 16;
   for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {
     const std::unique_ptr<cpu_set_t, void (*)(cpu_set_t*)> set(
@@ -25,8 +25,8 @@ int processors_by_affinity() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
-// OMP_NUM_THREADS may be a list, one number for each level of nesting: the first counts.
-int at_most(const char* variable, int otherwise) {
+// OMP_NUM_THREADS may be a list with a number for each nesting level; the first is used.
+int limit_from_environment(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   if (text == nullptr) return otherwise;
   int number = 0;
@@ -38,8 +38,9 @@ int at_most(const char* variable, int otherwise) {
 }  // namespace
 
 int processors() {
-  const int own = std::max(1, processors_by_affinity());
-  return at_most("SLURM_CPUS_PER_TASK", at_most("OMP_NUM_THREADS", own));
+  const int affinity_count = std::max(1, affinity_processor_count());
+  return limit_from_environment("SLURM_CPUS_PER_TASK",
+                                limit_from_environment("OMP_NUM_THREADS", affinity_count));
 }
 
 }  // namespace fpkcheck::base

@@ -2,10 +2,9 @@
 
 namespace fpkcheck::base {
 
-/// How many processors are this process's own: those that it may run on (its affinity: taskset, a
-/// container, a batch system), and no more than SLURM_CPUS_PER_TASK and OMP_NUM_THREADS say where
-/// they are set. At least 1. The processors of the node do not count: on a shared one they are
-/// others'.
+/// Number of processors available to this process, at least 1: those of its affinity mask (taskset,
+/// container, batch system), limited by SLURM_CPUS_PER_TASK and OMP_NUM_THREADS where they are set.
+/// Other processors of a shared node belong to other jobs and do not count.
 int processors();
 
 }  // namespace fpkcheck::base

@@ -6,7 +6,7 @@ namespace fpkcheck::base {
 namespace {
 
 std::atomic<int> stopping_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free);  // else no handler might touch it
+static_assert(std::atomic<int>::is_always_lock_free);  // required in a signal handler
 
 }  // namespace
 

@@ -1,15 +1,14 @@
 #pragma once
 
-/// What the surroundings ask of the process: to stop, and to use no more processors than are its
-/// own. Every room may look; only cli listens to signals.
+/// The request to stop, set by a signal. Every room may read it; only cli installs signal handlers.
 namespace fpkcheck::base {
 
-/// The signal that asked the program to stop; 0 as long as none did.
+/// Number of the signal that requested the stop; 0 when there was none.
 int stop_signal();
 
 inline bool stop_requested() { return stop_signal() != 0; }
 
-/// Notes the signal; 0 forgets. May be called in a handler of signals.
+/// Stores the signal number; 0 clears the request. Async-signal-safe.
 void request_stop(int signal);
 
 }  // namespace fpkcheck::base

@@ -1,6 +1,6 @@
-"""Quadratic finite elements by FEniCS for white noise with restitution 1, where y = |z| and z
-moves without a wall: the stationary Fokker-Planck equation on a rectangle of (z, z'), no flux
-through its sides, one value pinned and the mass set to 1 afterwards.
+"""Quadratic finite elements with FEniCS for white noise with restitution coefficient 1, where y = |z|
+and z has no wall: the stationary Fokker-Planck equation on a rectangle of (z, z') with zero flux at
+the boundary. One value is prescribed, and the mass is normalised to 1 afterwards.
 
     elements.py CELLS
 """
@@ -11,7 +11,7 @@ import time
 import dolfin as fe
 import numpy as np
 
-from problem import CUBIC, DAMPING, INTENSITY, V_EDGES, V_MAX, Y_EDGES, Y_MAX, say
+from problem import CUBIC, DAMPING, INTENSITY, V_EDGES, V_MAX, Y_EDGES, Y_MAX, print_result
 
 
 def main():
@@ -31,14 +31,14 @@ def main():
     solution = fe.Function(space)
     fe.solve(form == nothing, solution, at_rest)
 
-    # Gauss-Legendre in every bin, of both halves z < 0 and z > 0.
+    # Gauss-Legendre quadrature in every bin, for both halves z < 0 and z > 0.
     x, w = np.polynomial.legendre.leggauss(3)
 
     def points(edges):
         half = np.diff(edges) / 2
         return ((edges[:-1] + half)[:, None] + half[:, None] * x).ravel()
 
-    # On the grid of these points: values by y, v and side.
+    # Values at the quadrature points: sums over both halves, by y and v.
     values = np.array([[solution(s * y, u) + solution(-s * y, u) for u in points(V_EDGES)]
                        for s in (1,) for y in points(Y_EDGES)])
     weights = np.tile(w / 2, len(Y_EDGES) - 1)
@@ -46,7 +46,7 @@ def main():
     seconds = time.process_time() - begin
     dy, dv = np.diff(Y_EDGES), np.diff(V_EDGES)
     mass = np.sum(cell * dy[:, None] * dv[None, :])
-    say(cell @ dv / mass, dy @ cell / mass, seconds)
+    print_result(cell @ dv / mass, dy @ cell / mass, seconds)
 
 
 main()

@@ -1,5 +1,5 @@
-"""Runs fpkcheck and its peers on one processor and writes what each took and how far it is off:
-peers.csv, peers.md and peers.png in the directory given.
+"""Runs fpkcheck and other programs on one processor and writes their times and errors to peers.csv,
+peers.md and peers.png in the given directory.
 
     measure.py FPKCHECK SIMULATION DIRECTORY      (benchmarks/peers/run calls it)
 """
@@ -19,25 +19,24 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from problem import V_EDGES, Y_EDGES, exact_white, joined
+from problem import V_EDGES, Y_EDGES, exact_white, rebin
 
 HERE = Path(__file__).parent
 SETTINGS = {"white": ["--set", "system.restitution=1"], "impulses": []}
-# Refined once more than any that is measured; three independent methods agree on it to 1e-5
-# (docs/results.md).
+# Finer than every measured grid; three independent methods agree with it to 1e-5 (docs/results.md).
 REFERENCE = ["fd", "--refinement", 2.5]
 
 
-def one_processor(command):
+def run_on_one_processor(command):
     return subprocess.run(["taskset", "-c", "0", *map(str, command)], capture_output=True,
                           text=True, check=True,
                           env=os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"})
 
 
-def by_fpkcheck(program, problem, command, *options):
-    """Bin averages, and the time of the solution alone by its own account."""
+def run_fpkcheck(program, problem, command, *options):
+    """Bin averages, and the solver's own measurement of its time."""
     with tempfile.TemporaryDirectory() as directory:
-        one_processor([program, command, "case1", *SETTINGS[problem], *options, "--quiet", "--out",
+        run_on_one_processor([program, command, "case1", *SETTINGS[problem], *options, "--quiet", "--out",
                        directory])
         summary = json.loads(Path(directory, "summary.json").read_text())
         densities = {}
@@ -50,15 +49,15 @@ def by_fpkcheck(program, problem, command, *options):
         centres, density = np.array(densities[name]).T
         width = centres[1] - centres[0]
         edges = np.append(centres - width / 2, centres[-1] + width / 2)
-        result.append(joined_smoothly(edges, density, wanted))
+        result.append(rebin_by_spline(edges, density, wanted))
     return (*result, summary["cases"][0]["solutions"][0]["seconds"])
 
 
-def joined_smoothly(edges, density, wanted):
-    """Averages over other bins, by a spline through the cumulative distribution."""
+def rebin_by_spline(edges, density, wanted):
+    """Averages over other bins, by a spline interpolant of the cumulative distribution."""
     from scipy.interpolate import make_interp_spline
 
-    # Two sides: the density of y' may jump at 0.
+    # Separately for both signs, since the density of y' may jump at 0.
     result = []
     for low, high in zip(wanted[:-1], wanted[1:]):
         side = edges >= -1e-12 if low >= -1e-12 else edges <= 1e-12
@@ -70,9 +69,9 @@ def joined_smoothly(edges, density, wanted):
     return np.array(result)
 
 
-def by_peer(command):
+def run_peer(command):
     rows = dict((row[0], np.array(row[1:], dtype=float))
-                for row in csv.reader(io.StringIO(one_processor(command).stdout)))
+                for row in csv.reader(io.StringIO(run_on_one_processor(command).stdout)))
     return rows["y"], rows["v"], float(rows["seconds"][0])
 
 
@@ -82,33 +81,33 @@ def main():
     differences = [python, HERE / "differences.py"]
     white = ["fd", "--equation", "white"]
     entries = [
-        ("white", "fpkcheck fd-white", "default", lambda: by_fpkcheck(program, "white", *white)),
+        ("white", "fpkcheck fd-white", "default", lambda: run_fpkcheck(program, "white", *white)),
         *(("white", "fpkcheck fd-white", f"direct, order 7, refined {f:g}",
-           lambda f=f: by_fpkcheck(program, "white", *white, "--stepper", "direct", "--order", 7,
+           lambda f=f: run_fpkcheck(program, "white", *white, "--stepper", "direct", "--order", 7,
                                    "--refinement", f)) for f in (1, 1.5)),
         *(("white", "SciPy, splu", f"{n} x {n}",
-           lambda n=n: by_peer([*differences, "white", n, "direct"])) for n in (70, 140, 280)),
-        ("white", "SciPy, BDF", "70 x 70", lambda: by_peer([*differences, "white", 70, "bdf"])),
+           lambda n=n: run_peer([*differences, "white", n, "direct"])) for n in (70, 140, 280)),
+        ("white", "SciPy, BDF", "70 x 70", lambda: run_peer([*differences, "white", 70, "bdf"])),
         *(("white", "FEniCS, quadratic", f"{n} x {n} x 4",
-           lambda n=n: by_peer([python, HERE / "elements.py", n])) for n in (20, 40, 80)),
-        ("impulses", "fpkcheck fd-kf", "default", lambda: by_fpkcheck(program, "impulses", "fd")),
+           lambda n=n: run_peer([python, HERE / "elements.py", n])) for n in (20, 40, 80)),
+        ("impulses", "fpkcheck fd-kf", "default", lambda: run_fpkcheck(program, "impulses", "fd")),
         ("impulses", "fpkcheck epc-moment-n8", "",
-         lambda: by_fpkcheck(program, "impulses", "epc", "--formulation", "moment", "--order", 8)),
+         lambda: run_fpkcheck(program, "impulses", "epc", "--formulation", "moment", "--order", 8)),
         ("impulses", "fpkcheck mcs --controlled", "",
-         lambda: by_fpkcheck(program, "impulses", "mcs", "--controlled")),
+         lambda: run_fpkcheck(program, "impulses", "mcs", "--controlled")),
         *(("impulses", "fpkcheck mcs", f"time {t:g}",
-           lambda t=t: by_fpkcheck(program, "impulses", "mcs", "--time", t))
+           lambda t=t: run_fpkcheck(program, "impulses", "mcs", "--time", t))
           for t in (1e5, 1e6, 1e7)),
         *(("impulses", "SciPy, splu", f"{n} x {n}",
-           lambda n=n: by_peer([*differences, "impulses", n, "direct"])) for n in (70, 140)),
+           lambda n=n: run_peer([*differences, "impulses", n, "direct"])) for n in (70, 140)),
         *(("impulses", "NumPy simulation", f"step {h:g}, time {t:g}",
-           lambda h=h, t=t: by_peer([python, HERE / "simulation.py", h, t]))
+           lambda h=h, t=t: run_peer([python, HERE / "simulation.py", h, t]))
           for h, t in ((0.05, 1e5), (0.05, 1e6), (0.01, 1e6))),
         *(("impulses", "plain C++ simulation", f"step 0.05, time {t:g}",
-           lambda t=t: by_peer([simulation, 0.05, t])) for t in (1e5, 1e6, 1e7)),
+           lambda t=t: run_peer([simulation, 0.05, t])) for t in (1e5, 1e6, 1e7)),
     ]
     truth = {"white": exact_white(),
-             "impulses": by_fpkcheck(program, "impulses", *REFERENCE)[:2]}
+             "impulses": run_fpkcheck(program, "impulses", *REFERENCE)[:2]}
     rows = []
     for problem, name, size, solve in entries:
         try:

@@ -1,8 +1,8 @@
-"""The two problems that all solve, their common bins, and what they are measured against.
+"""The two test problems, their common bins, and the exact solution of one.
 
 Both are the paper's oscillator of case 1, y'' + 0.1 y' + y + 0.1 y^3 = excitation with a wall at
-y = 0: `white` under white noise with restitution 1, whose density is known; `impulses` under
-Gaussian impulses of rate 1 with restitution 0.98.
+y = 0. `white`: white noise with restitution coefficient 1, whose density is known. `impulses`:
+Gaussian impulses of rate 1 with restitution coefficient 0.98.
 """
 
 import csv
@@ -19,16 +19,16 @@ Y_MAX, V_MAX, BINS = 4.2, 4.48, 70
 class Problem:
     name: str
     restitution: float
-    rate: float  # of impulses; 0: white noise
+    rate: float  # impulse rate; 0 for white noise
 
     @property
     def diffusion(self):
-        """D of D p_vv."""
+        """The coefficient D of D p_vv."""
         return INTENSITY / 2
 
     @property
     def deviation(self):
-        """Of an impulse."""
+        """Standard deviation of an impulse."""
         return np.sqrt(INTENSITY / self.rate)
 
 
@@ -43,7 +43,7 @@ def force(y):
 
 
 def exact_white():
-    """Bin averages of p(y), p(y') for `white`: p ~ exp(-(c/D) H), Gauss-Legendre in each bin."""
+    """Bin averages of p(y), p(y') for `white`, p ~ exp(-(c/D) H), by Gauss-Legendre quadrature."""
     strength = DAMPING / (INTENSITY / 2)
 
     def averages(edges, potential):
@@ -57,15 +57,15 @@ def exact_white():
             averages(V_EDGES, lambda v: v**2 / 2))
 
 
-def joined(edges, density, wanted):
-    """Averages over the wanted bins of a density given as averages over others that divide them."""
+def rebin(edges, density, wanted):
+    """Averages over the bins `wanted` of a density given as averages over finer bins."""
     cumulative = np.concatenate(([0], np.cumsum(density * np.diff(edges))))
     at = np.interp(wanted, edges, cumulative)  # exact where edges coincide
     return np.diff(at) / np.diff(wanted)
 
 
-def say(y, v, seconds):
-    """What every peer prints: bin averages, and its processor time without what it imports."""
+def print_result(y, v, seconds):
+    """Prints the result of a program: bin averages, and processor time without imports."""
     out = csv.writer(sys.stdout)
     out.writerow(["seconds", seconds])
     for name, density in (("y", y), ("v", v)):

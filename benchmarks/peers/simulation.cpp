@@ -1,6 +1,5 @@
-// Simulation in plain C++: one trajectory, exact arrival times, Runge-Kutta steps of order 4 that
-// end at impulses, impacts found by bisection of the step.
-//     simulation STEP TIME
+// A simple simulation in C++: one trajectory, exact arrival times, Runge-Kutta steps of order 4
+// that end at impulses, impacts located by bisection of the step. simulation STEP TIME
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +19,7 @@ struct State {
 
 double acceleration(double y, double v) { return -kDamping * v - y - kCubic * y * y * y; }
 
-State after(State s, double h) {
+State runge_kutta_step(State s, double h) {
   const double v1 = s.v, a1 = acceleration(s.y, s.v);
   const double v2 = s.v + h / 2 * a1, a2 = acceleration(s.y + h / 2 * v1, v2);
   const double v3 = s.v + h / 2 * a2, a3 = acceleration(s.y + h / 2 * v2, v3);
@@ -28,17 +27,17 @@ State after(State s, double h) {
   return {s.y + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4), s.v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
 }
 
-// To the end of h, through impacts.
-State through(State s, double h) {
+// The state at the time h, with impacts.
+State advance(State s, double h) {
   while (h > 0) {
-    const State end = after(s, h);
+    const State end = runge_kutta_step(s, h);
     if (end.y >= 0) return end;
     double low = 0, high = h;
     for (int k = 0; k < 40; ++k) {
       const double middle = (low + high) / 2;
-      (after(s, middle).y < 0 ? high : low) = middle;
+      (runge_kutta_step(s, middle).y < 0 ? high : low) = middle;
     }
-    s = after(s, high);
+    s = runge_kutta_step(s, high);
     s = {0, -kRestitution * s.v};
     h -= high;
   }
@@ -68,7 +67,7 @@ int main(int argc, char** argv) {
     const double event = std::min(next_impulse, next_sample);
     while (t < event) {
       const double h = std::min(step, event - t);
-      s = through(s, h);
+      s = advance(s, h);
       t = event - t <= step ? event : t + h;
     }
     if (event == next_impulse) {

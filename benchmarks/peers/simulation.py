@@ -1,7 +1,7 @@
-"""Simulation by NumPy: many trajectories at once, Runge-Kutta steps of order 4, the impulses of a
-step together at its end, a step that ends beyond the wall reflected there.
+"""A simple simulation with NumPy: many trajectories in parallel, Runge-Kutta steps of order 4. All
+impulses of a step act at its end. A step that ends beyond the wall is reflected at its end.
 
-    simulation.py STEP TIME        TIME: of all 4000 trajectories together
+    simulation.py STEP TIME        TIME: total time of all 4000 trajectories
 """
 
 import sys
@@ -9,7 +9,7 @@ import time
 
 import numpy as np
 
-from problem import DAMPING, PROBLEMS, V_EDGES, Y_EDGES, force, say
+from problem import DAMPING, PROBLEMS, V_EDGES, Y_EDGES, force, print_result
 
 TRAJECTORIES = 4000
 
@@ -47,7 +47,7 @@ def main():
             counts_v += np.histogram(v, V_EDGES)[0]
             samples += TRAJECTORIES
     seconds = time.process_time() - begin
-    say(counts_y / samples / np.diff(Y_EDGES), counts_v / samples / np.diff(V_EDGES), seconds)
+    print_result(counts_y / samples / np.diff(Y_EDGES), counts_v / samples / np.diff(V_EDGES), seconds)
 
 
 main()

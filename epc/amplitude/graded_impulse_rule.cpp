@@ -8,16 +8,16 @@ namespace fpkcheck::epc::amplitude {
 namespace {
 
 constexpr double kPanel = 1.2;         // widest panel, in deviations of Y
-constexpr double kFirstBreak = 1.5;    // nearest break point to velocity 0, in widths
-constexpr double kGrowth = 3;          // from one to the next
+constexpr double kFirstBreak = 1.5;    // first break point next to velocity 0, in widths
+constexpr double kGrowth = 3;          // ratio of successive break points
 constexpr double kNegligible = 1e-18;  // probability
 
 }  // namespace
 
 GradedImpulseRule::GradedImpulseRule(const problem::ImpulseLaw& law)
-    : law_(law), pieces_(law.smooth_pieces()), atoms_(law.atoms()) {}
+    : law_(law), pieces_(law.density_breakpoints()), atoms_(law.atoms()) {}
 
-const AfterImpulse& GradedImpulseRule::operator()(double v, double width) {
+const PostImpulseVelocities& GradedImpulseRule::operator()(double v, double width) {
   after_.v.clear();
   after_.probability.clear();
   for (const auto& [amplitude, probability] : atoms_) {

@@ -5,16 +5,16 @@
 #include <numbers>
 #include <utility>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 #include "problem/features.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::epc::contact {
 
-using half_plane::Line;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
+using half_plane::QuadratureRule;
 
-bool applies(const problem::Problem& problem) {
+bool is_pressed_on_one_wall(const problem::Problem& problem) {
   const auto features = problem::features(problem);
   const auto& system = problem.system;
   return features.rests_in_contact && !features.two_walls &&
@@ -41,11 +41,12 @@ double Coordinates::y(double w) const {
       std::min(beyond, energy / force_(0.0)), 0.0, beyond, kDigits, iterations);
 }
 
-Points rule(const Coordinates& coordinates, double rho_max,
-            const half_plane::QuadratureSize& size) {
-  const Line rho = half_plane::legendre_rule(size.s, 0, rho_max);
-  const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  Points points = Points::zeros(rho.at.size() * theta.at.size() + 1);
+QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
+                                   const half_plane::QuadratureSize& size) {
+  const QuadratureRule rho = half_plane::legendre_rule(size.s, 0, rho_max);
+  const QuadratureRule theta =
+      half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
+  QuadraturePoints points = QuadraturePoints::zeros(rho.at.size() * theta.at.size() + 1);
   Eigen::Index k = 0;
   for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
     for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {
@@ -60,7 +61,7 @@ Points rule(const Coordinates& coordinates, double rho_max,
                          coordinates.force(points.y[k]) * Coordinates::prefactor(rho.at[i]);
     }
   }
-  points.weight[k] = coordinates.atom_weight();  // the last one is at the corner
+  points.weight[k] = coordinates.atom_weight();  // the last point is the corner
   return points;
 }
 

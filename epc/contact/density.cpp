@@ -4,14 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 
 namespace fpkcheck::epc::contact {
 namespace {
 
-// Edges from 0: the first cell a small share of the whole, the next in proportion to their place,
-// and even ones.
-std::vector<double> graded_to_zero(double end, double first, double growth) {
+// Cell edges from 0 to `end`: a first cell of width first * end, then widths proportional to the
+// distance from 0, then equal widths.
+std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
   for (double at = first * end; at < end; at += std::min((growth - 1) * at, end / kEven)) {
@@ -47,12 +47,12 @@ transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coor
           .v_max = largest};
 }
 
-transform::GridDensity on_graded_cells(const transform::SmoothDensity& density) {
-  // y goes as the square of v. Below the first edges there is a share of the mass of their size.
+transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
+  // y is of order v^2. The mass in the first cells is of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
-  return transform::on_cells(density,
-                             graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
-                             with_mirror_image(graded_to_zero(density.v_max, kFirst, kGrowth)));
+  return transform::average_over_cells(
+      density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
+      with_mirror_image(edges_graded_to_zero(density.v_max, kFirst, kGrowth)));
 }
 
 }  // namespace fpkcheck::epc::contact

@@ -7,15 +7,15 @@
 
 namespace fpkcheck::epc::contact {
 
-/// C exp(Q_n + confinement) / e of amplitude and velocity up to an energy, and 0 beyond; infinite
-/// at the corner.
-/// @param support the energy
+/// Density C exp(Q_n + confinement) / e, Q_n a polynomial of amplitude and velocity, and 0 beyond
+/// an energy; infinite at the corner.
+/// @param support this energy
 transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
                                     double support, const half_plane::Confinement& confinement,
                                     double log_constant);
 
-/// The same as averages over cells that are the narrower the nearer to the corner: what holds its
-/// mass, and that of p(y) ~ y^(-1/2) and p(y') ~ -ln|y'|, as panels and even bins do not.
-transform::GridDensity on_graded_cells(const transform::SmoothDensity& density);
+/// Averages of the density over cells graded towards the corner. Unlike panels and equal bins, they
+/// resolve its mass and the singularities p(y) ~ y^(-1/2) and p(y') ~ -ln|y'|.
+transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density);
 
 }  // namespace fpkcheck::epc::contact

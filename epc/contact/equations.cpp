@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "epc/amplitude/after_impulse.hpp"
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
+#include "epc/amplitude/means_after_impulse.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::contact {
@@ -13,13 +13,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
-using half_plane::Points;
 using half_plane::products;
+using half_plane::QuadraturePoints;
 
-// E[phi(y, v + Y)] of every member at every point. At rest the mass stands on the wall, and an
-// impulse towards it is followed by an impact.
+// E[phi(y, v + Y)] of every member at every point. For the mass at rest on the wall an impulse
+// towards the wall is followed by an impact.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
-                       const Basis& basis, const Points& points) {
+                       const Basis& basis, const QuadraturePoints& points) {
   const double r = problem.system.restitution();
   const VectorXd w = points.y.unaryExpr([&](double y) { return coordinates.w(y); });
   return amplitude::means_after_impulse(problem.impulses.law(), basis, w, points.v,
@@ -29,11 +29,12 @@ MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coord
                                         });
 }
 
-// rho' and v' between impulses; none at rest.
+// rho' and v' between impulses; 0 at rest.
 struct Flow {
   VectorXd rho, v;
 };
-Flow flow(const problem::System& system, const Coordinates& coordinates, const Points& points) {
+Flow flow(const problem::System& system, const Coordinates& coordinates,
+          const QuadraturePoints& points) {
   Flow rate{VectorXd::Zero(points.size()), VectorXd::Zero(points.size())};
   for (Index i = 0; i + 1 < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i];
@@ -48,28 +49,29 @@ Flow flow(const problem::System& system, const Coordinates& coordinates, const P
 
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,
-                                Basis basis, Points points, int wall_points) {
+                                Basis basis, QuadraturePoints points, int wall_points) {
   const Flow rate = flow(problem.system, coordinates, points);
-  const auto of_rho = basis.of_s().derivatives(points.s, 1);
-  const auto of_v = basis.of_t().derivatives(points.t, 1);
+  const auto rho_tables = basis.polynomials_in_s().derivatives(points.s, 1);
+  const auto v_tables = basis.polynomials_in_t().derivatives(points.t, 1);
   const auto& members = basis.members();
-  const MatrixXd values = products(members, of_rho[0], of_v[0]);
+  const MatrixXd values = products(members, rho_tables[0], v_tables[0]);
   const double arrivals = problem.impulses.arrival_rate();
 
-  const half_plane::Line wall = half_plane::legendre_rule(wall_points, 0, rho_max);
-  const VectorXd kept = problem.system.restitution() * wall.at;
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(wall_points, 0, rho_max);
+  const VectorXd rebound_speed = problem.system.restitution() * wall.at;
   const MatrixXd wall_members = basis.values(wall.at, -wall.at);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
       .members = values,
-      .generated = products(members, rate.rho.asDiagonal() * of_rho[1], of_v[0]) +
-                   products(members, of_rho[0], rate.v.asDiagonal() * of_v[1]) +
-                   arrivals * (after_impulse(problem, coordinates, basis, points) - values),
-      .confined = points.energy.unaryExpr(confinement),
+      .generator_terms = products(members, rate.rho.asDiagonal() * rho_tables[1], v_tables[0]) +
+                         products(members, rho_tables[0], rate.v.asDiagonal() * v_tables[1]) +
+                         arrivals * (after_impulse(problem, coordinates, basis, points) - values),
+      .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight.cwiseProduct(wall.at.unaryExpr(&Coordinates::prefactor)),
       .wall_members = wall_members,
-      .rebounds = wall.at.asDiagonal() * (basis.values(kept, kept) - wall_members),
-      .wall_confined =
+      .impact_terms =
+          wall.at.asDiagonal() * (basis.values(rebound_speed, rebound_speed) - wall_members),
+      .wall_confinement_terms =
           wall.at.unaryExpr([&](double rho) { return confinement(amplitude::energy_at(rho)); })};
   return {std::move(tables), std::move(basis), std::move(points)};
 }

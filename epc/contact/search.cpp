@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "epc/amplitude/setting.hpp"
+#include "epc/amplitude/closure_formulation.hpp"
 #include "epc/contact/equations.hpp"
 #include "epc/half_plane/search.hpp"
 #include "problem/problem.hpp"
@@ -12,38 +12,39 @@
 namespace fpkcheck::epc::contact {
 namespace {
 
-class Setting : public amplitude::Setting {
+class ClosureFormulation : public amplitude::ClosureFormulation {
  public:
-  Setting(const problem::Problem& problem, const problem::Scales& scales,
-          const Coordinates& coordinates, Tail tail)
-      : amplitude::Setting(scales.velocity_deviation * scales.velocity_deviation,
-                           rate_of(problem, scales), tail),
+  ClosureFormulation(const problem::Problem& problem, const problem::Scales& scales,
+                     const Coordinates& coordinates, Tail tail)
+      : amplitude::ClosureFormulation(scales.velocity_deviation * scales.velocity_deviation,
+                                      relaxation_rate(problem, scales), tail),
         problem_(problem),
         coordinates_(coordinates) {}
 
-  half_plane::Points points(double support, const half_plane::QuadratureSize& size) const override {
-    return rule(coordinates_, amplitude::amplitude_at(support), size);
+  half_plane::QuadraturePoints points(double support,
+                                      const half_plane::QuadratureSize& size) const override {
+    return quadrature_points(coordinates_, amplitude::amplitude_at(support), size);
   }
 
   half_plane::Equations equations(double support, const half_plane::Confinement& confinement,
-                                  half_plane::Basis basis, half_plane::Points points,
+                                  half_plane::Basis basis, half_plane::QuadraturePoints points,
                                   const half_plane::QuadratureSize& size) const override {
     return contact::equations(problem_, coordinates_, amplitude::amplitude_at(support), confinement,
                               std::move(basis), std::move(points), size.wall);
   }
 
  protected:
-  amplitude::Exponent on_circle(const Polynomial& q) const override {
-    return contact::on_circle(q);
+  amplitude::Exponent polar_exponent(const Polynomial& q) const override {
+    return contact::polar_exponent(q);
   }
   double phase(double rho, double v) const override {
     return rho > 0 ? std::asin(std::clamp(v / rho, -1.0, 1.0)) : 0;
   }
 
  private:
-  // The rate at which the energy is renewed; at least so much of the frequency, below which the
-  // rates of the motion leave no digits.
-  static double rate_of(const problem::Problem& problem, const problem::Scales& scales) {
+  // Relaxation rate of the energy. Lower limit: kRounding times the frequency, since rounding
+  // errors of the undamped motion would dominate smaller rates.
+  static double relaxation_rate(const problem::Problem& problem, const problem::Scales& scales) {
     constexpr double kRounding = 1e-4;
     const double temperature = scales.velocity_deviation * scales.velocity_deviation;
     return std::max(total_intensity(problem) / (2 * temperature), kRounding * scales.frequency);
@@ -58,7 +59,7 @@ class Setting : public amplitude::Setting {
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options) {
   return half_plane::find_root(
-      Setting(problem, problem::scales(problem), coordinates, options.tail), options);
+      ClosureFormulation(problem, problem::scales(problem), coordinates, options.tail), options);
 }
 
 }  // namespace fpkcheck::epc::contact

@@ -6,10 +6,10 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Solves the closure of a mass that comes to rest in contact with a wall: a density
-/// C exp(Q_n(rho, v) + confinement) / e and the atom that belongs to it (Coordinates), whose
-/// coefficients meet the exact equations for the means of the functions of the basis.
-/// @pre applies(problem)
+/// Solves the closure for a mass that comes to rest in contact with a wall: a density
+/// C exp(Q_n(rho, v) + confinement) / e with its atom (Coordinates). The coefficients satisfy the
+/// exact equations for the means of the basis functions.
+/// @pre is_pressed_on_one_wall(problem)
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::contact

@@ -7,11 +7,11 @@
 
 namespace fpkcheck::epc::contact {
 
-/// The half-circle of an amplitude, as points; shares of the area have the factor 1/e in them.
+/// QuadraturePoints on the half-circle of an amplitude. Their areas include the factor 1/e.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
-/// Condition (19) for a polynomial of rho and v, in the directions v = rho sin(theta) that there
-/// are. Radii are rho/sigma_2.
+/// Condition (19) for a polynomial of rho and v, in the directions v = rho sin(theta). Radii are
+/// rho/sigma_2.
 LeadingForm leading_form_of(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::contact

@@ -9,7 +9,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Terms of Q_n below this share of the largest, in the scaled plane, are rounding and have no sign.
+// Terms below kRounding of the largest term, in the scaled plane, are rounding without a sign.
 Polynomial without_rounding(const Polynomial& q, const Deviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
@@ -29,7 +29,7 @@ LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigm
   LeadingForm form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0, seen = 0;
-  const std::size_t distinct = distinct_directions(q);
+  const std::size_t distinct = distinct_direction_count(q);
   Ray worst;
   for (std::size_t k = 0; k < directions().size(); ++k) {
     const Direction e = directions()[k];
@@ -46,23 +46,23 @@ LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigm
     }
   }
   form.negative = rising == 0;
-  form.rising_share = static_cast<double>(rising) / seen;
+  form.rising_fraction = static_cast<double>(rising) / seen;
   if (!form.negative) {
-    // The last change of sign of the slope; beyond kFarthest it does not matter where.
+    // The last change of sign of the slope, up to 4 kLargestRadius.
     const Ray slope = derivative(worst);
-    double rho = 4 * kFarthest;
+    double rho = 4 * kLargestRadius;
     while (rho > 0 && horner(slope, rho) > 0) rho -= kRadialStep / 8;
     form.rises_from = std::max(rho, 0.0);
   }
   return form;
 }
 
-std::string behaviour(const LeadingForm& form, const std::string& plane) {
-  if (form.negative) return "though Q_n falls in the end";
+std::string leading_form_text(const LeadingForm& form, const std::string& plane) {
+  if (form.negative) return "although Q_n falls at infinity";
   return fmt::format(
-      "and Q_n rises in the end along {:.0f} % of all directions, along {} = ({:.2f}, {:.2f}) from "
-      "radius {:.2f} on",
-      100 * form.rising_share, plane, form.worst.x1, form.worst.x2, form.rises_from);
+      "and Q_n rises at infinity along {:.0f} % of all directions, most steeply along {} = "
+      "({:.2f}, {:.2f}) from radius {:.2f} on",
+      100 * form.rising_fraction, plane, form.worst.x1, form.worst.x2, form.rises_from);
 }
 
 }  // namespace fpkcheck::epc

@@ -28,7 +28,7 @@ double Polynomial::operator()(double x1, double x2) const {
   return value;
 }
 
-std::vector<double> Polynomial::along(double e1, double e2) const {
+std::vector<double> Polynomial::restriction_to_ray(double e1, double e2) const {
   std::vector<double> power1{1}, power2{1};
   for (int m = 1; m <= degree_; ++m) {
     power1.push_back(power1.back() * e1);

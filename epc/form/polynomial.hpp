@@ -12,7 +12,7 @@ struct Term {
   double a;  ///< coefficient
 };
 
-/// The exponent Q_n(x1, x2; a) of paper (18), constant left out.
+/// The exponent Q_n(x1, x2; a) of paper (18), without a constant.
 class Polynomial {
  public:
   explicit Polynomial(std::vector<Term> terms);
@@ -22,16 +22,16 @@ class Polynomial {
 
   double operator()(double x1, double x2) const;
 
-  /// Coefficients of rho -> Q_n(rho e1, rho e2): entry m belongs to rho^m, m = 0 .. degree.
-  std::vector<double> along(double e1, double e2) const;
+  /// Coefficients of rho -> Q_n(rho e1, rho e2): entry m multiplies rho^m, m = 0 .. degree.
+  std::vector<double> restriction_to_ray(double e1, double e2) const;
 
  private:
   std::vector<Term> terms_;
   int degree_;
-  std::vector<double> triangle_;  // for p = degree .. 0 the row of q = degree - p .. 0
+  std::vector<double> triangle_;  // rows p = degree .. 0, each with q = degree - p .. 0
 };
 
-/// Value at rho of the polynomial with the given coefficients, lowest power first.
+/// Value at rho of the polynomial with these coefficients, lowest power first (Horner).
 inline double horner(const std::vector<double>& coefficients, double rho) {
   double value = 0;
   for (std::size_t m = coefficients.size(); m-- > 0;) value = value * rho + coefficients[m];

@@ -19,14 +19,14 @@ const std::vector<Direction>& directions() {
   return table;
 }
 
-std::size_t distinct_directions(const Polynomial& q) {
+std::size_t distinct_direction_count(const Polynomial& q) {
   const bool even = std::ranges::all_of(
       q.terms(), [](const Term& term) { return (term.x1 + term.x2) % 2 == 0 || term.a == 0; });
   return even ? directions().size() / 2 : directions().size();
 }
 
 Ray ray(const Polynomial& q, const Deviations& sigma, const Direction& direction) {
-  Ray coefficients = q.along(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
+  Ray coefficients = q.restriction_to_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
   while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
   return coefficients;
 }

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::epc {
 
-/// sigma_1 and sigma_2, the deviations by which the plane is scaled.
+/// Standard deviations sigma_1 and sigma_2 that scale the plane.
 struct Deviations {
   double x1;
   double x2;
@@ -19,20 +19,20 @@ struct Direction {
 };
 
 /// Coefficients of rho -> Q_n along a direction of the scaled plane, lowest power first, up to the
-/// highest that is not zero.
+/// highest nonzero one.
 using Ray = std::vector<double>;
 
-/// Radii are looked at in such steps, and no further than kFarthest.
+/// Step and upper limit of radial scans, in deviations.
 inline constexpr double kRadialStep = 0.1;
-inline constexpr double kFarthest = 15;
+inline constexpr double kLargestRadius = 15;
 
-/// The directions that are looked at: all round in equal steps, those on the axes exactly there, so
-/// that a term which vanishes on an axis does vanish.
+/// Directions at equal angles over the whole circle. Those on the axes are exact, so that a term
+/// that vanishes on an axis evaluates to 0.
 const std::vector<Direction>& directions();
 
-/// How many of them, from the first on, differ: opposite ones are alike for a Q_n of even degrees
-/// only.
-std::size_t distinct_directions(const Polynomial& q);
+/// Number of leading entries of directions() in which Q_n differs. If all degrees of Q_n are even,
+/// opposite directions are equivalent and half of the entries suffice.
+std::size_t distinct_direction_count(const Polynomial& q);
 
 Ray ray(const Polynomial& q, const Deviations& sigma, const Direction& direction);
 

@@ -10,14 +10,14 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// sqrt(E[x^2p]) of a normal variable.
+// sqrt(E[x^2p]) of x ~ N(0, sigma^2).
 double norm(int p, double sigma) {
   const double moment =
       p == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(2 * p - 1));
   return std::pow(sigma, p) * std::sqrt(moment);
 }
 
-// Column p holds the j-th derivative of x^p at each point.
+// Column p: j-th derivative of x^p at each point.
 Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(x.size(), degree + 1);
   Eigen::VectorXd power = Eigen::VectorXd::Ones(x.size());
@@ -33,7 +33,7 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 }  // namespace
 
 Deviations deviations(const problem::Problem& problem) {
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     const auto scales = problem::scales(problem);
     return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
   }
@@ -80,15 +80,15 @@ BasisTable Basis::table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) co
           .d2222 = in_x2(4)};
 }
 
-Polynomial Basis::polynomial(const Eigen::VectorXd& scaled) const {
+Polynomial Basis::polynomial(const Eigen::VectorXd& scaled_coefficients) const {
   std::vector<Term> terms;
   for (Eigen::Index s = 0; s < size(); ++s) {
-    terms.push_back({members_[s].p, members_[s].q, scaled[s] / members_[s].norm});
+    terms.push_back({members_[s].p, members_[s].q, scaled_coefficients[s] / members_[s].norm});
   }
   return Polynomial(std::move(terms));
 }
 
-Eigen::VectorXd Basis::scaled(const std::vector<Term>& terms) const {
+Eigen::VectorXd Basis::scaled_coefficients(const std::vector<Term>& terms) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   for (Eigen::Index s = 0; s < size(); ++s) {
     for (const auto& [p, q, a] : terms) {

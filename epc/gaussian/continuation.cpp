@@ -5,19 +5,19 @@
 
 #include "epc/form/leading_form.hpp"
 #include "numerics/linear_algebra/dense.hpp"
-#include "numerics/roots/arclength.hpp"
+#include "numerics/roots/continuation.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using numerics::Curve;
-using numerics::CurveEnd;
 using numerics::CurvePoint;
-using numerics::Family;
+using numerics::Homotopy;
 using numerics::NewtonResult;
+using numerics::SolutionCurve;
+using numerics::Termination;
 
 constexpr int kMaxPoints = 120;
-constexpr int kPolishing = 30;  // steps at the end of a curve
+constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
 
 // E|x|^m of x ~ N(0, sigma^2).
 double absolute_moment(double m, double sigma) {
@@ -25,10 +25,11 @@ double absolute_moment(double m, double sigma) {
          std::numbers::inv_sqrtpi;
 }
 
-// Q_n of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). An even power a y^m of
-// the force has no polynomial potential on the plane: its share is that of the linear force of the
-// same mean slope, E[a m |x1|^(m-1)].
-std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Deviations& sigma) {
+// Exponent of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). The potential of an
+// even power a y^m of the force is not a polynomial on the plane. A linear force with the same mean
+// slope, E[a m |x1|^(m-1)], replaces it.
+std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
+                                               const Deviations& sigma) {
   const double beta = f.damping / (f.rate_moment[2] / 2);
   std::vector<Term> terms{{0, 2, -beta / 2}};
   for (int m = 0; m < static_cast<int>(numerics::Polynomial::kDegree); ++m) {
@@ -41,44 +42,49 @@ std::vector<Term> elastic_white_noise(const ResidualCoefficients& f, const Devia
   return terms;
 }
 
-// R at the points of the path of `partway`, in its unit. Linear in the fraction.
-Family path_of(const Projection& projection, const ResidualCoefficients& full, double unit) {
+// R with homotopy_coefficients, in units of residual_unit. R is linear in the fraction.
+Homotopy branch_family(const Projection& projection, const ResidualCoefficients& full,
+                       double unit) {
   return {
       .residual = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::VectorXd {
-        return projection.residual(partway(full, fraction), a) / unit;
+        return projection.residual(homotopy_coefficients(full, fraction), a) / unit;
       },
       .jacobian = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::MatrixXd {
-        return projection.jacobian(partway(full, fraction), a) / unit;
+        return projection.jacobian(homotopy_coefficients(full, fraction), a) / unit;
       },
-      .rate = [=, &projection](const Eigen::VectorXd& a, double) -> Eigen::VectorXd {
-        return (projection.residual(full, a) - projection.residual(partway(full, 0), a)) / unit;
+      .parameter_derivative = [=, &projection](const Eigen::VectorXd& a,
+                                               double) -> Eigen::VectorXd {
+        return (projection.residual(full, a) -
+                projection.residual(homotopy_coefficients(full, 0), a)) /
+               unit;
       }};
 }
 
-BranchEnd end_of(const Curve& curve) {
+BranchEnd branch_end_of(const SolutionCurve& curve) {
   switch (curve.end) {
-    case CurveEnd::arrived:
+    case Termination::end_reached:
       return BranchEnd::full_problem;
-    case CurveEnd::returned:
+    case Termination::fell_back:
       return BranchEnd::white_noise;
-    case CurveEnd::far:
+    case Termination::diverged:
       return BranchEnd::far_away;
-    case CurveEnd::stuck:
-    case CurveEnd::long_way:
+    case Termination::step_underflow:
+    case Termination::limit_exceeded:
       break;
   }
   return BranchEnd::lost;
 }
 
-Branch branch_of(const Curve& curve, const Family& family, const Basis& basis) {
-  Branch branch{.end = end_of(curve), .furthest = curve.furthest().t, .points = {}};
+Branch branch_of(const SolutionCurve& curve, const Homotopy& family, const Basis& basis) {
+  Branch branch{.end = branch_end_of(curve), .furthest = curve.furthest().t, .points = {}};
   for (const CurvePoint& point : curve.points) {
-    const auto regularity = numerics::regularity(family.jacobian(point.a, point.t));
+    const auto singularity_indicators =
+        numerics::singularity_indicators(family.jacobian(point.a, point.t));
     branch.points.push_back(
         {.fraction = point.t,
          .norm = point.a.norm(),
-         .smallest_singular_value = regularity.smallest_singular_value,
-         .determinant_sign = regularity.determinant_sign,
+         .smallest_singular_value = singularity_indicators.smallest_singular_value,
+         .determinant_sign = singularity_indicators.determinant_sign,
          .falls = leading_form(basis.polynomial(point.a), basis.sigma()).negative,
          .fold = false});
   }
@@ -86,14 +92,15 @@ Branch branch_of(const Curve& curve, const Family& family, const Basis& basis) {
   return branch;
 }
 
-// The root that a curve leads to, or where it was lost.
-NewtonResult root_of(const Curve& curve, const CurvePoint& last, const Projection& projection,
-                     const ResidualCoefficients& there, double tolerance) {
-  const bool arrived = curve.end == CurveEnd::arrived;
-  NewtonResult root =
-      newton(projection, there, last.a,
-             {.tolerance = tolerance, .max_iterations = arrived ? kPolishing : 0, .damped = false});
-  root.converged = root.converged && arrived;
+// Root at the end of a curve, or the last iterate if the curve did not arrive.
+NewtonResult root_of(const SolutionCurve& curve, const CurvePoint& last,
+                     const Projection& projection, const ResidualCoefficients& there,
+                     double tolerance) {
+  const bool end_reached = curve.end == Termination::end_reached;
+  NewtonResult root = newton(
+      projection, there, last.a,
+      {.tolerance = tolerance, .max_iterations = end_reached ? kPolishing : 0, .damped = false});
+  root.converged = root.converged && end_reached;
   root.iterations += curve.iterations;
   return root;
 }
@@ -103,29 +110,31 @@ NewtonResult root_of(const Curve& curve, const CurvePoint& last, const Projectio
 FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
                              double tolerance) {
   const Basis& basis = projection.basis();
-  const Eigen::VectorXd exact = basis.scaled(elastic_white_noise(full, basis.sigma()));
-  const NewtonResult start =
-      newton(projection, partway(full, 0), exact, {.tolerance = tolerance, .damped = false});
+  const Eigen::VectorXd exact =
+      basis.scaled_coefficients(elastic_white_noise_exponent(full, basis.sigma()));
+  const NewtonResult start = newton(projection, homotopy_coefficients(full, 0), exact,
+                                    {.tolerance = tolerance, .damped = false});
   if (!start.converged) return {{.end = BranchEnd::lost, .furthest = 0, .points = {}}, start};
 
-  const Family family = path_of(projection, full, residual_unit(projection, full));
-  const Curve curve =
-      numerics::follow(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
+  const Homotopy family = branch_family(projection, full, residual_unit(projection, full));
+  const SolutionCurve curve =
+      numerics::trace_curve(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
   const CurvePoint& last = curve.furthest();
-  NewtonResult root = root_of(curve, last, projection, partway(full, last.t), tolerance);
+  NewtonResult root =
+      root_of(curve, last, projection, homotopy_coefficients(full, last.t), tolerance);
   root.iterations += start.iterations;
   return {branch_of(curve, family, basis), root};
 }
 
-NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
-                           const Eigen::VectorXd& start, double tolerance) {
+NewtonResult follow_newton_homotopy(const Projection& projection, const ResidualCoefficients& f,
+                                    const Eigen::VectorXd& start, double tolerance) {
   const double unit = residual_unit(projection, f);
-  const Family family = numerics::newton_homotopy(
+  const Homotopy family = numerics::newton_homotopy(
       [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
       [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },
       start);
-  const Curve curve =
-      numerics::follow(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
+  const SolutionCurve curve =
+      numerics::trace_curve(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
   return root_of(curve, curve.points.back(), projection, f, tolerance);
 }
 

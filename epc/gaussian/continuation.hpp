@@ -5,21 +5,24 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// The branch, and the root where it reaches the full problem.
+/// Branch of solutions, and the root at the full problem.
 struct FollowedBranch {
   Branch branch;
-  numerics::NewtonResult root;  ///< converged only if it does; else at the greatest fraction
+  /// Converged if the branch reaches the full problem; else the iterate at the largest fraction.
+  numerics::NewtonResult root;
 };
 
-/// Follows the solution of (23) by pseudo-arclength along the path of `partway`, from the exact
-/// density of white noise at an impact without loss towards the full problem, past folds. (For a
-/// spring with even powers that density is no polynomial: from the nearest that is.)
+/// Follows the solution of (23) with homotopy_coefficients by pseudo-arclength, past folds. The
+/// branch starts from the exact density under white noise with elastic impacts, towards the full
+/// problem. For a spring with even powers the exponent of that density is no polynomial, and the
+/// branch starts from an approximation.
 FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
                              double tolerance);
 
-/// Adds equations little by little: follows Newton's homotopy from the start, a root of the
-/// equations of lower order, to a root of all.
-numerics::NewtonResult add_equations(const Projection& projection, const ResidualCoefficients& f,
-                                     const Eigen::VectorXd& start, double tolerance);
+/// Follows Newton's homotopy from a root of the equations of lower order to a root of all
+/// equations.
+numerics::NewtonResult follow_newton_homotopy(const Projection& projection,
+                                              const ResidualCoefficients& f,
+                                              const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -6,14 +6,14 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// ln C of paper (17), by which C exp(Q_n) on its support is a density of the plane.
+/// ln C of paper (17), which normalises C exp(Q_n) on its support in the plane.
 double log_constant(const Support& support);
 
-/// The density of (y, y') by paper (5) from C exp(Q_n) on its support.
+/// Density of (y, y') by paper (5) from C exp(Q_n) on its support.
 transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
                                     double log_constant);
 
-/// C exp(Q_n) on the support as a density of (y, v) where there is no wall: nothing is folded.
+/// Density C exp(Q_n) of (y, v) on its support, without a wall and without folding.
 transform::SmoothDensity unfolded_density_of(const Polynomial& q, const Support& support,
                                              double log_constant);
 

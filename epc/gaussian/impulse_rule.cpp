@@ -3,21 +3,21 @@
 #include <cmath>
 #include <variant>
 
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-Rule rule_of(const problem::GaussianLaw& law, int points) {
-  Rule rule = normal_rule(2 * points - 1);
+QuadratureRule rule_of(const problem::GaussianLaw& law, int points) {
+  QuadratureRule rule = normal_rule(2 * points - 1);
   for (double& y : rule.nodes) y = law.mean + law.deviation * y;
   return rule;
 }
 
-Rule rule_of(const problem::LaplaceLaw& law, int points) {
-  const Rule half = exponential_rule(2 * points - 1);
-  Rule rule;
+QuadratureRule rule_of(const problem::LaplaceLaw& law, int points) {
+  const QuadratureRule half = exponential_rule(2 * points - 1);
+  QuadratureRule rule;
   for (std::size_t i = 0; i < half.nodes.size(); ++i) {
     for (const int side : {-1, 1}) {
       rule.nodes.push_back(law.mean + side * law.scale * half.nodes[i]);
@@ -27,25 +27,25 @@ Rule rule_of(const problem::LaplaceLaw& law, int points) {
   return rule;
 }
 
-Rule rule_of(const problem::ExponentialLaw& law, int points) {
-  Rule rule = exponential_rule(2 * points - 1);
+QuadratureRule rule_of(const problem::ExponentialLaw& law, int points) {
+  QuadratureRule rule = exponential_rule(2 * points - 1);
   for (double& y : rule.nodes) y = law.mean + law.scale * (y - 1);
   return rule;
 }
 
-Rule rule_of(const problem::TwoPointLaw& law, int) {
+QuadratureRule rule_of(const problem::TwoPointLaw& law, int) {
   return {.nodes = {law.mean - law.deviation, law.mean + law.deviation}, .weights = {0.5, 0.5}};
 }
 
-Rule rule_of(const problem::UniformLaw& law, int points) {
-  Rule rule = uniform_rule(2 * points - 1);
+QuadratureRule rule_of(const problem::UniformLaw& law, int points) {
+  QuadratureRule rule = uniform_rule(2 * points - 1);
   for (double& y : rule.nodes) y = law.mean + law.half_width * y;
   return rule;
 }
 
 }  // namespace
 
-Rule impulse_rule(const problem::ImpulseLaw& law, int points) {
+QuadratureRule impulse_rule(const problem::ImpulseLaw& law, int points) {
   return std::visit(
       [&](const auto& kind) {
         if constexpr (requires { rule_of(kind, points); }) {
@@ -57,14 +57,14 @@ Rule impulse_rule(const problem::ImpulseLaw& law, int points) {
       law.kind());
 }
 
-Rule piecewise_impulse_rule(const problem::ImpulseLaw& law) {
-  Rule rule;
+QuadratureRule piecewise_impulse_rule(const problem::ImpulseLaw& law) {
+  QuadratureRule rule;
   const auto add = [&](double amplitude, double probability) {
     rule.nodes.push_back(amplitude);
     rule.weights.push_back(probability);
   };
   for (const auto& [amplitude, probability] : law.atoms()) add(amplitude, probability);
-  const std::vector<double> pieces = law.smooth_pieces();
+  const std::vector<double> pieces = law.density_breakpoints();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const double from = pieces[i], to = pieces[i + 1];
     const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));

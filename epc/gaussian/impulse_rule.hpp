@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epc/gaussian/rules.hpp"
+#include "epc/gaussian/quadrature_rules.hpp"
 
 namespace fpkcheck::problem {
 class ImpulseLaw;
@@ -8,14 +8,14 @@ class ImpulseLaw;
 
 namespace fpkcheck::epc::gaussian {
 
-/// E[g(Y)] for a smooth g, by the Gauss rule of the law about its mean: Hermite for gaussian,
-/// Laguerre on either side for laplace, Legendre for uniform; the atoms themselves for two_point;
-/// for a law of another kind by piecewise_impulse_rule.
-/// @param points of the rule, on each side for laplace; neither atoms nor pieces need a number
-Rule impulse_rule(const problem::ImpulseLaw& law, int points);
+/// Quadrature rule for E[g(Y)], g smooth: the Gauss rule of the law about its mean. Hermite for
+/// gaussian, Laguerre on either side for laplace, Laguerre for exponential, Legendre for uniform,
+/// the atoms for two_point, and piecewise_impulse_rule for any other law.
+/// @param points number of points, on each side for laplace; unused for atoms and piecewise rules
+QuadratureRule impulse_rule(const problem::ImpulseLaw& law, int points);
 
-/// The same for any law: its atoms, and Gauss-Legendre panels of its density that end where the
-/// density is not smooth.
-Rule piecewise_impulse_rule(const problem::ImpulseLaw& law);
+/// Quadrature rule for E[g(Y)] for any law: its atoms, and Gauss-Legendre panels on its density.
+/// The panels end where the density is not smooth.
+QuadratureRule piecewise_impulse_rule(const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::epc::gaussian

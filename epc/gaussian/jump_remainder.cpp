@@ -4,18 +4,18 @@
 #include <numbers>
 
 #include "epc/gaussian/impulse_rule.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/impulse_train.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Panels of ten points along the radius and across a half-plane; points of the law's rule.
+// Number of ten-point panels in radius and in angle on a half-plane; points of the law's rule.
 constexpr int kPanels = 3;
 constexpr int kJumpPoints = 20;
 
-// The weights f1 f2 on the half-discs, x1 having one sign on each. A point-symmetric integrand is
-// as large on one half as on the other.
+// Quadrature with the weights f1 f2 on both half-discs, on each of which x1 has one sign. For a
+// point-symmetric integrand both halves give the same integral.
 PlaneRule disc(const Deviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneRule rule;
@@ -43,7 +43,7 @@ JumpRemainder::JumpRemainder(const Basis& basis, const problem::ImpulseTrain& im
     : rate_(impulses.arrival_rate()),
       series_(series_terms(impulses)),
       nodes_(disc(basis.sigma(), radius, basis.set() == MonomialSet::point_symmetric), basis) {
-  const Rule law = impulse_rule(impulses.law(), kJumpPoints);
+  const QuadratureRule law = impulse_rule(impulses.law(), kJumpPoints);
   jumps_ = static_cast<Eigen::Index>(law.nodes.size());
   Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
   jump_weights_.resize(x1.size());
@@ -53,7 +53,7 @@ JumpRemainder::JumpRemainder(const Basis& basis, const problem::ImpulseTrain& im
       const Eigen::Index row = i * jumps_ + j;
       x1[row] = nodes_.x1(i);
       x2[row] = nodes_.x2(i) - side(i) * law.nodes[j];
-      const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kReach;
+      const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kJumpMargin;
       jump_weights_[row] = reached ? law.weights[j] : 0;
     }
   }
@@ -63,13 +63,13 @@ JumpRemainder::JumpRemainder(const Basis& basis, const problem::ImpulseTrain& im
   }
 }
 
-Eigen::VectorXd JumpRemainder::gains(const Eigen::VectorXd& a) const {
+Eigen::VectorXd JumpRemainder::density_ratios(const Eigen::VectorXd& a) const {
   return jump_weights_.array() * (increments_ * a).array().exp();
 }
 
 Eigen::VectorXd JumpRemainder::projection(const Eigen::VectorXd& a) const {
-  const Eigen::VectorXd weighted = gains(a);
-  const std::vector<Derivatives> q = nodes_.of_q(a);
+  const Eigen::VectorXd weighted = density_ratios(a);
+  const std::vector<Derivatives> q = nodes_.exponent_derivatives(a);
   return nodes_.project(Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
                           const double expectation = weighted.segment(i * jumps_, jumps_).sum();
                           return rate_ * (expectation - 1) - series_part(series_, side(i), q[i]);
@@ -77,13 +77,13 @@ Eigen::VectorXd JumpRemainder::projection(const Eigen::VectorXd& a) const {
 }
 
 Eigen::MatrixXd JumpRemainder::jacobian(const Eigen::VectorXd& a) const {
-  const Eigen::VectorXd weighted = gains(a);
+  const Eigen::VectorXd weighted = density_ratios(a);
   Eigen::MatrixXd rows(nodes_.size(), a.size());
   for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
     rows.row(i).noalias() = rate_ * weighted.segment(i * jumps_, jumps_).transpose() *
                             increments_.middleRows(i * jumps_, jumps_);
   }
-  std::vector<Derivatives> series = nodes_.of_q(a);
+  std::vector<Derivatives> series = nodes_.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes_.size(); ++i)
     series[i] = series_gradient(series_, side(i), series[i]);
   return nodes_.project(rows) - nodes_.project_gradients(series);

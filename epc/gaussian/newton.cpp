@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kLeastShare = 1e-4;
+constexpr double kLeastStepFraction = 1e-4;
 constexpr double kArmijo = 0.1;
 
-// (23) as numerics::newton wants it.
+// Interface of equations (23) for numerics::newton.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a, residual;
@@ -28,13 +28,13 @@ struct NewtonEquations {
     return {a, residual, residual.lpNorm<Eigen::Infinity>() / unit};
   }
   Step step(const Iterate& here) const {
-    return {-numerics::Factors(projection.jacobian(f, here.a)).solve(here.residual)};
+    return {-numerics::LuFactors(projection.jacobian(f, here.a)).solve(here.residual)};
   }
-  double share(const Iterate& here, const Step& step) const {
+  double step_fraction(const Iterate& here, const Step& step) const {
     const double before = here.residual.norm();
-    return numerics::halved_until(1, kLeastShare, [&](double share) {
-      const double after = projection.residual(f, here.a + share * step.change).norm();
-      return after < (1 - kArmijo * share) * before;
+    return numerics::backtrack(1, kLeastStepFraction, [&](double step_fraction) {
+      const double after = projection.residual(f, here.a + step_fraction * step.change).norm();
+      return after < (1 - kArmijo * step_fraction) * before;
     });
   }
 

@@ -5,19 +5,19 @@
 #include <numbers>
 #include <vector>
 
-#include "epc/gaussian/rules.hpp"
+#include "epc/gaussian/quadrature_rules.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// The degree of each part of F in x1 and in x2, Q_2 being of degree n-1 and the force of degree 5
-// at most, and of the projection function.
+// Degree of each part of F times the projection function, in x1 and in x2. Q_2 has degree n-1, the
+// force at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
 int impact_degree(int n) { return n + n; }
 
-PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
+PlaneRule product(const QuadratureRule& u1, const QuadratureRule& u2, const Deviations& sigma) {
   PlaneRule rule;
   for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
     for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
@@ -28,7 +28,7 @@ PlaneRule product(const Rule& u1, const Rule& u2, const Deviations& sigma) {
 }
 
 // int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
-PlaneRule along_wall(const Rule& absolute, const Deviations& sigma) {
+PlaneRule along_wall(const QuadratureRule& absolute, const Deviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
   PlaneRule rule;
   for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
@@ -43,18 +43,18 @@ ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
   return {even ? folded(rule) : rule, basis};
 }
 
-// A part of F at each node.
+// Values of a part of F at the nodes.
 template <class Part>
 Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
-  const std::vector<Derivatives> q = nodes.of_q(a);
+  const std::vector<Derivatives> q = nodes.exponent_derivatives(a);
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
-// Its gradient at each node.
+// Gradients of a part of F at the nodes.
 template <class Gradient>
 std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
                                    const Gradient& gradient) {
-  std::vector<Derivatives> q = nodes.of_q(a);
+  std::vector<Derivatives> q = nodes.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
   return q;
 }
@@ -98,7 +98,7 @@ Eigen::VectorXd Projection::residual(const ResidualCoefficients& f,
       return signed_part(f, signed_.x1(i), q);
     }));
   }
-  if (f.jump_share != 0) result += f.jump_share * jump_.value().projection(a);
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().projection(a);
   return result + impact_.project(values(impact_, a, [&](Eigen::Index i, const Derivatives& q) {
     return impact_part(f, impact_.x2(i), q);
   }));
@@ -122,7 +122,7 @@ Eigen::MatrixXd Projection::jacobian(const ResidualCoefficients& f,
           return signed_gradient(f, signed_.x1(i), q);
         }));
   }
-  if (f.jump_share != 0) result += f.jump_share * jump_.value().jacobian(a);
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().jacobian(a);
   return result +
          impact_.project_gradients(gradients(impact_, a, [&](Eigen::Index i, const Derivatives&) {
            return impact_gradient(f, impact_.x2(i));

@@ -11,18 +11,18 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// The nonlinear equations (23) of the paper in the scaled unknowns of a basis:
+/// Nonlinear equations (23) of the paper in the scaled unknowns of a basis:
 ///
 ///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
 ///
-/// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian, and
-/// each has the rule that its factor sgn(x1) or |x2| delta(x1) calls for. What `kf` adds is no
+/// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian weight,
+/// with a Gauss rule for its factor sgn(x1) or |x2| delta(x1). The remainder of `kf` is not a
 /// polynomial, see JumpRemainder.
 class Projection {
  public:
-  /// The equations with f.jump_share = 0.
+  /// Equations with f.jump_fraction = 0.
   explicit Projection(Basis basis);
-  /// All equations.
+  /// Equations including the remainder of the jump integral.
   Projection(Basis basis, const problem::ImpulseTrain& impulses,
              double jump_radius = JumpRemainder::kRadius);
 

@@ -35,7 +35,7 @@ ProjectionNodes::ProjectionNodes(const PlaneRule& rule, const Basis& basis)
       basis_(basis.table(x1_, x2_)),
       weighted_tests_(as_vector(rule.weights).asDiagonal() * basis_.value) {}
 
-std::vector<Derivatives> ProjectionNodes::of_q(const Eigen::VectorXd& a) const {
+std::vector<Derivatives> ProjectionNodes::exponent_derivatives(const Eigen::VectorXd& a) const {
   const Eigen::VectorXd q1 = basis_.d1 * a, q2 = basis_.d2 * a, q22 = basis_.d22 * a,
                         q222 = basis_.d222 * a, q2222 = basis_.d2222 * a;
   std::vector<Derivatives> result;

@@ -9,18 +9,19 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// A quadrature rule in the plane, as points and weights.
+/// Quadrature rule in the plane: points and weights.
 struct PlaneRule {
   std::vector<double> x1, x2, weights;
 
   void add(double at_x1, double at_x2, double weight);
 };
 
-/// The rule for integrands that are even under (x1, x2) -> (-x1, -x2): of each pair of points one
-/// is kept, with the weights of both. The rule itself must be so symmetric, up to rounding.
+/// QuadratureRule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with both
+/// weights.
+/// @pre the rule has this symmetry up to rounding
 PlaneRule folded(const PlaneRule& rule);
 
-/// A quadrature rule in the plane with a basis at its points. One table serves every iterate.
+/// Quadrature rule in the plane with a table of the basis at its points, common to all iterates.
 class ProjectionNodes {
  public:
   ProjectionNodes(const PlaneRule& rule, const Basis& basis);
@@ -30,15 +31,15 @@ class ProjectionNodes {
   double x2(Eigen::Index i) const { return x2_[i]; }
   const BasisTable& basis() const { return basis_; }
 
-  /// The derivatives of Q_n at each point, for scaled coefficients a.
-  std::vector<Derivatives> of_q(const Eigen::VectorXd& a) const;
+  /// Derivatives of Q_n at each point, for scaled coefficients a.
+  std::vector<Derivatives> exponent_derivatives(const Eigen::VectorXd& a) const;
 
-  /// sum_i w_i values_i phi_s(x_i) in row s.
+  /// Projection: sum_i w_i values_i phi_s(x_i) in row s.
   Eigen::VectorXd project(const Eigen::VectorXd& values) const;
-  /// The same for a matrix of values with a column for each unknown.
+  /// Projection of a matrix of values with a column for each unknown.
   Eigen::MatrixXd project(const Eigen::MatrixXd& values) const;
-  /// The same for values whose dependence on the derivatives of Q_n at each point is given by
-  /// gradients: the derivative by unknown k in column k.
+  /// Derivative of a projection by unknown k in column k.
+  /// @param gradients of the values with respect to the derivatives of Q_n, at each point
   Eigen::MatrixXd project_gradients(const std::vector<Derivatives>& gradients) const;
 
  private:

@@ -7,7 +7,7 @@ namespace {
 
 using problem::Equation;
 
-// The powers of one parity.
+// Terms of one parity.
 numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;
@@ -62,17 +62,17 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equa
       .impact_loss = 1 - system.restitution(),
       .rate_moment = {0, impulses.rate_moment(1), impulses.rate_moment(2) + problem.noise.intensity,
                       higher ? impulses.rate_moment(3) : 0, higher ? impulses.rate_moment(4) : 0},
-      .jump_share = equation == Equation::kf ? 1.0 : 0.0,
+      .jump_fraction = equation == Equation::kf ? 1.0 : 0.0,
       .folded = folded,
       .damping_polynomial = system.damping_polynomial(),
       .rayleigh = system.rayleigh()};
 }
 
-ResidualCoefficients partway(const ResidualCoefficients& full, double fraction) {
+ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction) {
   ResidualCoefficients f = full;
   f.impact_loss *= fraction;
   for (const int order : {1, 3, 4}) f.rate_moment[order] *= fraction;
-  f.jump_share *= fraction;
+  f.jump_fraction *= fraction;
   return f;
 }
 

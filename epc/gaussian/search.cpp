@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "epc/form/allowed.hpp"
+#include "epc/form/acceptance_limits.hpp"
 #include "epc/gaussian/continuation.hpp"
 #include "epc/gaussian/projection.hpp"
 #include "epc/gaussian/support.hpp"
@@ -18,15 +18,16 @@ namespace {
 using numerics::NewtonResult;
 using problem::Equation;
 
-// Of the coefficients, between two discs of the jump integral; roots on a plateau stay below 0.01.
-constexpr double kDiscSensitivityAllowed = 0.05;
+// Limit on the relative change of the coefficients between two discs of the jump integral. Roots
+// that are insensitive to the disc have changes below 0.01.
+constexpr double kDiscSensitivityLimit = 0.05;
 
-// Q_2 of the Gaussian with the deviations of the weights.
-std::vector<Term> linearised(const Deviations& sigma) {
+// Exponent of the Gaussian with the deviations of the weights.
+std::vector<Term> gaussian_exponent(const Deviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
-// Without a wall nothing is folded, and a force or impulses of no symmetry take all monomials.
+// Monomials of the basis. Without a wall, asymmetric forces or impulses need all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left()) return options.monomials;
   const numerics::Polynomial& force = problem.system.force();
@@ -41,42 +42,45 @@ Projection projection_of(const problem::Problem& problem, const Options& options
   return Projection(basis);
 }
 
-std::string end_of(const Branch& branch) {
+std::string branch_end_text(const Branch& branch) {
   switch (branch.end) {
     case BranchEnd::white_noise:
-      return "turns back there and ends at another root of the equations of white noise";
+      return "turns back to another root of the white-noise equations";
     case BranchEnd::far_away:
-      return "turns back there and leaves towards ever greater coefficients";
+      return "diverges after a fold";
     default:
       break;
   }
   const bool turned = std::ranges::any_of(branch.points, &BranchPoint::fold);
-  return turned ? "turns back there and is lost on the way" : "could not be followed further";
+  return turned ? "is lost after a fold" : "ends there";
 }
 
-class Seeker {
+class RootSearch {
  public:
-  Seeker(const problem::Problem& problem, const Options& options)
+  RootSearch(const problem::Problem& problem, const Options& options)
       : problem_(problem),
         options_(options),
         projection_(projection_of(problem, options)),
         coefficients_(residual_coefficients(problem, equation_of(options))),
-        linearised_(projection_.basis().scaled(linearised(projection_.basis().sigma()))) {}
+        gaussian_coefficients_(projection_.basis().scaled_coefficients(
+            gaussian_exponent(projection_.basis().sigma()))) {}
 
-  Search search() {
+  RootSearchResult search() {
     if (options_.order > 2) search_.previous = previous();
-    const NewtonResult plain = newton_from(linearised_, false);
+    const NewtonResult plain = newton_from(gaussian_coefficients_, false);
     search_.plain_newton_converges = plain.converged;
-    attempt(plain) || attempt(newton_from(linearised_, true)) ||
-        (search_.previous && attempt(newton_from(padded(), true))) || follow() ||
+    record_attempt(plain) || record_attempt(newton_from(gaussian_coefficients_, true)) ||
+        (search_.previous && record_attempt(newton_from(previous_coefficients(), true))) ||
+        try_branch() ||
         (search_.previous &&
-         attempt(add_equations(projection_, coefficients_, padded(), options_.tolerance)));
+         record_attempt(follow_newton_homotopy(projection_, coefficients_, previous_coefficients(),
+                                               options_.tolerance)));
     if (!search_.root) {
       search_.failure = failure();
       return search_;
     }
     search_.condition = condition();
-    if (equation_of(options_) == Equation::kf) test_disc();
+    if (equation_of(options_) == Equation::kf) check_disc_sensitivity();
     return search_;
   }
 
@@ -86,7 +90,9 @@ class Seeker {
     lower.order -= 2;
     return find_root(problem_, lower).root;
   }
-  Eigen::VectorXd padded() const { return projection_.basis().scaled(search_.previous->terms()); }
+  Eigen::VectorXd previous_coefficients() const {
+    return projection_.basis().scaled_coefficients(search_.previous->terms());
+  }
 
   NewtonResult newton_from(const Eigen::VectorXd& start, bool damped) const {
     return newton(projection_, coefficients_, start,
@@ -95,31 +101,32 @@ class Seeker {
                    .damped = damped});
   }
 
-  // Keeps the root of an attempt, if it is one and none was found before that is as good. Up to
-  // n = 6 the first root is taken, as in the paper; beyond, a root whose density does not decay is
-  // kept only until one that does is found.
-  bool attempt(const NewtonResult& result) {
+  // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
+  // root ends it, as in the paper. Beyond, only a root whose density decays ends it; another root
+  // is kept until then.
+  bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
     if (!result.converged) return false;
     const Polynomial root = projection_.basis().polynomial(result.a);
-    const bool settled = options_.order <= 6 ||
-                         Support(root, projection_.basis().sigma()).edge_ratio() < kEdgeAllowed;
+    const bool settled =
+        options_.order <= 6 ||
+        Support(root, projection_.basis().sigma()).edge_ratio() < kEdgeDensityLimit;
     if (settled || !search_.root) search_.root = root;
     return settled;
   }
 
-  bool follow() {
+  bool try_branch() {
     const FollowedBranch followed = follow_branch(projection_, coefficients_, options_.tolerance);
     search_.branch = followed.branch;
     NewtonResult root = followed.root;
     if (!root.converged) root.residual = std::numeric_limits<double>::infinity();
-    return attempt(root);
+    return record_attempt(root);
   }
 
-  // Whether the root stands on a plateau of the disc's radius; it is given up where it does not.
-  void test_disc() {
-    const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
+  // Discards a root that depends on the radius of the disc.
+  void check_disc_sensitivity() {
+    const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const Projection smaller(projection_.basis(), problem_.impulses, JumpRemainder::kRadius - 1);
     const NewtonResult there = newton(smaller, coefficients_, a,
                                       {.tolerance = options_.tolerance,
@@ -127,21 +134,20 @@ class Seeker {
                                        .damped = false});
     search_.iterations += there.iterations;
     if (there.converged) search_.disc_sensitivity = (there.a - a).norm() / a.norm();
-    if (search_.disc_sensitivity && *search_.disc_sensitivity <= kDiscSensitivityAllowed) return;
+    if (search_.disc_sensitivity && *search_.disc_sensitivity <= kDiscSensitivityLimit) return;
     search_.root.reset();
     search_.failure = fmt::format(
-        "the root depends on the disc on which the jump integral is taken: between radii of {} and "
-        "{} deviations {} (allowed {} of their norm), so the equations with the whole integral are "
-        "not defined well enough",
+        "the root depends on the disc of the jump integral: between radii of {} and {} deviations "
+        "{} (limit {}); the equations with the full integral are ill-defined",
         JumpRemainder::kRadius - 1, JumpRemainder::kRadius,
         search_.disc_sensitivity ? fmt::format("its coefficients change by {:.3f} of their norm",
                                                *search_.disc_sensitivity)
-                                 : "it is lost",
-        kDiscSensitivityAllowed);
+                                 : "Newton's method failed",
+        kDiscSensitivityLimit);
   }
 
   double condition() const {
-    const Eigen::VectorXd a = projection_.basis().scaled(search_.root->terms());
+    const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const Eigen::VectorXd values =
         numerics::singular_values(projection_.jacobian(coefficients_, a));
     return values[0] / values[values.size() - 1];
@@ -149,28 +155,27 @@ class Seeker {
 
   std::string failure() const {
     return fmt::format(
-        "Newton steps from equivalent linearisation{}, plain and damped, found no root in {} "
-        "iterations (least residual {:.1e}, asked for {:.1e}), and the branch of solutions that "
-        "starts from white noise at an impact without loss reaches {:.1f} % of the way to the full "
-        "problem: it {}",
+        "Newton's method from equivalent linearisation{}, plain and damped, found no root in {} "
+        "iterations (least residual {:.1e}, tolerance {:.1e}); the branch from white noise with "
+        "elastic impacts reaches {:.1f} % of the way and {}",
         search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
         search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
-        end_of(search_.branch));
+        branch_end_text(search_.branch));
   }
 
   const problem::Problem& problem_;
   const Options& options_;
   Projection projection_;
   ResidualCoefficients coefficients_;
-  Eigen::VectorXd linearised_;
-  Search search_;
+  Eigen::VectorXd gaussian_coefficients_;
+  RootSearchResult search_;
   int attempts_ = 0;
 };
 
 }  // namespace
 
-Search find_root(const problem::Problem& problem, const Options& options) {
-  return Seeker(problem, options).search();
+RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
+  return RootSearch(problem, options).search();
 }
 
 }  // namespace fpkcheck::epc::gaussian

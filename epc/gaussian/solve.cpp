@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/allowed.hpp"
-#include "epc/form/put_density.hpp"
+#include "epc/form/acceptance_limits.hpp"
+#include "epc/form/fill_density.hpp"
 #include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/density.hpp"
 #include "epc/gaussian/search.hpp"
@@ -17,62 +17,65 @@ namespace {
 
 using transform::Status;
 
-// Normalised by itself.
+// Density normalised on its support.
 transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
                                     const Support& support) {
   return problem.system.left() ? density_of(q, support, log_constant(support))
                                : unfolded_density_of(q, support, log_constant(support));
 }
 
-// A Gaussian is near no well of several and no ring.
-int first_comparable(const problem::Problem& problem) { return problem.system.left() ? 2 : 4; }
+// Smallest order whose density is a valid comparison. Without a wall a Gaussian approximates
+// neither several wells nor a ring.
+int first_comparable_order(const problem::Problem& problem) {
+  return problem.system.left() ? 2 : 4;
+}
 
-// Why a root is no density of the kind asked for; empty when it is.
-std::string objection(const Support& support, const LeadingForm& form,
-                      const transform::Solution& solution,
-                      const std::optional<double>& distance_to_density_before) {
-  if (!(support.edge_ratio() < kEdgeAllowed)) {
+// Reason why a root is inadmissible; empty for an admissible one.
+std::string inadmissible_reason(const Support& support, const LeadingForm& form,
+                                const transform::Solution& solution,
+                                const std::optional<double>& distance_to_density_before) {
+  if (!(support.edge_ratio() < kEdgeDensityLimit)) {
     return fmt::format(
-        "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), which cuts "
-        "off about {:.1e} of the probability, {}",
-        support.edge_ratio(), kEdgeAllowed, support.cut_off(),
-        behaviour(form, "(x1/sigma1, x2/sigma2)"));
+        "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
+        "cuts off about {:.1e} of the probability, {}",
+        support.edge_ratio(), kEdgeDensityLimit, support.cut_off(),
+        leading_form_text(form, "(x1/sigma1, x2/sigma2)"));
   }
-  if (!(std::abs(solution.mass - 1) <= kMassAllowed)) {
-    return fmt::format("the density's mass in the box around its support is {:.6f}, not 1",
+  if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
+    return fmt::format("the mass of the density in the box around its support is {:.6f}, not 1",
                        solution.mass);
   }
-  if (!(std::abs(solution.energy_residual) <= kEnergyAllowed)) {
+  if (!(std::abs(solution.energy_residual) <= kEnergyResidualLimit)) {
     return fmt::format(
-        "the root misses the stationary balance of power by {:.0f} % of the input (allowed "
-        "{:.0f} %), so it is near no stationary density",
-        100 * std::abs(solution.energy_residual), 100 * kEnergyAllowed);
+        "the balance of power has a residual of {:.0f} % of the input (limit {:.0f} %): the root "
+        "approximates no stationary density",
+        100 * std::abs(solution.energy_residual), 100 * kEnergyResidualLimit);
   }
-  if (distance_to_density_before.value_or(0) > kDistanceAllowed) {
+  if (distance_to_density_before.value_or(0) > kOrderDistanceLimit) {
     return fmt::format(
-        "p(y) and p(y') are {:.2f} in L1 from those of the density of order n-2 (allowed {}), so "
-        "the root is of another kind",
-        *distance_to_density_before, kDistanceAllowed);
+        "the L1 distance of p(y) and p(y') to order n-2 is {:.2f} (limit {}): the root does not "
+        "continue order n-2",
+        *distance_to_density_before, kOrderDistanceLimit);
   }
   return "";
 }
 
-// Where there is no wall the balance of virial accuses as that of power does: a Gaussian that meets
-// its weighted equations in the middle of a double well misses it by all there is.
-std::string objection_by_virial(const problem::Problem& problem,
-                                const transform::BalanceResiduals& balances) {
+// Without a wall the virial balance is a further criterion. A Gaussian in the middle of a double
+// well satisfies its weighted equations, but has a large residual of the virial balance.
+std::string virial_inadmissible_reason(const problem::Problem& problem,
+                                       const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
-  if (problem.system.left() || virial <= kEnergyAllowed) return "";
+  if (problem.system.left() || virial <= kEnergyResidualLimit) return "";
   return fmt::format(
-      "the root misses the stationary balance of virial by {:.0f} % (allowed {:.0f} %), so it is "
-      "near no stationary density",
-      100 * virial, 100 * kEnergyAllowed);
+      "the virial balance has a residual of {:.0f} % (limit {:.0f} %): the root approximates no "
+      "stationary density",
+      100 * virial, 100 * kEnergyResidualLimit);
 }
 
-// Judges a root of (23): C exp(Q_n) restricted to its support, its moments, its energy balance.
-// @param previous the root of order n-2, to compare with
-void judge(const problem::Problem& problem, const Polynomial& q,
-           const std::optional<Polynomial>& previous, Result& result) {
+// Assesses a root of (23): C exp(Q_n) on its support, its moments and its energy balance.
+// @param previous root of order n-2 for comparison
+void assess_root(const problem::Problem& problem, const Polynomial& q,
+                 const std::optional<Polynomial>& previous, Result& result) {
   const Deviations sigma = deviations(problem);
   const Support support(q, sigma);
   const LeadingForm form = leading_form(q, sigma);
@@ -91,27 +94,29 @@ void judge(const problem::Problem& problem, const Polynomial& q,
 
   const transform::SmoothDensity density = density_on(problem, q, support);
   summary.support->y_min = density.y_min;
-  const transform::PanelMarginals marginals = put_density(problem, Impact::delta, density, result);
+  const transform::PanelMarginals marginals = fill_density(problem, Impact::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
     const Support before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
-    before_density.y_min = density.y_min;  // the same panels
+    before_density.y_min = density.y_min;  // same panels
     summary.distance_to_previous = distance(
         marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
-    if (before.edge_ratio() < kEdgeAllowed && previous->degree() >= first_comparable(problem)) {
+    if (before.edge_ratio() < kEdgeDensityLimit &&
+        previous->degree() >= first_comparable_order(problem)) {
       distance_to_density_before = summary.distance_to_previous;
     }
   }
-  solution.reason = objection(support, form, solution, distance_to_density_before);
-  if (solution.reason.empty()) solution.reason = objection_by_virial(problem, summary.balances);
+  solution.reason = inadmissible_reason(support, form, solution, distance_to_density_before);
+  if (solution.reason.empty())
+    solution.reason = virial_inadmissible_reason(problem, summary.balances);
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
 }
 
 }  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
-  const Search search = find_root(problem, options);
+  const RootSearchResult search = find_root(problem, options);
   Result result;
   result.summary.iterations = search.iterations;
   result.summary.residual = search.residual;
@@ -120,7 +125,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   result.summary.disc_sensitivity = search.disc_sensitivity;
   if (search.root) {
     result.summary.condition = search.condition;
-    judge(problem, *search.root, search.previous, result);
+    assess_root(problem, *search.root, search.previous, result);
   } else {
     result.solution.status = Status::not_converged;
     result.solution.reason = search.failure;

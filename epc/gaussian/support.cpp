@@ -5,17 +5,17 @@
 #include <limits>
 #include <numbers>
 
-#include "epc/form/allowed.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "epc/form/acceptance_limits.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// The peak is sought within two deviations: a rise further out is no peak but a failure of (19).
-constexpr double kCore = 2;
-constexpr int kPanelsOfARay = 6;
+// Radius of the search for the peak, in deviations. A rise further out is a violation of (19).
+constexpr double kCoreRadius = 2;
+constexpr int kRadialPanels = 6;
 
-// Where Q_n along the ray changes from falling to rising between two radii.
+// Minimum of Q_n on the ray between two radii, by bisection of the slope.
 double minimum_between(const Ray& slope, double low, double high) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
@@ -24,7 +24,7 @@ double minimum_between(const Ray& slope, double low, double high) {
   return (low + high) / 2;
 }
 
-// Where Q_n, falling from low to high, crosses a level: Newton's method kept between the two.
+// Radius at which Q_n, falling from low to high, crosses a level: Newton's method with bracketing.
 double crossing_between(const Ray& q, const Ray& slope, double level, double low, double high) {
   double at = (low + high) / 2;
   for (int i = 0; i < 60; ++i) {
@@ -39,20 +39,20 @@ double crossing_between(const Ray& q, const Ray& slope, double level, double low
 
 struct Edge {
   double radius;
-  double peak;  // largest Q_n met on the way
+  double peak;  // largest Q_n up to the radius
 };
 
-// The edge along one direction, rules (a) to (c).
+// Edge along one direction by rules (a) to (c) of Support.
 Edge edge(const Ray& q, double core_peak) {
   const Ray slope = derivative(q);
   const double negligible = core_peak + std::log(Support::kNegligible);
-  const double allowed = core_peak + std::log(kEdgeAllowed);
+  const double allowed = core_peak + std::log(kEdgeDensityLimit);
   double lowest = 0, value_there = horner(q, 0), peak = value_there, peak_there = peak;
   double slope_here = horner(slope, 0);
-  for (double rho = 0; rho < kFarthest; rho += kRadialStep) {
+  for (double rho = 0; rho < kLargestRadius; rho += kRadialStep) {
     const double next = rho + kRadialStep;
     const double value_next = horner(q, next), slope_next = horner(slope, next);
-    if (rho > kCore && value_next > core_peak) break;
+    if (rho > kCoreRadius && value_next > core_peak) break;
     if (value_next < negligible) return {crossing_between(q, slope, negligible, rho, next), peak};
     double candidate = next, value = value_next;
     if (slope_here < 0 && slope_next >= 0) {
@@ -74,12 +74,12 @@ Edge edge(const Ray& q, double core_peak) {
 }  // namespace
 
 Support::Support(const Polynomial& q, const Deviations& sigma) : sigma_(sigma) {
-  const std::size_t distinct = distinct_directions(q);
+  const std::size_t distinct = distinct_direction_count(q);
   std::vector<Ray> rays;
   double core_peak = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < distinct; ++k) {
     rays.push_back(ray(q, sigma, directions()[k]));
-    for (double rho = 0; rho <= kCore; rho += kRadialStep) {
+    for (double rho = 0; rho <= kCoreRadius; rho += kRadialStep) {
       core_peak = std::max(core_peak, horner(rays.back(), rho));
     }
   }
@@ -91,10 +91,10 @@ Support::Support(const Polynomial& q, const Deviations& sigma) : sigma_(sigma) {
   }
   for (std::size_t k = distinct; k < directions().size(); ++k)
     radius_.push_back(radius_[k - distinct]);
-  measure(rays);
+  compute_integrals(rays);
 }
 
-void Support::measure(const std::vector<Ray>& rays) {
+void Support::compute_integrals(const std::vector<Ray>& rays) {
   for (std::size_t k = 0; k < radius_.size(); ++k) {
     const double radius = radius_[k];
     sector_.push_back(std::min(radius, radius_[(k + 1) % radius_.size()]));
@@ -105,7 +105,7 @@ void Support::measure(const std::vector<Ray>& rays) {
   least_radius_ = least;
   greatest_radius_ = greatest;
 
-  const auto unit = numerics::panel_points(0.0, 1.0, kPanelsOfARay);
+  const auto unit = numerics::panel_points(0.0, 1.0, kRadialPanels);
   double edge_sum = 0, sum = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const double radius = radius_[k];

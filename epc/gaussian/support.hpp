@@ -7,14 +7,16 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// The star-shaped set of the plane on which C exp(Q_n) is used as a density; it is zero outside.
+/// Star-shaped set of the plane on which C exp(Q_n) is used as a density. The density is zero
+/// outside.
 ///
 /// Along each direction the set ends at the first of
-///  (a) the radius where the density has fallen to kNegligible of its peak;
-///  (b) a minimum of Q_n at which the density is below kEdgeAllowed of its peak;
-///  (c) the radius at which Q_n is smallest before it exceeds its peak again, and up to kFarthest
+///  (a) the radius at which the density has fallen to kNegligible of its peak;
+///  (b) a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
+///  (c) the radius at which Q_n is smallest before it exceeds its peak again, up to kLargestRadius
 ///      deviations of the weights (25)-(26).
-/// A dip in the middle is thus no edge, and where (19) fails the set ends before Q_n rises.
+/// A minimum inside the density is therefore no edge, and if (19) is violated the set ends before
+/// Q_n rises.
 class Support {
  public:
   static constexpr double kNegligible = 1e-14;
@@ -22,27 +24,27 @@ class Support {
   Support(const Polynomial& q, const Deviations& sigma);
 
   bool contains(double x1, double x2) const;
-  double least_radius() const { return least_radius_; }  ///< in the scaled plane
+  double least_radius() const { return least_radius_; }  ///< radii in the scaled plane
   double greatest_radius() const { return greatest_radius_; }
-  double x1_max() const { return x1_max_; }  ///< half-widths of the box around the set
+  double x1_max() const { return x1_max_; }  ///< half-widths of the bounding box
   double x2_max() const { return x2_max_; }
 
   /// Largest Q_n on the set.
   double peak() const { return peak_; }
-  /// The integral of exp(Q_n - peak) over the set, by polar panels of its own.
+  /// Integral of exp(Q_n - peak) over the set, by panels in polar coordinates.
   double integral() const { return integral_; }
-  /// The largest density on the edge, relative to the peak.
+  /// Largest density on the edge, relative to the peak.
   double edge_ratio() const { return edge_ratio_; }
-  /// What would lie outside if the density fell from its value at the edge like the weights
-  /// (25)-(26), as a share of what lies inside: sigma_1 sigma_2 oint p(edge) dtheta.
+  /// Estimated probability outside relative to the probability inside, for a density that decays
+  /// beyond the edge like the weights (25)-(26): sigma_1 sigma_2 oint p(edge) dtheta.
   double cut_off() const { return cut_off_; }
 
  private:
-  void measure(const std::vector<Ray>& rays);
+  void compute_integrals(const std::vector<Ray>& rays);
 
   Deviations sigma_;
-  std::vector<double> radius_;  // along each direction of the table
-  std::vector<double> sector_;  // radius allowed between a direction and the next
+  std::vector<double> radius_;  // radius of the edge in each direction of directions()
+  std::vector<double> sector_;  // radius of the set between a direction and the next
   double least_radius_ = 0, greatest_radius_ = 0;
   double x1_max_ = 0, x2_max_ = 0;
   double peak_ = 0, integral_ = 0, edge_ratio_ = 0, cut_off_ = 0;

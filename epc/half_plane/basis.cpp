@@ -2,7 +2,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
-Basis::Basis(int order, const Points& points, const Eigen::VectorXd& mass)
+Basis::Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass)
     : order_(order), of_s_(points.s, mass, order), of_t_(points.t, mass, order) {
   for (int m = 1; m <= order; ++m) {
     for (int q = 0; q <= m; ++q) members_.push_back({m - q, q});

@@ -5,23 +5,24 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// A fixed term -(h / level)^kPower that is added to the exponent Q_n, h being an energy: nothing
-/// where the density lives, and steeper than any Q_n beyond the level. With it the exponent falls
-/// in every direction whatever the leading form of Q_n, so that C exp(Q_n - (h/level)^kPower) is a
-/// density on the whole half-plane, and the moment equations hold for it without a cut.
+/// Confinement: a fixed term -(h / level)^kPower that is added to the exponent Q_n, h an energy.
+/// The term is negligible in the bulk of the density and steeper than any Q_n beyond the level. The
+/// exponent then falls in every direction for every leading form of Q_n. Therefore
+/// C exp(Q_n - (h/level)^kPower) is a density on the whole half-plane, and satisfies the moment
+/// equations without a cut.
 struct Confinement {
   static constexpr int kPower = 16;
-  /// Where the term is -kNegligible, in levels: what lies beyond is left out.
+  /// The density is neglected at energies where the term is below -kNegligible.
   static constexpr double kNegligible = 45;
 
   double level = std::numeric_limits<double>::infinity();  ///< infinite: no confinement
 
-  /// The term itself, at an energy.
+  /// Value of the term at an energy.
   double operator()(double energy) const {
     return std::isfinite(level) ? -std::pow(energy / level, kPower) : 0;
   }
-  /// The energy beyond which nothing counts, in units of the level.
-  static double reach() { return std::pow(kNegligible, 1.0 / kPower); }
+  /// Energy beyond which the density is neglected, in units of the level.
+  static double support_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
 };
 
 }  // namespace fpkcheck::epc::half_plane

@@ -8,20 +8,21 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// A point of the contour of an energy h.
+/// Point on the contour of an energy h.
 struct ContourPoint {
-  double s, t;  ///< the coordinates of Q_n, see Points
+  double s, t;  ///< coordinates of Q_n, see QuadraturePoints
   double y, v;
-  double area;  ///< share of dA/dh, A being the area inside
+  double area;  ///< contribution to dA/dh, A the area inside the contour
 };
 using Contour = std::vector<ContourPoint>;
 
-/// Least and greatest distance of a contour from the origin in a scaled plane.
+/// Smallest and largest distance of a contour from the origin in the plane scaled by sigma.
 std::pair<double, double> radii(const Contour& contour, const Deviations& sigma);
 
-/// Probability beyond a contour if the density fell from there on like exp(-h/T): T oint p dA/dh.
+/// Estimate of the probability beyond a contour: T oint p dA/dh, exact for a density that decays
+/// like exp(-h/T).
 /// @param temperature T
-/// @param log_normalisation of exp(Q_n)
+/// @param log_normalisation ln of the integral of the density before normalisation
 double probability_beyond(const Polynomial& q, const Contour& contour, double temperature,
                           double log_normalisation);
 

@@ -4,22 +4,22 @@
 
 #include "epc/half_plane/basis.hpp"
 #include "epc/half_plane/galerkin.hpp"
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
-/// Galerkin equations whose members are the functions of a basis.
+/// Galerkin equations for the members of a basis.
 class Equations : public Galerkin {
  public:
-  Equations(GalerkinTables tables, Basis basis, Points points)
+  Equations(GalerkinTables tables, Basis basis, QuadraturePoints points)
       : Galerkin(std::move(tables)), basis_(std::move(basis)), points_(std::move(points)) {}
 
   const Basis& basis() const { return basis_; }
-  const Points& points() const { return points_; }
+  const QuadraturePoints& points() const { return points_; }
 
  private:
   Basis basis_;
-  Points points_;
+  QuadraturePoints points_;
 };
 
 }  // namespace fpkcheck::epc::half_plane

@@ -10,8 +10,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Galerkin::Density Galerkin::density(const VectorXd& a) const {
-  const ArrayXd exponent = tables_.members * a + tables_.confined;
-  const ArrayXd wall_exponent = tables_.wall_members * a + tables_.wall_confined;
+  const ArrayXd exponent = tables_.members * a + tables_.confinement_terms;
+  const ArrayXd wall_exponent = tables_.wall_members * a + tables_.wall_confinement_terms;
   Density density;
   density.peak = exponent.maxCoeff();
   density.mass = tables_.weight.array() * (exponent - density.peak).exp();
@@ -25,36 +25,36 @@ Galerkin::Density Galerkin::density(const VectorXd& a) const {
 }
 
 VectorXd Galerkin::residual(const Density& density) const {
-  return tables_.generated.transpose() * density.mass +
-         tables_.rebounds.transpose() * density.wall_mass;
+  return tables_.generator_terms.transpose() * density.mass +
+         tables_.impact_terms.transpose() * density.wall_mass;
 }
 
-MatrixXd Galerkin::centred(const MatrixXd& members, const Density& density) const {
+MatrixXd Galerkin::centred_members(const MatrixXd& members, const Density& density) const {
   const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.members;
   return members.rowwise() - mean;
 }
 
 MatrixXd Galerkin::jacobian(const Density& density) const {
-  // d p / d a_k = p (phi_k - E[phi_k]), on the wall too
-  const MatrixXd change = density.mass.asDiagonal() * centred(tables_.members, density);
+  // d p / d a_k = p (phi_k - E[phi_k]), also on the wall
+  const MatrixXd change = density.mass.asDiagonal() * centred_members(tables_.members, density);
   const MatrixXd wall_change =
-      density.wall_mass.asDiagonal() * centred(tables_.wall_members, density);
+      density.wall_mass.asDiagonal() * centred_members(tables_.wall_members, density);
   MatrixXd result(size(), size());
-  result.noalias() = tables_.generated.transpose() * change;
-  result.noalias() += tables_.rebounds.transpose() * wall_change;
+  result.noalias() = tables_.generator_terms.transpose() * change;
+  result.noalias() += tables_.impact_terms.transpose() * wall_change;
   return result;
 }
 
 MatrixXd Galerkin::covariance(const Density& density) const {
   const MatrixXd members =
-      density.mass.cwiseSqrt().asDiagonal() * centred(tables_.members, density);
+      density.mass.cwiseSqrt().asDiagonal() * centred_members(tables_.members, density);
   MatrixXd result = MatrixXd::Zero(size(), size());
   result.selfadjointView<Eigen::Lower>().rankUpdate(members.transpose());
   return result.selfadjointView<Eigen::Lower>();
 }
 
 VectorXd Galerkin::fit(const VectorXd& exponent, const VectorXd& mass) const {
-  // Q_n has no constant of its own: a column of ones takes it up.
+  // The column of ones absorbs the constant, which Q_n lacks.
   MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
   columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
   const MatrixXd weighted = mass.asDiagonal() * columns;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "epc/half_plane/metric.hpp"
+#include "epc/half_plane/norms.hpp"
 #include "numerics/linear_algebra/dense.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -15,47 +15,47 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kLongestStep = 2;
-constexpr double kLeastShare = 1e-6;
+constexpr double kLeastStepFraction = 1e-6;
 
-// Galerkin's equations as numerics::newton wants them.
+// Interface of the Galerkin equations for numerics::newton.
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
     Galerkin::Density density;
     VectorXd residual;
-    MatrixXd metric;
+    MatrixXd covariance;
     double size;
   };
   struct Step {
     VectorXd change;
-    numerics::Factors factors;
+    numerics::LuFactors factors;
   };
 
   Iterate at(const VectorXd& a) const {
     Iterate here{a, galerkin.density(a), {}, {}, std::numeric_limits<double>::infinity()};
     if (!here.density.finite) return here;
     here.residual = galerkin.residual(here.density);
-    here.metric = galerkin.covariance(here.density);
-    here.size = size_of(here.residual, here.metric, unit);
+    here.covariance = galerkin.covariance(here.density);
+    here.size = residual_norm(here.residual, here.covariance, unit);
     return here;
   }
 
   Step step(const Iterate& here) const {
-    numerics::Factors factors(galerkin.jacobian(here.density));
+    numerics::LuFactors factors(galerkin.jacobian(here.density));
     VectorXd change = -factors.solve(here.residual);
     return {std::move(change), std::move(factors)};
   }
 
-  double share(const Iterate& here, const Step& step) const {
-    const double whole = length(step.change, here.metric);
+  double step_fraction(const Iterate& here, const Step& step) const {
+    const double whole = step_norm(step.change, here.covariance);
     if (!std::isfinite(whole)) return 0;
-    const auto shortens = [&](double share) {
-      const Galerkin::Density trial = galerkin.density(here.a + share * step.change);
+    const auto shortens = [&](double step_fraction) {
+      const Galerkin::Density trial = galerkin.density(here.a + step_fraction * step.change);
       if (!trial.finite) return false;
       const VectorXd next = step.factors.solve(galerkin.residual(trial));
-      return length(next, here.metric) <= (1 - share / 4) * whole;
+      return step_norm(next, here.covariance) <= (1 - step_fraction / 4) * whole;
     };
-    return numerics::halved_until(std::min(1.0, kLongestStep / whole), kLeastShare, shortens);
+    return numerics::backtrack(std::min(1.0, kLongestStep / whole), kLeastStepFraction, shortens);
   }
 
   const Galerkin& galerkin;
@@ -69,8 +69,8 @@ numerics::NewtonResult newton(const Galerkin& equations, const VectorXd& start, 
   return numerics::newton(NewtonEquations{equations, unit}, start, options);
 }
 
-numerics::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start,
-                                const std::function<bool()>& give_up) {
+numerics::SolutionCurve follow_homotopy(const Galerkin& equations, const VectorXd& start,
+                                        const std::function<bool()>& should_stop) {
   const auto residual = [&](const VectorXd& a) -> VectorXd {
     const Galerkin::Density density = equations.density(a);
     if (density.finite) return equations.residual(density);
@@ -79,21 +79,22 @@ numerics::Curve follow_homotopy(const Galerkin& equations, const VectorXd& start
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
     return equations.jacobian(equations.density(a));
   };
-  // In coefficients of functions of about unit variance, well enough for Newton's method to go on.
-  return numerics::follow(numerics::newton_homotopy(residual, jacobian, start), start,
-                          {.tolerance = 0,
-                           .short_correction = 1e-6,
-                           .first_step = 0.2,
-                           .greatest_step = 1,
-                           .least_step = 1e-5,
-                           .growth = 1.5,
-                           .leash = 1,
-                           .max_points = 120,
-                           .greatest_norm = std::numeric_limits<double>::infinity(),
-                           .least_t = -1,
-                           .locate_folds = false,
-                           .correct_end = false,
-                           .give_up = give_up});
+  // Coefficients of functions of about unit variance; the accuracy suffices to start Newton's
+  // method.
+  return numerics::trace_curve(numerics::newton_homotopy(residual, jacobian, start), start,
+                               {.tolerance = 0,
+                                .correction_tolerance = 1e-6,
+                                .first_step = 0.2,
+                                .max_step = 1,
+                                .min_step = 1e-5,
+                                .step_growth = 1.5,
+                                .max_relative_correction = 1,
+                                .max_points = 120,
+                                .max_norm = std::numeric_limits<double>::infinity(),
+                                .min_t = -1,
+                                .locate_folds = false,
+                                .correct_end_point = false,
+                                .should_stop = should_stop});
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -10,12 +10,12 @@ namespace fpkcheck::epc::half_plane {
 ///
 ///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x),
 ///
-/// by Stieltjes' procedure. Under the marginals of a density they take the place of Hermite's
-/// polynomials, which belong to the whole line: on y >= 0 these lose accuracy with the order.
+/// by Stieltjes' procedure. They are orthonormal under the marginals of a density. Hermite
+/// polynomials, orthonormal on the whole line, lose accuracy with the order on y >= 0.
 class OrthonormalPolynomials {
  public:
-  /// @param points,weights of the measure, shape (number of points); weights sum to 1, and more
-  ///   than `degree` points differ
+  /// @param points,weights of the measure, shape (number of points). The weights have sum 1, and
+  ///   more than `degree` points are distinct
   OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
 
   int degree() const { return static_cast<int>(centre_.size()); }

@@ -5,39 +5,39 @@
 #include <string>
 
 #include "epc/form/polynomial.hpp"
-#include "epc/half_plane/points.hpp"
+#include "epc/half_plane/quadrature_points.hpp"
 #include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
-/// A density C exp(Q_n + confinement).
-struct Shape {
+/// Density C exp(Q_n + confinement).
+struct ClosureDensity {
   Polynomial q{{}};              ///< Q_n in monomials of s and t, without its constant
   double temperature = 0;        ///< E[v^2]
   double log_normalisation = 0;  ///< ln of the integral of exp(Q_n + confinement)
   double peak = 0;               ///< largest exponent
-  double level = 0;              ///< energy of the confinement or the cut
-  double support = 0;            ///< energy up to which the density is used
-  /// The coordinate s up to which Q_n falls as a density's exponent does.
-  double trusted = std::numeric_limits<double>::infinity();
+  double level = 0;              ///< confinement level, or energy of the cut
+  double support = 0;            ///< energy beyond which the density is 0
+  /// Largest s up to which Q_n falls.
+  double decay_extent = std::numeric_limits<double>::infinity();
 };
 
-/// What was found.
+/// Result of the search for a root.
 struct Root {
-  Shape shape;
-  std::optional<Shape> previous;  ///< of order n - 2, to a rough tolerance; none for n = 2
-  /// Largest density at the place that the formulation looks at, relative to the peak:
-  /// Setting::remains.
-  double remains = 0;
+  ClosureDensity closure;
+  std::optional<ClosureDensity>
+      previous;  ///< order n - 2, with a larger tolerance; empty for n = 2
+  /// Largest density where it should have decayed, relative to the peak:
+  /// ClosureFormulation::decay_ratio.
+  double decay_ratio = 0;
   QuadratureSize quadrature{};
-  /// By how much the points matter: the standard deviation of the change of Q_n that more of them
-  /// make.
+  /// Quadrature error: standard deviation of the change of Q_n on more points.
   double quadrature_change = 0;
-  /// At the order asked for, or the one that failed; iterations in all.
+  /// At the requested order, or the order that failed; iterations of all orders together.
   numerics::NewtonResult newton;
   double condition = 0;
-  int homotopies = 0;   ///< how often damped Newton steps were lost and a homotopy was followed
-  std::string failure;  ///< one sentence when there is no root
+  int homotopies = 0;   ///< number of homotopies followed after damped Newton steps failed
+  std::string failure;  ///< one sentence without a root; else empty
 };
 
 }  // namespace fpkcheck::epc::half_plane

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "epc/half_plane/first_decayed.hpp"
-#include "epc/half_plane/metric.hpp"
 #include "epc/half_plane/newton.hpp"
+#include "epc/half_plane/norms.hpp"
+#include "epc/half_plane/try_levels.hpp"
 #include "numerics/linear_algebra/dense.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -21,122 +21,126 @@ using numerics::NewtonOptions;
 using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
-constexpr int kMostRefinements = 4;
-constexpr double kEver = 1e9;  // seconds that a clock can count
+constexpr int kMaxRefinements = 4;
+constexpr double kLongestSeconds = 1e9;  // seconds; the clock can represent this duration
 
-// More than twice as many in all.
-QuadratureSize refined(const QuadratureSize& size) {
+// More than twice the number of points.
+QuadratureSize refined_size(const QuadratureSize& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
-class Search {
+class RootSearch {
  public:
-  Search(const Setting& setting, const Options& options)
-      : setting_(setting),
+  RootSearch(const ClosureFormulation& formulation, const Options& options)
+      : formulation_(formulation),
         options_(options),
-        unit_(setting.rate_unit()),
-        end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                 std::chrono::duration<double>(std::min(options.max_seconds, kEver)))) {}
+        unit_(formulation.rate_unit()),
+        deadline_(
+            std::chrono::steady_clock::now() +
+            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                std::chrono::duration<double>(std::min(options.max_seconds, kLongestSeconds)))) {}
 
   Root run() {
-    climb();
+    solve_orders();
     root_.newton.iterations = iterations_;
     root_.homotopies = homotopies_;
     return std::move(root_);
   }
 
  private:
-  // Equations, and where to start from.
+  // Equations and initial coefficients.
   struct Start {
     Equations equations;
     VectorXd a;
   };
 
-  void climb() {
-    Shape guess = setting_.start();
-    const int first = setting_.first_order(options_.order);
+  void solve_orders() {
+    ClosureDensity guess = formulation_.start();
+    const int first = formulation_.first_order(options_.order);
     for (int n = first; n <= options_.order; n += 2) {
       if (n == options_.order && n > first) root_.previous = guess;
-      std::optional<Shape> next = advanced(guess, n);
-      if (!next && n > first && setting_.any_order_can_start()) {
-        next = advanced(setting_.start(), n);
+      std::optional<ClosureDensity> next = solve_order(guess, n);
+      if (!next && n > first && formulation_.can_start_at_any_order()) {
+        next = solve_order(formulation_.start(), n);
       }
-      // At strong impact losses the linearised deviations are far too large.
-      if (next && n == 2) next = advanced(*next, n);
+      // Under strong impact losses equivalent linearisation overestimates the deviations.
+      if (next && n == 2) next = solve_order(*next, n);
       if (!next) return;
       guess = *next;
     }
-    finish(guess);
+    solve_requested_order(guess);
   }
 
-  // Whether it is too late to try another way.
-  bool late() {
-    if (std::chrono::steady_clock::now() < end_) return false;
-    if (std::exchange(late_, true)) return true;
+  // Whether the deadline has passed. If so, the reason of failure is recorded once.
+  bool is_past_deadline() {
+    if (std::chrono::steady_clock::now() < deadline_) return false;
+    if (std::exchange(deadline_reported_, true)) return true;
     root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
-                                root_.failure.empty() ? "" : "; before: " + root_.failure);
+                                root_.failure.empty() ? "" : "; last failure: " + root_.failure);
     return true;
   }
 
-  // Last of all that of the guess, where it is a start that no fit has spoilt: between two levels
-  // a Q_n that rises beyond its own may put all its mass on the edge of the other.
-  std::vector<double> levels(const Shape& guess, Stage stage) const {
-    std::vector<double> levels = setting_.levels(guess, stage);
-    if (guess.level > 0) levels.push_back(guess.level);
-    return levels;
+  // Candidates for the confinement level: those of the formulation, then the level of the guess. At
+  // its own level the guess is a start without a fit. At another level a Q_n that rises may have
+  // all its mass on the edge.
+  std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
+    std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
+    if (guess.level > 0) confinement_levels.push_back(guess.level);
+    return confinement_levels;
   }
 
-  // Order n from the guess, well enough to start the next.
-  std::optional<Shape> advanced(const Shape& guess, int n) {
-    const auto attempt = [&](double level) -> std::optional<std::pair<Shape, double>> {
-      if (late()) return std::nullopt;
-      const Start start = start_of(guess, n, level, first_size(guess, n, level, Stage::rough));
-      const NewtonResult result = solve(start, Stage::rough);
+  // Solves order n from the guess, accurately enough to start the next order.
+  std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
+      if (is_past_deadline()) return std::nullopt;
+      const Start start =
+          start_of(guess, n, level, initial_size(guess, n, level, SearchStage::rough));
+      const NewtonResult result = solve(start, SearchStage::rough);
       if (!result.converged) return std::nullopt;
-      const Shape found = shape_of(start.equations, result.a, level);
-      return std::pair{found, setting_.remains(found, Stage::rough)};
+      const ClosureDensity closure = closure_density_of(start.equations, result.a, level);
+      return std::pair{closure, formulation_.decay_ratio(closure, SearchStage::rough)};
     };
-    return first_decayed<Shape>(levels(guess, Stage::rough), setting_.remains_allowed(Stage::rough),
-                                attempt);
+    return try_levels<ClosureDensity>(confinement_levels(guess, SearchStage::rough),
+                                      formulation_.decay_ratio_limit(SearchStage::rough), attempt);
   }
 
-  // The order asked for, to the tolerance.
-  void finish(const Shape& guess) {
+  // Solves the requested order to the tolerance.
+  void solve_requested_order(const ClosureDensity& guess) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
-      if (late() || !refine(guess, level)) return std::nullopt;
-      // What the rough guess still hid.
-      const Root rooted = root_;
-      const auto further = setting_.further(guess, rooted.shape);
-      if (further && !refine(rooted.shape, *further)) root_ = rooted;
-      return std::pair{root_, root_.remains};
+      if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
+      // The accurate root may allow a better level than the guess did.
+      const Root first_root = root_;
+      const auto improved_level = formulation_.improved_level(guess, first_root.closure);
+      if (improved_level && !solve_at_level(first_root.closure, *improved_level))
+        root_ = first_root;
+      return std::pair{root_, root_.decay_ratio};
     };
-    const auto best = first_decayed<Root>(levels(guess, Stage::last),
-                                          setting_.remains_allowed(Stage::last), attempt);
+    const auto best = try_levels<Root>(confinement_levels(guess, SearchStage::last),
+                                       formulation_.decay_ratio_limit(SearchStage::last), attempt);
     if (best) root_ = *best;
   }
 
-  // The answer at a level, on as many points as it takes.
-  bool refine(const Shape& guess, double level) {
-    const Refinement refinement = setting_.refinement();
+  // Solves the requested order at a level, on more points until the quadrature error is small.
+  bool solve_at_level(const ClosureDensity& guess, double level) {
+    const Refinement refinement = formulation_.refinement();
     const bool estimated = refinement.rule == Refinement::Rule::estimated;
-    QuadratureSize size = first_size(guess, options_.order, level, Stage::last);
+    QuadratureSize size = initial_size(guess, options_.order, level, SearchStage::last);
     Start at = start_of(guess, options_.order, level, size);
-    NewtonResult result = solve(at, Stage::last);
-    for (int left = kMostRefinements; result.converged; --left) {
-      const QuadratureSize finer = refined(size);
+    NewtonResult result = solve(at, SearchStage::last);
+    for (int left = kMaxRefinements; result.converged; --left) {
+      const QuadratureSize finer = refined_size(size);
       Start fine{equations_of(at.equations.basis(), level, finer), result.a};
       if (estimated) {
-        const double change = change_on(fine.equations, at.equations, result.a);
+        const double change = change_on_finer_points(fine.equations, at.equations, result.a);
         if (change < refinement.tolerance || left == 0) {
-          return accept(at.equations, result, level, size, change);
+          return store_root(at.equations, result, level, size, change);
         }
       }
-      result = solve(fine, Stage::last);
+      result = solve(fine, SearchStage::last);
       if (!estimated && result.converged) {
-        const double change = length(result.a - fine.a, metric_of(fine.equations, result.a));
+        const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
         if (change < refinement.tolerance || left == 1) {
-          return accept(fine.equations, result, level, finer, change);
+          return store_root(fine.equations, result, level, finer, change);
         }
       }
       at = std::move(fine);
@@ -145,133 +149,138 @@ class Search {
     return false;
   }
 
-  QuadratureSize first_size(const Shape& guess, int n, double level, Stage stage) const {
-    return setting_.size(n, level / guess.temperature, stage);
+  QuadratureSize initial_size(const ClosureDensity& guess, int n, double level,
+                              SearchStage stage) const {
+    return formulation_.size(n, level / guess.temperature, stage);
   }
 
   Equations equations_of(const Basis& basis, double level, const QuadratureSize& size) const {
     const double support = support_of(level, options_.tail);
-    return setting_.equations(support, confinement_of(level, options_.tail), basis,
-                              setting_.points(support, size), size);
+    return formulation_.equations(support, confinement_of(level, options_.tail), basis,
+                                  formulation_.points(support, size), size);
   }
 
-  // The equations of order n in a basis made for the guess, and the guess in it.
-  Start start_of(const Shape& guess, int n, double level, const QuadratureSize& size) const {
+  // Equations of order n in a basis orthonormal under the guess, with the fit of the guess.
+  Start start_of(const ClosureDensity& guess, int n, double level,
+                 const QuadratureSize& size) const {
     const double support = support_of(level, options_.tail);
     const Confinement confinement = confinement_of(level, options_.tail);
-    const Points points = setting_.points(support, size);
+    const QuadraturePoints points = formulation_.points(support, size);
     VectorXd exponent(points.size()), mass(points.size());
     for (Index i = 0; i < points.size(); ++i) {
       exponent[i] = level == guess.level ? guess.q(points.s[i], points.t[i])
-                                         : setting_.exponent(guess, points.s[i], points.t[i]);
+                                         : formulation_.exponent(guess, points.s[i], points.t[i]);
       mass[i] = exponent[i] + confinement(points.energy[i]);
     }
     mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
     mass /= mass.sum();
     Equations equations =
-        setting_.equations(support, confinement, Basis(n, points, mass), points, size);
+        formulation_.equations(support, confinement, Basis(n, points, mass), points, size);
     VectorXd a =
-        equations.fit(exponent, setting_.fit_weights(guess, support, points, exponent, mass));
+        equations.fit(exponent, formulation_.fit_weights(guess, support, points, exponent, mass));
     return {std::move(equations), std::move(a)};
   }
 
-  NewtonOptions newton_options(Stage stage) const {
-    const bool last = stage == Stage::last;
+  NewtonOptions newton_options(SearchStage stage) const {
+    const bool last = stage == SearchStage::last;
     return {.tolerance = last ? options_.tolerance : kRoughTolerance,
             .max_iterations = options_.max_iterations,
             .polish = last};
   }
 
-  // Newton's method, and where it is lost the homotopy before it.
-  NewtonResult solve(const Start& start, Stage stage) {
+  // Newton's method. If that fails: a homotopy, then Newton's method from its end.
+  NewtonResult solve(const Start& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
     if (result.converged) return result;
-    const numerics::Curve rescue = follow_homotopy(
-        start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= end_; });
-    const bool arrived = rescue.end == numerics::CurveEnd::arrived;
+    const numerics::SolutionCurve homotopy_curve = follow_homotopy(
+        start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= deadline_; });
+    const bool end_reached = homotopy_curve.end == numerics::Termination::end_reached;
     ++homotopies_;
-    iterations_ += rescue.iterations;
-    if (arrived) {
-      result = newton(start.equations, rescue.points.back().a, unit_, options);
+    iterations_ += homotopy_curve.iterations;
+    if (end_reached) {
+      result = newton(start.equations, homotopy_curve.points.back().a, unit_, options);
       iterations_ += result.iterations;
     }
     if (!result.converged) {
       root_.newton = result;
       root_.failure = fmt::format(
-          "Newton's method was lost at order {} after {} iterations (least residual {:.1e}), and a "
+          "Newton's method failed at order {} after {} iterations (least residual {:.1e}): a "
           "homotopy {}",
           start.equations.basis().order(), result.iterations, result.residual,
-          arrived ? std::string("led to no root")
-                  : fmt::format("got {:.0f} % of the way", 100 * rescue.furthest().t));
+          end_reached
+              ? std::string("led to no root")
+              : fmt::format("ended at {:.0f} % of its path", 100 * homotopy_curve.furthest().t));
     }
     return result;
   }
 
-  Shape shape_of(const Equations& equations, const VectorXd& a, double level) const {
+  ClosureDensity closure_density_of(const Equations& equations, const VectorXd& a,
+                                    double level) const {
     const Galerkin::Density density = equations.density(a);
-    const Points& points = equations.points();
-    Shape shape{.q = equations.basis().polynomial(a),
-                .temperature = density.mass.dot(points.v.cwiseAbs2()),
-                .level = level,
-                .support = support_of(level, options_.tail)};
-    // The constant of Q_n differs between the basis and the monomials.
+    const QuadraturePoints& points = equations.points();
+    ClosureDensity closure{.q = equations.basis().polynomial(a),
+                           .temperature = density.mass.dot(points.v.cwiseAbs2()),
+                           .level = level,
+                           .support = support_of(level, options_.tail)};
+    // The constant term of Q_n differs between the basis and the monomials.
     const double constant =
-        shape.q(points.s[0], points.t[0]) -
+        closure.q(points.s[0], points.t[0]) -
         equations.basis().values(points.s.head(1), points.t.head(1)).row(0).dot(a);
-    shape.log_normalisation = density.log_normalisation + constant;
-    shape.peak = density.peak + constant;
-    shape.trusted = setting_.trusted(shape.q, shape.temperature);
-    return shape;
+    closure.log_normalisation = density.log_normalisation + constant;
+    closure.peak = density.peak + constant;
+    closure.decay_extent = formulation_.decay_extent(closure.q, closure.temperature);
+    return closure;
   }
 
-  static Eigen::MatrixXd metric_of(const Equations& equations, const VectorXd& a) {
+  static Eigen::MatrixXd covariance_at(const Equations& equations, const VectorXd& a) {
     return equations.covariance(equations.density(a));
   }
 
-  // On more points, is it still a root?
-  static double change_on(const Equations& fine, const Equations& coarse, const VectorXd& a) {
+  // Norm of the Newton step on more points, from a root on fewer points.
+  static double change_on_finer_points(const Equations& fine, const Equations& coarse,
+                                       const VectorXd& a) {
     const Galerkin::Density density = coarse.density(a);
-    const numerics::Factors factors(coarse.jacobian(density));
+    const numerics::LuFactors factors(coarse.jacobian(density));
     const VectorXd step = factors.solve(fine.residual(fine.density(a)));
-    return length(step, coarse.covariance(density));
+    return step_norm(step, coarse.covariance(density));
   }
 
-  bool accept(const Equations& equations, const NewtonResult& result, double level,
-              const QuadratureSize& size, double quadrature_change) {
+  bool store_root(const Equations& equations, const NewtonResult& result, double level,
+                  const QuadratureSize& size, double quadrature_change) {
     const Galerkin::Density density = equations.density(result.a);
     root_.newton = result;
     root_.failure.clear();
-    root_.shape = shape_of(equations, result.a, level);
-    root_.remains = setting_.remains(root_.shape, Stage::last);
+    root_.closure = closure_density_of(equations, result.a, level);
+    root_.decay_ratio = formulation_.decay_ratio(root_.closure, SearchStage::last);
     root_.quadrature = size;
     root_.quadrature_change = quadrature_change;
-    root_.condition = condition_of(equations.jacobian(density), equations.covariance(density));
+    root_.condition = condition_number(equations.jacobian(density), equations.covariance(density));
     return true;
   }
 
-  const Setting& setting_;
+  const ClosureFormulation& formulation_;
   const Options& options_;
   double unit_;
-  std::chrono::steady_clock::time_point end_;
+  std::chrono::steady_clock::time_point deadline_;
   Root root_;
   int iterations_ = 0, homotopies_ = 0;
-  bool late_ = false;
+  bool deadline_reported_ = false;
 };
 
 }  // namespace
 
 double support_of(double level, Tail tail) {
-  return tail == Tail::confined ? level * Confinement::reach() : level;
+  return tail == Tail::confined ? level * Confinement::support_ratio() : level;
 }
 
 Confinement confinement_of(double level, Tail tail) {
   return tail == Tail::confined ? Confinement{level} : Confinement{};
 }
 
-Root find_root(const Setting& setting, const Options& options) {
-  return Search(setting, options).run();
+Root find_root(const ClosureFormulation& formulation, const Options& options) {
+  return RootSearch(formulation, options).run();
 }
 
 }  // namespace fpkcheck::epc::half_plane

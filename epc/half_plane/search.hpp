@@ -1,21 +1,22 @@
 #pragma once
 
+#include "epc/half_plane/closure_formulation.hpp"
 #include "epc/half_plane/root.hpp"
-#include "epc/half_plane/setting.hpp"
 #include "epc/options.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
-/// The energy up to which a density with this level is used.
+/// Energy beyond which a density with this confinement level is 0.
 double support_of(double level, Tail tail);
 
-/// The confinement that a tail has.
+/// Confinement of a tail; none for Tail::cut.
 Confinement confinement_of(double level, Tail tail);
 
-/// Follows the solution up the even orders, n - 2 to n, each on a domain from the density before,
-/// or from the first where that leads nowhere.
-/// At each order it takes the first level at which the density has decayed, else the one at which
-/// it has decayed most; at the last, on as many points as it takes.
-Root find_root(const Setting& setting, const Options& options);
+/// Solves the even orders in turn, each from the density of order n - 2 and on a domain adapted to
+/// it. If that fails, formulations with can_start_at_any_order restart from the first density.
+/// Each order uses the first confinement level at which the density has decayed, else the level
+/// with the smallest decay ratio. The requested order is refined until the quadrature resolves the
+/// root.
+Root find_root(const ClosureFormulation& formulation, const Options& options);
 
 }  // namespace fpkcheck::epc::half_plane

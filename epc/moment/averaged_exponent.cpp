@@ -21,7 +21,7 @@ AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
   constexpr double kBulk = 0.95;
   double below = 0;
   for (const Band& band : bands_) {
-    // The closed integral of v dy is T times the mean of v^2 over the period.
+    // The action oint v dy equals the period times the mean of v^2 over the period.
     temperature_ += band.mass * band.orbit.action / band.orbit.period;
     if (below < kBulk) bulk_ = band.energy - bottom_;
     below += band.mass;
@@ -31,16 +31,15 @@ AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
   }
 }
 
-// The band of the nearest energy whose orbit passes y; above where the orbits at that energy do
-// not.
-const problem::EnergyAveraging::Band& AveragedExponent::holding(double y, double energy) const {
+// Band of the nearest energy whose orbit contains y; of a higher energy if none there does.
+const problem::EnergyAveraging::Band& AveragedExponent::band_at(double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);
   const auto last = static_cast<double>(levels_.size() - 2);
   for (auto n = static_cast<std::size_t>(std::clamp(place, 0.0, last)); n + 1 < levels_.size();
        ++n) {
     for (std::size_t b = levels_[n]; b < levels_[n + 1]; ++b) {
-      const problem::Swing& swing = bands_[b].orbit.swing;
-      if (y >= swing.left && y <= swing.right) return bands_[b];
+      const problem::HalfCycle& half_cycle = bands_[b].orbit.half_cycle;
+      if (y >= half_cycle.left && y <= half_cycle.right) return bands_[b];
     }
   }
   return bands_.back();
@@ -60,11 +59,11 @@ double AveragedExponent::slope_above(const Band& band) const {
 
 double AveragedExponent::operator()(double y, double v) const {
   const double energy = v * v / 2 + potential_(y);
-  const Band& band = holding(y, energy);
+  const Band& band = band_at(y, energy);
   return -(band.potential + slope_above(band) * (energy - band.energy));
 }
 
-double AveragedExponent::energy_at(double depth) const {
+double AveragedExponent::energy_at_depth(double depth) const {
   const auto within = std::find_if(bands_.rbegin(), bands_.rend(),
                                    [depth](const Band& band) { return band.potential <= depth; });
   const Band& band = within == bands_.rend() ? bands_.front() : *within;

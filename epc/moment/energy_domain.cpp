@@ -11,33 +11,33 @@
 
 namespace fpkcheck::epc::moment {
 
-using half_plane::Line;
-using half_plane::Points;
-using problem::Swing;
+using half_plane::QuadraturePoints;
+using half_plane::QuadratureRule;
+using problem::HalfCycle;
 
 namespace {
 
-constexpr double kEver = std::numeric_limits<double>::infinity();
-constexpr double kQuarter = std::numbers::pi / 2;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kQuarterTurn = std::numbers::pi / 2;
 
 }  // namespace
 
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : potential_(problem::effective_potential(problem)),
       level_(level),
-      wall_low_(problem.system.left() ? problem.system.left()->position : -kEver),
-      wall_high_(problem.system.right() ? problem.system.right()->position : kEver),
-      at_equilibrium_(problem::of_the_paper(problem)) {
+      wall_low_(problem.system.left() ? problem.system.left()->position : -kInfinity),
+      wall_high_(problem.system.right() ? problem.system.right()->position : kInfinity),
+      at_equilibrium_(problem::is_paper_oscillator(problem)) {
   if (at_equilibrium_) {
-    part_from_the_wall_at_0(problem);
+    add_part_at_wall(problem);
   } else {
-    parts_between(problem);
+    add_parts_between_walls(problem);
   }
 }
 
-void EnergyDomain::part_from_the_wall_at_0(const problem::Problem& problem) {
+void EnergyDomain::add_part_at_wall(const problem::Problem& problem) {
   minimum_ = problem::static_deflection(problem);
-  least_ = potential_(minimum_);
+  lowest_potential_ = potential_(minimum_);
   double beyond = minimum_ + 1;
   while (energy(beyond, 0) < level_) beyond = minimum_ + 2 * (beyond - minimum_);
   const double high = turning_point(minimum_, beyond);
@@ -48,10 +48,10 @@ void EnergyDomain::part_from_the_wall_at_0(const problem::Problem& problem) {
                     .at_right = false});
 }
 
-void EnergyDomain::parts_between(const problem::Problem& problem) {
+void EnergyDomain::add_parts_between_walls(const problem::Problem& problem) {
   const problem::UndampedOrbits orbits(problem);
-  least_ = orbits.lowest_potential();
-  parts_ = orbits.swings(least_ + level_);
+  lowest_potential_ = orbits.lowest_potential();
+  parts_ = orbits.half_cycles(lowest_potential_ + level_);
 }
 
 double EnergyDomain::turning_point(double from, double towards) const {
@@ -69,8 +69,8 @@ double EnergyDomain::half_width(double y) const {
 
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
-// Where V would reach the level beyond a wall, no farther from it than the other end.
-double EnergyDomain::continued(double wall, double far) const {
+// Turning point that the motion would have beyond a wall, at most the width of the part away.
+double EnergyDomain::continued_turning_point(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
   for (int k = 1; k <= kSteps; ++k) {
@@ -80,34 +80,38 @@ double EnergyDomain::continued(double wall, double far) const {
   return wall + (wall - far);
 }
 
-EnergyDomain::Map EnergyDomain::map_of(const Swing& part) const {
+EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   if (at_equilibrium_) {
-    // With the wall inside, sin(phi) = -1 would be the left turning point if V were even about its
-    // minimum; where even that lies inside, the wall itself is the left end.
+    // If the wall cuts the domain, sin(phi) = -1 is the left turning point of a V even about its
+    // minimum. If that point lies inside, sin(phi) = -1 is the wall itself.
     const bool cut_by_wall = part.left == 0 && minimum_ < part.right - minimum_;
     const double centre = cut_by_wall ? minimum_ : (part.left + part.right) / 2;
-    const double reach = part.right - centre;
-    return {centre, reach, cut_by_wall ? std::asin(-centre / reach) : -kQuarter, kQuarter};
+    const double half_length = part.right - centre;
+    return {centre, half_length, cut_by_wall ? std::asin(-centre / half_length) : -kQuarterTurn,
+            kQuarterTurn};
   }
-  // The half-width is singular at the turning point that there would be behind a wall, too.
-  const double low = part.at_left ? continued(part.left, part.right) : part.left;
-  const double high = part.at_right ? continued(part.right, part.left) : part.right;
-  const double centre = (low + high) / 2, reach = (high - low) / 2;
-  return {centre, reach, part.at_left ? std::asin((part.left - centre) / reach) : -kQuarter,
-          part.at_right ? std::asin((part.right - centre) / reach) : kQuarter};
+  // The half-width also has a singularity at the turning point that the motion would have behind a
+  // wall.
+  const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
+  const double high = part.at_right ? continued_turning_point(part.right, part.left) : part.right;
+  const double centre = (low + high) / 2, half_length = (high - low) / 2;
+  return {centre, half_length,
+          part.at_left ? std::asin((part.left - centre) / half_length) : -kQuarterTurn,
+          part.at_right ? std::asin((part.right - centre) / half_length) : kQuarterTurn};
 }
 
-Points EnergyDomain::rule(int y_points, int v_points) const {
-  const Line tau = half_plane::legendre_rule(v_points, -1, 1);
-  Points points = Points::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
+QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
+  const QuadratureRule tau = half_plane::legendre_rule(v_points, -1, 1);
+  QuadraturePoints points =
+      QuadraturePoints::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
   Eigen::Index k = 0;
-  for (const Swing& part : parts_) {
-    const auto [centre, reach, first, last] = map_of(part);
-    const Line phi = half_plane::legendre_rule(y_points, first, last);
+  for (const HalfCycle& part : parts_) {
+    const auto [centre, half_length, first, last] = sine_map_of(part);
+    const QuadratureRule phi = half_plane::legendre_rule(y_points, first, last);
     for (int i = 0; i < y_points; ++i) {
-      const double y = centre + reach * std::sin(phi.at[i]);
+      const double y = centre + half_length * std::sin(phi.at[i]);
       const double width = half_width(y);
-      const double y_weight = phi.weight[i] * reach * std::cos(phi.at[i]);
+      const double y_weight = phi.weight[i] * half_length * std::cos(phi.at[i]);
       for (int j = 0; j < v_points; ++j, ++k) {
         points.y[k] = y;
         points.v[k] = width * tau.at[j];
@@ -121,13 +125,13 @@ Points EnergyDomain::rule(int y_points, int v_points) const {
   return points;
 }
 
-Line EnergyDomain::wall_rule(int points) const {
+QuadratureRule EnergyDomain::wall_rule(int points) const {
   const double width = parts_.front().at_left ? half_width(y_low()) : 0;
   if (width == 0) return {};
   return half_plane::legendre_rule(points, -width, 0);
 }
 
-Line EnergyDomain::right_wall_rule(int points) const {
+QuadratureRule EnergyDomain::right_wall_rule(int points) const {
   const double width = parts_.back().at_right ? half_width(y_max()) : 0;
   if (width == 0) return {};
   return half_plane::legendre_rule(points, 0, width);

@@ -13,7 +13,7 @@ using half_plane::products;
 
 namespace {
 
-// f + g, the damping and the restoring force.
+// f + g, damping plus restoring force.
 VectorXd force_at(const problem::System& system, const VectorXd& y, const VectorXd& v) {
   if (system.damping_is_constant()) return system.damping() * v + y.unaryExpr(system.force());
   const VectorXd damping =
@@ -21,11 +21,11 @@ VectorXd force_at(const problem::System& system, const VectorXd& y, const Vector
   return damping.cwiseProduct(v) + y.unaryExpr(system.force());
 }
 
-// The points on the incoming sides of all walls: y, v before the impact and after it.
-struct Incoming {
+// Quadrature points on all walls: y, and v before and after the impact.
+struct IncomingWallPoints {
   VectorXd y, before, after, weight;
 
-  void add(const problem::Wall& wall, const half_plane::Line& line) {
+  void add(const problem::Wall& wall, const half_plane::QuadratureRule& line) {
     const auto joined = [](const VectorXd& a, const VectorXd& b) {
       VectorXd both(a.size() + b.size());
       both << a, b;
@@ -38,8 +38,9 @@ struct Incoming {
   }
 };
 
-Incoming incoming(const problem::System& system, const EnergyDomain& domain, int points) {
-  Incoming all;
+IncomingWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
+                                        int points) {
+  IncomingWallPoints all;
   if (system.left()) all.add(*system.left(), domain.wall_rule(points));
   if (system.right()) all.add(*system.right(), domain.right_wall_rule(points));
   return all;
@@ -50,37 +51,38 @@ Incoming incoming(const problem::System& system, const EnergyDomain& domain, int
 half_plane::Equations equations(const problem::Problem& problem,
                                 const std::vector<double>& rate_moment, const EnergyDomain& domain,
                                 const half_plane::Confinement& confinement, half_plane::Basis basis,
-                                half_plane::Points points, int wall_points) {
+                                half_plane::QuadraturePoints points, int wall_points) {
   const auto& system = problem.system;
   const int n = basis.order();
   const VectorXd &y = points.y, &v = points.v;
-  const auto of_y = basis.of_s().derivatives(y, 1);
-  const auto of_v = basis.of_t().derivatives(v, n);
+  const auto y_tables = basis.polynomials_in_s().derivatives(y, 1);
+  const auto v_tables = basis.polynomials_in_t().derivatives(v, n);
 
-  // L* on h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ], the noise beside
-  // the impulses of two: D = 2D/2!.
+  // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise beside
+  // the impulses adds its intensity 2D to lambda E[Y^2]: D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
     const double intensity = j == 2 ? problem.noise.intensity : 0;
     const double factor =
         (rate_moment[j] + intensity) / boost::math::factorial<double>(static_cast<unsigned>(j));
-    if (factor != 0) impulses += factor * of_v[j];
+    if (factor != 0) impulses += factor * v_tables[j];
   }
   const VectorXd force = force_at(system, y, v);
 
-  const Incoming wall = incoming(system, domain, wall_points);
+  const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
   const MatrixXd wall_members = basis.values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
-      .members = products(basis.members(), of_y[0], of_v[0]),
-      .generated = products(basis.members(), v.asDiagonal() * of_y[1], of_v[0]) +
-                   products(basis.members(), of_y[0], impulses - force.asDiagonal() * of_v[1]),
-      .confined = points.energy.unaryExpr(confinement),
+      .members = products(basis.members(), y_tables[0], v_tables[0]),
+      .generator_terms =
+          products(basis.members(), v.asDiagonal() * y_tables[1], v_tables[0]) +
+          products(basis.members(), y_tables[0], impulses - force.asDiagonal() * v_tables[1]),
+      .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
       .wall_members = wall_members,
-      .rebounds =
+      .impact_terms =
           wall.before.cwiseAbs().asDiagonal() * (basis.values(wall.y, wall.after) - wall_members),
-      .wall_confined = VectorXd::NullaryExpr(wall.y.size(), [&](Eigen::Index i) {
+      .wall_confinement_terms = VectorXd::NullaryExpr(wall.y.size(), [&](Eigen::Index i) {
         return confinement(domain.energy(wall.y[i], wall.before[i]));
       })};
   return {std::move(tables), std::move(basis), std::move(points)};

@@ -8,23 +8,24 @@
 
 namespace fpkcheck::epc::moment {
 
-/// The exact moment equations of the impact system: Galerkin equations whose members are the
-/// polynomials of the basis, with
+/// Exact moment equations of the impact system: Galerkin equations for the polynomials of the
+/// basis, with
 ///
 ///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D phi_vv
 ///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j,
 ///
-/// and at each wall that there is, here one at y = b on the right,
+/// and a term for each wall; for a wall at y = b on the right,
 ///
 ///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv.
 ///
-/// Nothing is cut off, since phi is a polynomial; there is no delta function and no weight.
-/// @param rate_moment lambda E[Y^j] for j = 0 .. n (0 and those that the excitation lacks unused)
-/// @param points of the domain's rule
-/// @param wall_points how many the rule on each wall has
+/// The sum over j is finite, since phi is a polynomial; there is no delta function and no weight.
+/// @param rate_moment lambda E[Y^j] for j = 0 .. n; entry 0 is unused, terms absent from the
+///   excitation are 0
+/// @param points quadrature points of the domain
+/// @param wall_points number of quadrature points on each wall
 half_plane::Equations equations(const problem::Problem& problem,
                                 const std::vector<double>& rate_moment, const EnergyDomain& domain,
                                 const half_plane::Confinement& confinement, half_plane::Basis basis,
-                                half_plane::Points points, int wall_points);
+                                half_plane::QuadraturePoints points, int wall_points);
 
 }  // namespace fpkcheck::epc::moment

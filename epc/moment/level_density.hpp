@@ -9,17 +9,19 @@ struct Problem;
 
 namespace fpkcheck::epc::moment {
 
-/// Largest exp(Q_n) at the level, relative to the peak, that needs no other level: on the way, and
-/// at the order asked for beyond the paper's class.
-inline constexpr double kLevelDensityOnTheWay = 1e-2;
-inline constexpr double kLevelDensityWanted = 1e-3;
-/// Largest that is taken there: with more, the confinement alone holds the density (rings).
-inline constexpr double kLevelDensityAllowed = 1e-2;
+/// Largest exp(Q_n) at the confinement level, relative to the peak, at which no further level is
+/// tried: at intermediate orders, and at the requested order beyond the paper's class.
+inline constexpr double kIntermediateLevelDensity = 1e-2;
+inline constexpr double kPreferredLevelDensity = 1e-3;
+/// Limit of an admissible density. With more, the confinement alone makes the density decay
+/// (rings).
+inline constexpr double kLevelDensityLimit = 1e-2;
 
-/// The largest exp(Q_n) on the contour of the level, relative to the peak.
-double level_density(const half_plane::Shape& shape, const problem::Problem& problem);
+/// Largest exp(Q_n) on the contour of the confinement level, relative to the peak.
+double level_density(const half_plane::ClosureDensity& closure, const problem::Problem& problem);
 
-/// The largest density on the edge of the support, relative to the peak.
-double edge_density(const half_plane::Shape& shape, const problem::Problem& problem, Tail tail);
+/// Largest density on the edge of the support, relative to the peak.
+double edge_density(const half_plane::ClosureDensity& closure, const problem::Problem& problem,
+                    Tail tail);
 
 }  // namespace fpkcheck::epc::moment

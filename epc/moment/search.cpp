@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "epc/form/allowed.hpp"
-#include "epc/half_plane/metric.hpp"
+#include "epc/form/acceptance_limits.hpp"
+#include "epc/half_plane/norms.hpp"
 #include "epc/half_plane/search.hpp"
-#include "epc/moment/averaged_setting.hpp"
+#include "epc/moment/averaged_formulation.hpp"
 #include "epc/moment/equations.hpp"
 #include "epc/moment/level_density.hpp"
 #include "epc/moment/tail.hpp"
@@ -19,23 +19,23 @@ namespace fpkcheck::epc::moment {
 namespace {
 
 using half_plane::Basis;
+using half_plane::ClosureDensity;
 using half_plane::Confinement;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 using half_plane::QuadratureSize;
 using half_plane::Refinement;
-using half_plane::Shape;
-using half_plane::Stage;
+using half_plane::SearchStage;
 
-// The level in deviations of v, if the density fell like exp(-h/T) with T = E[v^2]: what is tried,
-// in this order.
+// Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T = E[v^2],
+// in the order of the attempts.
 constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
 constexpr double kFarthestDeviations = 16;
 
-double level_of(const Shape& shape, double deviations) {
-  return shape.temperature * deviations * deviations / 2;
+double level_of(const ClosureDensity& closure, double deviations) {
+  return closure.temperature * deviations * deviations / 2;
 }
 
-// lambda E[Y^j], j = 0 .. n, as far as the equation has the term.
+// lambda E[Y^j], j = 0 .. n; 0 for terms absent from the equation.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
   const int last = equation_of(options) == Equation::white ? 2 : options.order;
@@ -43,13 +43,13 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-// Of the paper's class.
-class LinearisedSetting : public half_plane::Setting {
+// Formulation for the paper's class, started from equivalent linearisation.
+class LinearisedFormulation : public half_plane::ClosureFormulation {
  public:
-  LinearisedSetting(const problem::Problem& problem, const Options& options)
+  LinearisedFormulation(const problem::Problem& problem, const Options& options)
       : problem_(problem), tail_(options.tail), rate_moment_(rate_moments(problem, options)) {}
 
-  Shape start() const override {
+  ClosureDensity start() const override {
     const auto linear = problem::equivalent_linearisation(problem_);
     const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
     const double centre = problem::static_deflection(problem_);
@@ -61,28 +61,30 @@ class LinearisedSetting : public half_plane::Setting {
 
   double rate_unit() const override { return half_plane::rate_unit(problem_); }
 
-  std::vector<double> levels(const Shape& guess, Stage stage) const override {
-    std::vector<double> levels;
-    for (const double deviations : kLevelDeviations) levels.push_back(level_of(guess, deviations));
-    if (stage == Stage::rough) return levels;
-    const auto whole = whole_level(guess, levels.front(), guess);
-    if (whole) levels.insert(levels.begin(), *whole);
-    return levels;
+  std::vector<double> confinement_levels(const ClosureDensity& guess,
+                                         SearchStage stage) const override {
+    std::vector<double> confinement_levels;
+    for (const double deviations : kLevelDeviations)
+      confinement_levels.push_back(level_of(guess, deviations));
+    if (stage == SearchStage::rough) return confinement_levels;
+    const auto whole = negligible_level(guess, confinement_levels.front(), guess);
+    if (whole) confinement_levels.insert(confinement_levels.begin(), *whole);
+    return confinement_levels;
   }
 
-  std::optional<double> further(const Shape& guess, const Shape& found) const override {
-    const auto whole = whole_level(found, found.level, guess);
-    return whole && *whole > kFurther * found.level ? whole : std::nullopt;
+  std::optional<double> improved_level(const ClosureDensity& guess,
+                                       const ClosureDensity& closure) const override {
+    const auto whole = negligible_level(closure, closure.level, guess);
+    return whole && *whole > kMinLevelRatio * closure.level ? whole : std::nullopt;
   }
 
-  QuadratureSize size(int order, double level_in_temperatures, Stage stage) const override {
-    if (stage == Stage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The wider the domain, the more points, though not in proportion: the farther out the level,
-    // the less is there.
-    const double deviations = std::sqrt(2 * level_in_temperatures);
+  QuadratureSize size(int order, double level_over_temperature, SearchStage stage) const override {
+    if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
+    // The number of points grows more slowly than the width: the density decreases outwards.
+    const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
-      constexpr double kRounding = 1e-9;  // must not decide where the width is 1
+      constexpr double kRounding = 1e-9;  // a width of 1 must not lose a point by rounding
       return static_cast<int>(points * width * (1 + kRounding));
     };
     const int v = widened(32 + 2 * order);
@@ -91,30 +93,34 @@ class LinearisedSetting : public half_plane::Setting {
 
   Refinement refinement() const override { return {Refinement::Rule::estimated, 1e-9}; }
 
-  Points points(double support, const QuadratureSize& size) const override {
-    return EnergyDomain(problem_, support).rule(size.s, size.t);
+  QuadraturePoints points(double support, const QuadratureSize& size) const override {
+    return EnergyDomain(problem_, support).quadrature_points(size.s, size.t);
   }
 
   half_plane::Equations equations(double support, const Confinement& confinement, Basis basis,
-                                  Points points, const QuadratureSize& size) const override {
+                                  QuadraturePoints points,
+                                  const QuadratureSize& size) const override {
     return moment::equations(problem_, rate_moment_, EnergyDomain(problem_, support), confinement,
                              std::move(basis), std::move(points), size.wall);
   }
 
-  // At the level on the way, at the edge of the support in the end.
-  double remains(const Shape& found, Stage stage) const override {
-    return stage == Stage::rough ? level_density(found, problem_)
-                                 : edge_density(found, problem_, tail_);
+  // At the confinement level for intermediate orders, else at the edge of the support.
+  double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
+    return stage == SearchStage::rough ? level_density(closure, problem_)
+                                       : edge_density(closure, problem_, tail_);
   }
-  double remains_allowed(Stage stage) const override {
-    return stage == Stage::rough ? kLevelDensityOnTheWay : kEdgeAllowed;
+  double decay_ratio_limit(SearchStage stage) const override {
+    return stage == SearchStage::rough ? kIntermediateLevelDensity : kEdgeDensityLimit;
   }
 
  private:
-  // Where the Q_n of a shape has fallen by kWholeDepth, no farther out than the guess has it.
-  std::optional<double> whole_level(const Shape& shape, double from, const Shape& guess) const {
-    return fall_of(shape.q, problem_, from, level_of(guess, kFarthestDeviations), kWholeDepth)
-        .reached;
+  // Energy at which Q_n of a density lies kNegligibleDepth below its peak; empty if it exceeds
+  // kFarthestDeviations of the guess.
+  std::optional<double> negligible_level(const ClosureDensity& closure, double from,
+                                         const ClosureDensity& guess) const {
+    return scan_decay(closure.q, problem_, from, level_of(guess, kFarthestDeviations),
+                      kNegligibleDepth)
+        .crossing;
   }
 
   const problem::Problem& problem_;
@@ -125,11 +131,11 @@ class LinearisedSetting : public half_plane::Setting {
 }  // namespace
 
 half_plane::Root find_root(const problem::Problem& problem, const Options& options) {
-  if (problem::of_the_paper(problem)) {
-    return half_plane::find_root(LinearisedSetting(problem, options), options);
+  if (problem::is_paper_oscillator(problem)) {
+    return half_plane::find_root(LinearisedFormulation(problem, options), options);
   }
-  return half_plane::find_root(AveragedSetting(problem, options, rate_moments(problem, options)),
-                               options);
+  return half_plane::find_root(
+      AveragedFormulation(problem, options, rate_moments(problem, options)), options);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/allowed.hpp"
-#include "epc/form/put_density.hpp"
-#include "epc/half_plane/report.hpp"
+#include "epc/form/acceptance_limits.hpp"
+#include "epc/form/fill_density.hpp"
+#include "epc/half_plane/root_result.hpp"
 #include "epc/half_plane/search.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/moment/level_density.hpp"
@@ -19,67 +19,68 @@
 namespace fpkcheck::epc::moment {
 namespace {
 
+using half_plane::ClosureDensity;
 using half_plane::Root;
-using half_plane::Shape;
 
-// By how much more points may change Q_n, in standard deviations.
-constexpr double kQuadratureAllowed = 1e-6;
+// Tolerance on the change of Q_n on more quadrature points, in standard deviations.
+constexpr double kQuadratureTolerance = 1e-6;
 
-transform::SmoothDensity density_of(const problem::Problem& problem, const Shape& shape,
+transform::SmoothDensity density_of(const problem::Problem& problem, const ClosureDensity& closure,
                                     Tail tail) {
-  return density_of(shape.q, EnergyDomain(problem, shape.support),
-                    half_plane::confinement_of(shape.level, tail), -shape.log_normalisation);
+  return density_of(closure.q, EnergyDomain(problem, closure.support),
+                    half_plane::confinement_of(closure.level, tail), -closure.log_normalisation);
 }
 
-// Why a density beyond the paper's class is held by its confinement alone; empty when it is not.
-std::string objection_at_level(double level_density, const LeadingForm& form) {
-  if (level_density < kLevelDensityAllowed) return "";
-  return fmt::format(
-      "exp(Q_n) is {:.1e} of its peak where its confinement begins (allowed {:.0e}), {}",
-      level_density, kLevelDensityAllowed, behaviour(form, "(y, v) / deviations"));
+// Reason why a density beyond the paper's class is inadmissible: the confinement alone makes it
+// decay. Empty otherwise.
+std::string level_inadmissible_reason(double level_density, const LeadingForm& form) {
+  if (level_density < kLevelDensityLimit) return "";
+  return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
+                     level_density, kLevelDensityLimit,
+                     leading_form_text(form, "(y, v) / deviations"));
 }
 
-std::string objection(double edge_density, const LeadingForm& form) {
-  if (edge_density < kEdgeAllowed) return "";
+std::string inadmissible_reason(double edge_density, const LeadingForm& form) {
+  if (edge_density < kEdgeDensityLimit) return "";
   return fmt::format(
-      "the density is {:.1e} of its peak on the edge of its support (allowed {:.0e}), {}",
-      edge_density, kEdgeAllowed, behaviour(form, "(y, v) / deviations"));
+      "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
+      edge_density, kEdgeDensityLimit, leading_form_text(form, "(y, v) / deviations"));
 }
 
 }  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Root root = find_root(problem, options);
-  Result result = half_plane::reported(root);
+  Result result = half_plane::make_result(root);
   if (!root.failure.empty()) return result;
 
   auto& [solution, summary] = result;
-  const Shape& shape = root.shape;
-  const transform::SmoothDensity density = density_of(problem, shape, options.tail);
-  const auto marginals = put_density(problem, Impact::map, density, result);
+  const ClosureDensity& closure = root.closure;
+  const transform::SmoothDensity density = density_of(problem, closure, options.tail);
+  const auto marginals = fill_density(problem, Impact::map, density, result);
   if (root.previous) {
     auto before = density_of(problem, *root.previous, options.tail);
-    before.y_min = density.y_min;  // the same panels
+    before.y_min = density.y_min;  // same panels
     summary.distance_to_previous =
         distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }
   const Deviations sigma = half_plane::deviations(marginals.moments);
   summary.leading_form =
-      leading_form(shape.q, sigma, problem.system.left() ? Plane::half : Plane::whole);
-  summary.frame = half_plane::frame_of(shape, options.tail, Variables::physical);
+      leading_form(closure.q, sigma, problem.system.left() ? Plane::half : Plane::whole);
+  summary.frame = half_plane::frame_of(closure, options.tail, Variables::physical);
   summary.frame->coordinates = problem.frame;
-  const double edge = edge_density(shape, problem, options.tail);
-  std::string objected = objection(edge, *summary.leading_form);
-  // The paper's class is judged by the probability beyond the level alone (half_plane::conclude).
-  if (objected.empty() && !problem::of_the_paper(problem)) {
-    objected = objection_at_level(level_density(shape, problem), *summary.leading_form);
+  const double edge = edge_density(closure, problem, options.tail);
+  std::string reason = inadmissible_reason(edge, *summary.leading_form);
+  // In the paper's class half_plane::set_status limits the probability beyond the level instead.
+  if (reason.empty() && !problem::is_paper_oscillator(problem)) {
+    reason = level_inadmissible_reason(level_density(closure, problem), *summary.leading_form);
   }
-  half_plane::describe(root, options.tail, density, sigma,
-                       {.support = contour(EnergyDomain(problem, shape.support)),
-                        .level = contour(EnergyDomain(problem, shape.level)),
-                        .density = edge},
-                       result);
-  half_plane::conclude(root, kQuadratureAllowed, objected, result);
+  half_plane::fill_summary(root, options.tail, density, sigma,
+                           {.support = contour(EnergyDomain(problem, closure.support)),
+                            .level = contour(EnergyDomain(problem, closure.level)),
+                            .density = edge},
+                           result);
+  half_plane::set_status(root, kQuadratureTolerance, reason, result);
   return result;
 }
 

@@ -7,17 +7,18 @@ namespace fpkcheck::problem {
 struct Problem;
 }  // namespace fpkcheck::problem
 
-/// The closure between the walls, in the paper on the physical half-plane: p(y, v) =
-/// C exp(Q_n(y, v)), y >= 0, with all monomials of degree 1 .. n, such that the exact moment
-/// equations of the impact process hold for every polynomial of degree up to n. Neither the series
-/// of (15) is cut nor the impact of (2) approximated; what is left is the shape of the exponent.
+/// Closure with exact moment equations: p(y, v) = C exp(Q_n(y, v)) between the walls (y >= 0 in the
+/// paper's class), with all monomials of degree 1 .. n. The moment equations of the impact process
+/// hold for every polynomial of degree up to n. The series (15) is not truncated and the impact (2)
+/// is not approximated. The only approximation is the form of the exponent.
 namespace fpkcheck::epc::moment {
 
-/// The formulation `moment` of epc::solve, options validated. The status is
-///  - ok: the equations are met by a density that has decayed to kEdgeAllowed of its peak on the
-///    edge of its support, and that of exp(Q_n) at the confinement's level to kLevelDensityAllowed;
-///  - inadmissible: they are met, but not by such a density;
-///  - not_converged: Newton's method and the homotopy were lost, or the quadrature did not settle.
+/// Formulation `moment` of epc::solve, with validated options. The status is
+///  - ok: the density satisfies the equations and has decayed to kEdgeDensityLimit of its peak on
+///    the edge of its support; beyond the paper's class also exp(Q_n) to kLevelDensityLimit at the
+///    confinement level. half_plane::set_status has further conditions;
+///  - inadmissible: the root has no such density;
+///  - not_converged: Newton's method and the homotopy failed, or the quadrature did not converge.
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::moment

@@ -10,15 +10,15 @@ namespace fpkcheck::epc::moment {
 half_plane::Contour contour(const EnergyDomain& domain) {
   constexpr int kPoints = 48;
   half_plane::Contour contour;
-  for (const problem::Swing& part : domain.parts()) {
-    // dA/dh is the integral of dy/|v| over the points (y, +-v), with y = centre + reach sin(phi).
+  for (const problem::HalfCycle& part : domain.parts()) {
+    // dA/dh = integral of dy/|v| over the points (y, +-v), y = centre + half_length sin(phi).
     const double centre = (part.left + part.right) / 2;
-    const double reach = (part.right - part.left) / 2;
+    const double half_length = (part.right - part.left) / 2;
     for (int i = 0; i < kPoints; ++i) {
       const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
-      const double y = centre + reach * std::sin(phi);
+      const double y = centre + half_length * std::sin(phi);
       const double v = domain.half_width(y);
-      const double dy = std::numbers::pi / kPoints * reach * std::cos(phi);
+      const double dy = std::numbers::pi / kPoints * half_length * std::cos(phi);
       for (const double side : {1, -1}) {
         contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
       }
@@ -30,7 +30,7 @@ half_plane::Contour contour(const EnergyDomain& domain) {
 double largest_on_contour(const Polynomial& q, const problem::Problem& problem, double energy) {
   const EnergyDomain domain(problem, energy);
   double largest = -std::numeric_limits<double>::infinity();
-  for (const problem::Swing& part : domain.parts()) {
+  for (const problem::HalfCycle& part : domain.parts()) {
     const double at_low = domain.half_width(part.left);
     const double at_high = part.at_right ? domain.half_width(part.right) : 0;
     largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
@@ -40,11 +40,11 @@ double largest_on_contour(const Polynomial& q, const problem::Problem& problem, 
   return largest;
 }
 
-Fall fall_of(const Polynomial& q, const problem::Problem& problem, double from, double farthest,
-             double depth) {
+DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, double from,
+                     double farthest, double depth) {
   constexpr int kContoursBefore = 40;
   constexpr double kGrowth = 1.05;
-  Fall fall{-std::numeric_limits<double>::infinity(), std::nullopt};
+  DecayScan fall{-std::numeric_limits<double>::infinity(), std::nullopt};
   for (int i = 1; i <= kContoursBefore; ++i) {
     fall.peak = std::max(fall.peak, largest_on_contour(q, problem, from * i / kContoursBefore));
   }
@@ -53,7 +53,7 @@ Fall fall_of(const Polynomial& q, const problem::Problem& problem, double from, 
     const double largest = largest_on_contour(q, problem, energy);
     if (largest > before) break;
     if (largest < fall.peak - depth) {
-      fall.reached = energy;
+      fall.crossing = energy;
       break;
     }
     before = largest;

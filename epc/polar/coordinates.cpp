@@ -6,26 +6,26 @@
 #include <numbers>
 #include <utility>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::polar {
 
-using half_plane::Line;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
+using half_plane::QuadratureRule;
 
 namespace {
 
-// K
-double own_stiffness(const problem::Problem& problem) {
-  constexpr double kLeastShare = 0.1;  // of the linearised stiffness
+// K of Coordinates.
+double coordinate_stiffness(const problem::Problem& problem) {
+  constexpr double kLeastStiffnessRatio = 0.1;  // lower limit, relative to the linearised stiffness
   return std::max(problem.system.stiffness(),
-                  kLeastShare * problem::equivalent_linearisation(problem).stiffness);
+                  kLeastStiffnessRatio * problem::equivalent_linearisation(problem).stiffness);
 }
 
-// A polynomial divided by y^power and multiplied by a factor, with another constant.
-numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t power,
-                             double factor, double constant) {
+// factor * polynomial / y^power, with another constant term.
+numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std::size_t power,
+                                     double factor, double constant) {
   numerics::Polynomial::Coefficients a{};
   for (std::size_t n = power; n < a.size(); ++n) {
     a[n - power] = factor * polynomial.coefficient(n);
@@ -34,19 +34,19 @@ numerics::Polynomial divided(const numerics::Polynomial& polynomial, std::size_t
   return numerics::Polynomial(a);
 }
 
-// Gauss-Legendre panels on [0, end] between the breaks: points in proportion, and some for the
-// ends.
-Line panels(double end, const std::vector<double>& breaks, int points) {
+// Gauss-Legendre quadrature on [0, end] with one panel between successive breaks. The number of
+// points of a panel is proportional to its width, plus some for its ends.
+QuadratureRule legendre_panels(double end, const std::vector<double>& breaks, int points) {
   if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
-  Line all;
+  QuadratureRule all;
   double from = 0;
   const auto add = [&](double to) {
-    const int own = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
-    const Line panel = half_plane::legendre_rule(own, from, to);
+    const int panel_points = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
+    const QuadratureRule panel = half_plane::legendre_rule(panel_points, from, to);
     const Eigen::Index before = all.at.size();
     for (auto [whole, part] : {std::pair{&all.at, &panel.at}, {&all.weight, &panel.weight}}) {
-      whole->conservativeResize(before + own);
-      whole->tail(own) = *part;
+      whole->conservativeResize(before + panel_points);
+      whole->tail(panel_points) = *part;
     }
     from = to;
   };
@@ -58,17 +58,19 @@ Line panels(double end, const std::vector<double>& breaks, int points) {
 }  // namespace
 
 Coordinates::Coordinates(const problem::Problem& problem)
-    : share_(divided(problem.system.potential(), 2, 2, own_stiffness(problem))),
-      pull_(divided(problem.system.force(), 1, 1, own_stiffness(problem))),
-      force_(divided(problem.system.force(), 1, 1, problem.system.stiffness())) {}
+    : potential_ratio_(
+          divide_by_power(problem.system.potential(), 2, 2, coordinate_stiffness(problem))),
+      potential_slope_ratio_(
+          divide_by_power(problem.system.force(), 1, 1, coordinate_stiffness(problem))),
+      force_ratio_(divide_by_power(problem.system.force(), 1, 1, problem.system.stiffness())) {}
 
-double Coordinates::bound(double w) const {
-  // Where one term of 2 V is w^2, 2 V is no less.
+double Coordinates::displacement_bound(double w) const {
+  // At the y where one positive term of 2 V equals w^2, 2 V is at least w^2.
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n <= share_.degree(); ++n) {
-    if (!(share_.coefficient(n) > 0)) continue;
+  for (std::size_t n = 0; n <= potential_ratio_.degree(); ++n) {
+    if (!(potential_ratio_.coefficient(n) > 0)) continue;
     const double power = static_cast<double>(n) + 2;
-    least = std::min(least, std::pow(w / std::sqrt(share_.coefficient(n)), 2 / power));
+    least = std::min(least, std::pow(w / std::sqrt(potential_ratio_.coefficient(n)), 2 / power));
   }
   return least;
 }
@@ -76,7 +78,7 @@ double Coordinates::bound(double w) const {
 double Coordinates::y(double w) const {
   if (w == 0) return 0;
   const auto excess = [&](double y) { return std::pair{this->w(y) - w, slope(y)}; };
-  const double guess = bound(w);
+  const double guess = displacement_bound(w);
   double beyond = 2 * guess;
   while (this->w(beyond) < w) beyond *= 2;
   constexpr int kDigits = std::numeric_limits<double>::digits - 2;
@@ -85,11 +87,13 @@ double Coordinates::y(double w) const {
                                                     iterations);
 }
 
-Points rule(const Coordinates& coordinates, double rho_max, const std::vector<double>& breaks,
-            const half_plane::QuadratureSize& size) {
-  const Line rho = panels(rho_max, breaks, size.s);
-  const Line theta = half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  Points points = Points::zeros(rho.at.size() * theta.at.size());
+QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
+                                   const std::vector<double>& breaks,
+                                   const half_plane::QuadratureSize& size) {
+  const QuadratureRule rho = legendre_panels(rho_max, breaks, size.s);
+  const QuadratureRule theta =
+      half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
+  QuadraturePoints points = QuadraturePoints::zeros(rho.at.size() * theta.at.size());
   Eigen::Index k = 0;
   for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
     for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {

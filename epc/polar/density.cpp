@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 
 namespace fpkcheck::epc::polar {
 

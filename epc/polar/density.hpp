@@ -7,8 +7,9 @@
 
 namespace fpkcheck::epc::polar {
 
-/// C exp(Q_n + confinement) of amplitude and phase up to an energy, and 0 beyond.
-/// @param support the energy
+/// Density C exp(Q_n + confinement), Q_n a polynomial of amplitude and phase, and 0 beyond an
+/// energy.
+/// @param support this energy
 transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
                                     double support, const half_plane::Confinement& confinement,
                                     double log_constant);

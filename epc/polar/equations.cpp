@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "epc/amplitude/after_impulse.hpp"
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
+#include "epc/amplitude/means_after_impulse.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -16,12 +16,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
-using half_plane::Points;
 using half_plane::products;
+using half_plane::QuadraturePoints;
 
 // E[phi(y, v + Y)] of every member at every point.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
-                       const Basis& basis, const Points& points) {
+                       const Basis& basis, const QuadraturePoints& points) {
   const VectorXd w = points.y.unaryExpr([&](double y) { return coordinates.w(y); });
   return amplitude::means_after_impulse(
       problem.impulses.law(), basis, w, points.v, [](double at_w, double v) {
@@ -33,13 +33,13 @@ MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coord
 struct Flow {
   VectorXd rho, theta;
 };
-Flow flow(double damping, const Coordinates& coordinates, const Points& points) {
+Flow flow(double damping, const Coordinates& coordinates, const QuadraturePoints& points) {
   Flow rate{VectorXd(points.size()), VectorXd(points.size())};
   for (Index i = 0; i < points.size(); ++i) {
     const double rho = points.s[i], theta = points.t[i];
     const double sine = std::sin(theta), cosine = std::cos(theta);
     const double slope = coordinates.slope(points.y[i]);
-    const double force = coordinates.force_by_w(points.y[i]);
+    const double force = coordinates.force_over_w(points.y[i]);
     rate.rho[i] = -damping * rho * sine * sine + rho * cosine * (slope - force) * sine;
     rate.theta[i] = -slope * sine * sine - force * cosine * cosine - damping * sine * cosine;
   }
@@ -50,41 +50,42 @@ Flow flow(double damping, const Coordinates& coordinates, const Points& points) 
 
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,
-                                Basis basis, Points points, int wall_points) {
+                                Basis basis, QuadraturePoints points, int wall_points) {
   const Flow rate = flow(problem.system.damping(), coordinates, points);
-  const auto of_rho = basis.of_s().derivatives(points.s, 1);
-  const auto of_theta = basis.of_t().derivatives(points.t, 1);
+  const auto rho_tables = basis.polynomials_in_s().derivatives(points.s, 1);
+  const auto theta_tables = basis.polynomials_in_t().derivatives(points.t, 1);
   const auto& members = basis.members();
-  const MatrixXd values = products(members, of_rho[0], of_theta[0]);
+  const MatrixXd values = products(members, rho_tables[0], theta_tables[0]);
   const double arrivals = problem.impulses.arrival_rate();
 
-  const half_plane::Line wall = half_plane::legendre_rule(wall_points, 0, rho_max);
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(wall_points, 0, rho_max);
   const VectorXd before = VectorXd::Constant(wall_points, -std::numbers::pi / 2);
-  const VectorXd kept = problem.system.restitution() * wall.at;
+  const VectorXd rebound_speed = problem.system.restitution() * wall.at;
   const MatrixXd wall_members = basis.values(wall.at, before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
       .members = values,
-      .generated = products(members, rate.rho.asDiagonal() * of_rho[1], of_theta[0]) +
-                   products(members, of_rho[0], rate.theta.asDiagonal() * of_theta[1]) +
-                   arrivals * (after_impulse(problem, coordinates, basis, points) - values),
-      .confined = points.energy.unaryExpr(confinement),
+      .generator_terms =
+          products(members, rate.rho.asDiagonal() * rho_tables[1], theta_tables[0]) +
+          products(members, rho_tables[0], rate.theta.asDiagonal() * theta_tables[1]) +
+          arrivals * (after_impulse(problem, coordinates, basis, points) - values),
+      .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
       .wall_members = wall_members,
-      .rebounds = wall.at.asDiagonal() * (basis.values(kept, -before) - wall_members),
-      .wall_confined =
+      .impact_terms = wall.at.asDiagonal() * (basis.values(rebound_speed, -before) - wall_members),
+      .wall_confinement_terms =
           wall.at.unaryExpr([&](double rho) { return confinement(amplitude::energy_at(rho)); })};
   return {std::move(tables), std::move(basis), std::move(points)};
 }
 
-std::vector<double> breaks_of(const problem::ImpulseLaw& law, double rho_max) {
+std::vector<double> amplitude_breaks(const problem::ImpulseLaw& law, double rho_max) {
   std::vector<double> breaks;
   for (const auto& atom : law.atoms()) {
     const double at = std::abs(atom.amplitude);
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // Atoms at -a and a are one break, up to rounding.
+  // Atoms at -a and a give the same break, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

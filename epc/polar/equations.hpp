@@ -12,25 +12,25 @@ class ImpulseLaw;
 
 namespace fpkcheck::epc::polar {
 
-/// The Galerkin equations of the impact process whose members are the functions h_p(rho)
-/// g_q(theta), 1 <= p + q <= n. Along a trajectory and through the impulses,
+/// Galerkin equations of the impact process for the functions h_p(rho) g_q(theta), 1 <= p + q <= n.
+/// Flow and impulses give
 ///
 ///     L*phi = rho' phi_rho + theta' phi_theta + lambda ( E[phi(y, v + Y)] - phi ),
 ///     rho'   = -c rho sin^2 + (w w' - g) sin,
-///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta,
+///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
 ///
-/// all bounded at the origin, where phi jumps: a member has a mean, and its mean a rate of change,
-/// as that of a polynomial has. (White noise has no such equations: d^2 theta/dv^2 is not
-/// integrable.) Among the members is rho^2/2, so that the balance of energy is met.
-/// @param points of the rule up to rho_max
-/// @param wall_points how many the rule on the wall has
+/// All terms are bounded at the origin, where phi has a jump: the mean of a member has a finite
+/// rate of change. (White noise has no such equations: d^2 theta/dv^2 is not integrable.) For K = k
+/// the energy rho^2/2 is a member of the basis, and the energy balance is satisfied exactly.
+/// @param points quadrature points up to rho_max
+/// @param wall_points number of quadrature points on the wall
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,
-                                half_plane::Basis basis, half_plane::Points points,
+                                half_plane::Basis basis, half_plane::QuadraturePoints points,
                                 int wall_points);
 
-/// Amplitudes below rho_max from which an impulse may stop the mass at the wall: there the mean
-/// over an atom of the law jumps as phi does at the origin. None for a law with a density.
-std::vector<double> breaks_of(const problem::ImpulseLaw& law, double rho_max);
+/// Amplitudes below rho_max from which an atom of the law may stop the mass at the wall. There the
+/// mean over the impulses has the jump of phi at the origin. Empty for a law with a density.
+std::vector<double> amplitude_breaks(const problem::ImpulseLaw& law, double rho_max);
 
 }  // namespace fpkcheck::epc::polar

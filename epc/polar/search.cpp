@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "epc/amplitude/setting.hpp"
-#include "epc/half_plane/metric.hpp"
+#include "epc/amplitude/closure_formulation.hpp"
+#include "epc/half_plane/norms.hpp"
 #include "epc/half_plane/search.hpp"
 #include "epc/polar/equations.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -11,35 +11,39 @@
 namespace fpkcheck::epc::polar {
 namespace {
 
-// Of the energy, that of the static deflection included.
+// Temperature of the energy, including the energy of the static deflection.
 double temperature_of(const problem::Problem& problem, const Coordinates& coordinates) {
   const double sigma = problem::equivalent_linearisation(problem).velocity_deviation;
   const double centre = coordinates.w(problem::static_deflection(problem));
   return sigma * sigma + centre * centre / 2;
 }
 
-class Setting : public amplitude::Setting {
+class ClosureFormulation : public amplitude::ClosureFormulation {
  public:
-  Setting(const problem::Problem& problem, const Coordinates& coordinates, Tail tail)
-      : amplitude::Setting(temperature_of(problem, coordinates), half_plane::rate_unit(problem),
-                           tail),
+  ClosureFormulation(const problem::Problem& problem, const Coordinates& coordinates, Tail tail)
+      : amplitude::ClosureFormulation(temperature_of(problem, coordinates),
+                                      half_plane::rate_unit(problem), tail),
         problem_(problem),
         coordinates_(coordinates) {}
 
-  half_plane::Points points(double support, const half_plane::QuadratureSize& size) const override {
+  half_plane::QuadraturePoints points(double support,
+                                      const half_plane::QuadratureSize& size) const override {
     const double rho_max = amplitude::amplitude_at(support);
-    return rule(coordinates_, rho_max, breaks_of(problem_.impulses.law(), rho_max), size);
+    return quadrature_points(coordinates_, rho_max,
+                             amplitude_breaks(problem_.impulses.law(), rho_max), size);
   }
 
   half_plane::Equations equations(double support, const half_plane::Confinement& confinement,
-                                  half_plane::Basis basis, half_plane::Points points,
+                                  half_plane::Basis basis, half_plane::QuadraturePoints points,
                                   const half_plane::QuadratureSize& size) const override {
     return polar::equations(problem_, coordinates_, amplitude::amplitude_at(support), confinement,
                             std::move(basis), std::move(points), size.wall);
   }
 
  protected:
-  amplitude::Exponent on_circle(const Polynomial& q) const override { return polar::on_circle(q); }
+  amplitude::Exponent polar_exponent(const Polynomial& q) const override {
+    return polar::polar_exponent(q);
+  }
   double phase(double, double theta) const override { return theta; }
 
  private:
@@ -51,7 +55,7 @@ class Setting : public amplitude::Setting {
 
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options) {
-  return half_plane::find_root(Setting(problem, coordinates, options.tail), options);
+  return half_plane::find_root(ClosureFormulation(problem, coordinates, options.tail), options);
 }
 
 }  // namespace fpkcheck::epc::polar

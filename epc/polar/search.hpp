@@ -1,18 +1,18 @@
 #pragma once
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 #include "epc/half_plane/root.hpp"
 #include "epc/options.hpp"
 #include "epc/polar/coordinates.hpp"
 
 namespace fpkcheck::epc::polar {
 
-/// half_plane::find_root in amplitude and phase (amplitude::Setting).
+/// half_plane::find_root in amplitude and phase (amplitude::ClosureFormulation).
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options);
 
-/// Q_n as it is: a polynomial of rho and theta. For as long as q lives.
-inline amplitude::Exponent on_circle(const Polynomial& q) {
+/// Q_n, a polynomial of rho and theta, as a function of both. The result refers to q.
+inline amplitude::Exponent polar_exponent(const Polynomial& q) {
   return [&q](double rho, double theta) { return q(rho, theta); };
 }
 

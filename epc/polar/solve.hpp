@@ -7,18 +7,18 @@ namespace fpkcheck::problem {
 struct Problem;
 }  // namespace fpkcheck::problem
 
-/// The closure in amplitude and phase: p(y, v) = C exp(Q_n(rho, theta)) on y >= 0, Q_n a polynomial
-/// of degree n in the coordinates of polar::Coordinates, such that the means of all products
-/// rho^p theta^q, 1 <= p + q <= n, are stationary under the exact impact process. It has as many
-/// unknowns as the formulation moment, and carries what that cannot: the jump of the density at the
-/// origin of the wall, which fans out into the plane, and what rare impulses leave there.
+/// Closure in amplitude and phase: p(y, v) = C exp(Q_n(rho, theta)) on y >= 0, Q_n a polynomial of
+/// degree n in polar::Coordinates. The means of all products rho^p theta^q, 1 <= p + q <= n, are
+/// stationary under the exact impact process. The number of unknowns is that of the formulation
+/// moment. Unlike moment, the closure represents the jump of the density at the origin and the
+/// features that rare impulses cause there.
 namespace fpkcheck::epc::polar {
 
-/// Solves the equations and judges the root. The status is
-///  - ok: the equations are met by a density that has decayed to 1e-4 of its peak where its
-///    confinement begins;
-///  - inadmissible: a root, but no such density. Density and coefficients are still returned;
-///  - not_converged: no root, or one that the quadrature does not resolve.
+/// Solves the equations and assesses the root. The status is
+///  - ok: the density satisfies the equations and has decayed to 1e-4 of its peak at the
+///    confinement level (kLevelDensityLimit);
+///  - inadmissible: a root without such a density. Density and coefficients are still returned;
+///  - not_converged: no root, or a root that the quadrature does not resolve.
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::polar

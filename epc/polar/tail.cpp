@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "epc/amplitude/circle.hpp"
+#include "epc/amplitude/half_circle.hpp"
 
 namespace fpkcheck::epc::polar {
 half_plane::Contour contour(const Coordinates& coordinates, double rho) {
-  // dA/dh is the integral of dtheta / w'(y).
+  // dA/dh = integral of dtheta / w'(y).
   half_plane::Contour contour;
-  for (int k = 0; k < amplitude::kPhases; ++k) {
+  for (int k = 0; k < amplitude::kPhaseCount; ++k) {
     const double theta = amplitude::phases()[k];
     const double y = coordinates.y(rho * std::cos(theta)), v = rho * std::sin(theta);
     contour.push_back({.s = rho,
@@ -27,9 +27,9 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sig
       q.terms(), [&](const Term& term) { return term.x1 == degree && term.x2 == 0; });
   LeadingForm form{highest != q.terms().end() && highest->a < 0, {1, 0}, 0, 0};
   if (form.negative) return form;
-  form.rising_share = 1;
-  const std::vector<double> slope = derivative(q.along(1, 0));
-  double radius = kFarthest;
+  form.rising_fraction = 1;
+  const std::vector<double> slope = derivative(q.restriction_to_ray(1, 0));
+  double radius = kLargestRadius;
   while (radius > 0 && horner(slope, radius * sigma.x2) > 0) radius -= 0.05;
   form.rises_from = std::max(radius, 0.0);
   return form;

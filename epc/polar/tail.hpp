@@ -7,11 +7,11 @@
 
 namespace fpkcheck::epc::polar {
 
-/// The half-circle of an amplitude, as points.
+/// QuadraturePoints on the half-circle of an amplitude.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
-/// Condition (19) for a polynomial of rho and theta: its highest power of rho has a constant
-/// coefficient, so that it falls at every phase or at none. Radii are rho/sigma_2.
+/// Condition (19) for a polynomial of rho and theta. The coefficient of its highest power of rho is
+/// constant: the polynomial falls at every phase or at none. Radii are rho/sigma_2.
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::polar

@@ -6,8 +6,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Every `stride`-th face from the first on, and the last.
-std::vector<double> coarser(const std::vector<double>& faces, int stride) {
+// Every `stride`-th face, starting with the first, and the last face.
+std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
   std::vector<double> kept;
   for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
     kept.push_back(faces[f]);
@@ -16,23 +16,23 @@ std::vector<double> coarser(const std::vector<double>& faces, int stride) {
   return kept;
 }
 
-Grid coarser(const Grid& grid, int stride) {
-  return symmetric_grid(coarser(grid.x1.faces(), stride), coarser(grid.speeds().faces(), stride),
+Grid coarsen(const Grid& grid, int stride) {
+  return symmetric_grid(coarsen(grid.x1.faces(), stride), coarsen(grid.speeds().faces(), stride),
                         grid.x1.left(), grid.x1.right());
 }
 
-int stride_for(const Grid& grid, int most) {
+int stride_for(const Grid& grid, int max_blocks) {
   int stride = 1;
   const auto count = [&](int cells) { return (cells + stride - 1) / stride; };
-  while (count(grid.nx()) * 2 * count(grid.nv() / 2) > most) ++stride;
+  while (count(grid.nx()) * 2 * count(grid.nv() / 2) > max_blocks) ++stride;
   return stride;
 }
 
-std::vector<int> block_of(const Line& line, const Line& blocks) {
-  std::vector<int> block(line.cells());
+std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
+  std::vector<int> block(axis.cells());
   int b = 0;
-  for (int i = 0; i < line.cells(); ++i) {
-    while (line.centre(i) > blocks.face(b + 1)) ++b;
+  for (int i = 0; i < axis.cells(); ++i) {
+    while (axis.centre(i) > blocks.face(b + 1)) ++b;
     block[i] = b;
   }
   return block;
@@ -40,14 +40,15 @@ std::vector<int> block_of(const Line& line, const Line& blocks) {
 
 }  // namespace
 
-Aggregation::Aggregation(const Grid& grid, int atoms, int most)
-    : grid_(grid), atoms_(atoms), blocks_(coarser(grid, stride_for(grid, most))) {
-  block_of_y_ = block_of(grid.x1, blocks_.x1);
-  block_of_v_ = block_of(grid.x2, blocks_.x2);
-  spread_like(Eigen::VectorXd::Zero(grid.size() + atoms));
+Aggregation::Aggregation(const Grid& grid, int atoms, int max_blocks)
+    : grid_(grid), atoms_(atoms), blocks_(coarsen(grid, stride_for(grid, max_blocks))) {
+  block_of_y_ = block_indices(grid.x1, blocks_.x1);
+  block_of_v_ = block_indices(grid.x2, blocks_.x2);
+  set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atoms));
 }
 
-void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
+void Aggregation::set_block_chain(
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
   const int count = blocks_.size() + atoms_;
   Eigen::MatrixXd system(count, count);
   Eigen::VectorXd one = Eigen::VectorXd::Zero(count);
@@ -56,19 +57,19 @@ void Aggregation::set_chain(const std::function<Eigen::VectorXd(const Eigen::Vec
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // 1 - A has no inverse. Any mass that is added in proportion to the areas gives it one.
+  // 1 - A is singular. Adding any mass in proportion to the areas makes the matrix regular.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.areas() / blocks_.areas().sum();
   system.colwise() += added;
   factors_.compute(system);
 }
 
-void Aggregation::spread_like(const Eigen::VectorXd& masses) {
-  constexpr double kEven = 1e-6;  // of the mass of all
+void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
+  constexpr double kEven = 1e-6;  // relative to the total mass
   const Eigen::VectorXd areas = grid_.areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;
-  const Eigen::VectorXd sums = aggregated(weights_);
+  const Eigen::VectorXd sums = aggregate(weights_);
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       weights_(i * grid_.nv() + j) /= sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
@@ -76,7 +77,7 @@ void Aggregation::spread_like(const Eigen::VectorXd& masses) {
   }
 }
 
-Eigen::VectorXd Aggregation::aggregated(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
+Eigen::VectorXd Aggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size() + atoms_);
   sums.tail(atoms_) = masses.tail(atoms_);
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -88,7 +89,7 @@ Eigen::VectorXd Aggregation::aggregated(const Eigen::Ref<const Eigen::VectorXd>&
 }
 
 void Aggregation::correct(Eigen::Ref<Eigen::VectorXd> masses) const {
-  const Eigen::VectorXd sums = aggregated(masses);
+  const Eigen::VectorXd sums = aggregate(masses);
   const Eigen::VectorXd missing = factors_.solve(sums) - sums;
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {

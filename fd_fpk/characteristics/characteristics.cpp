@@ -12,21 +12,23 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// A step of the motion is crossed in this many chords.
+// Chords that represent one step of the motion.
 constexpr int kChords = 10;
-// Decay times of the impulses after which nothing is left that could be followed.
-constexpr double kLongest = 40;
+// Time limit of a characteristic, in mean times between impulses: the remaining probability is then
+// negligible.
+constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// What creeps to rest for a long time has no area left, and still is in some cell.
+// Overdamped motion that approaches rest for a long time has a vanishing area, and still needs a
+// cell.
 constexpr double kLeastFlux = 1e-200;
 
-int cell_of(const Line& line, double x) {
-  const auto& faces = line.faces();
+int cell_of(const Axis& axis, double x) {
+  const auto& faces = axis.faces();
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
-  return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, line.cells() - 1);
+  return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cells() - 1);
 }
 
-// Hermite's cubic over a step.
+// Cubic Hermite interpolation over a step.
 class Cubic {
  public:
   Cubic(const Flow& flow, const State& from, const State& to, double time)
@@ -50,43 +52,43 @@ class Cubic {
 
 struct Characteristics::Position {
   State state;
-  int i, j;           // its cell
-  double flux;        // of area, now
-  std::size_t first;  // visit of the track
+  int i, j;           // indices of its cell
+  double flux;        // current flux of area
+  std::size_t first;  // first visit of the track
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
-                                 int per_cell, const Deadline& given_up)
+                                 int per_cell, const Deadline& deadline)
     : grid_(grid),
-      given_up_(given_up),
+      deadline_(deadline),
       flow_(system),
       rate_(rate),
-      rest_(fd_fpk::rest_places(flow_, grid, rate)),
+      rest_(fd_fpk::rest_points(flow_, grid, rate)),
       at_rest_(static_cast<std::size_t>(grid.size()), false) {
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
     for (const auto& [cell, share] : rest_[n].cells) at_rest_[cell] = true;
   }
-  lay_from_box(per_cell);
+  trace_from_box(per_cell);
   for (const Side side : {Side::left, Side::right}) {
-    if (flow_.wall(side)) lay_from_wall(side, per_cell);
+    if (flow_.wall(side)) trace_from_wall(side, per_cell);
   }
   sort_from_walls();
-  lay_through_gaps();
-  share_areas();
+  trace_through_gaps();
+  normalise_areas();
   find_landings(from_outside_);
   find_landings(from_walls_);
 }
 
 std::string Characteristics::failure() const {
-  if (out_of_time_) return "max_seconds are over before the characteristics are laid";
+  if (out_of_time_) return "characteristics: max_seconds expired during their construction";
   if (!ended()) return "";
-  return fmt::format("characteristics visit cells more than {} times", kMostVisits);
+  return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMostVisits);
 }
 
-// Through the outer sides of the box, where the flow enters it: everything inside came from there,
-// from a wall, or from next to an unstable equilibrium.
-void Characteristics::lay_from_box(int per_cell) {
+// Characteristics through the outer sides of the box, where the flow enters it. Every state inside
+// comes from there, from a wall, or from the neighbourhood of an unstable equilibrium.
+void Characteristics::trace_from_box(int per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
   const double y_min = grid_.x1_min() + kInside * length;
@@ -94,10 +96,10 @@ void Characteristics::lay_from_box(int per_cell) {
   const auto lay = [&](const State& from, double flux) {
     if (flux > 0) from_outside_.push_back(follow(from, flux));
   };
-  const auto at_each = [&](const Line& line, int first, int last, const auto& start) {
+  const auto at_each = [&](const Axis& axis, int first, int last, const auto& start) {
     for (int i = first; i < last; ++i) {
-      const double width = line.width(i) / per_cell;
-      for (int k = 0; k < per_cell; ++k) start(line.face(i) + (k + 0.5) * width, width);
+      const double width = axis.width(i) / per_cell;
+      for (int k = 0; k < per_cell; ++k) start(axis.face(i) + (k + 0.5) * width, width);
     }
   };
   at_each(grid_.x1, 0, grid_.nx(), [&](double y, double width) {
@@ -116,13 +118,13 @@ void Characteristics::lay_from_box(int per_cell) {
   }
 }
 
-// In contact the innermost cell's motion is a cascade of impacts, and about an equilibrium at the
-// wall it is at rest.
-void Characteristics::lay_from_wall(Side side, int per_cell) {
+// The innermost cell gets no characteristic at a wall with rest: in contact its motion is a cascade
+// of impacts, and about an equilibrium at the wall it is at rest.
+void Characteristics::trace_from_wall(Side side, int per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
   const bool rests =
-      std::ranges::any_of(rest_, [&](const RestPlace& place) { return place.y == y; });
+      std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
   Fan& fan = this->fan(side);
   for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
     const double width = grid_.x2.width(j) / per_cell;
@@ -131,7 +133,7 @@ void Characteristics::lay_from_wall(Side side, int per_cell) {
       fan.speeds.push_back(speed);
       fan.below.push_back(speed - width / 2);
       fan.tracks.push_back(static_cast<int>(from_walls_.size()));
-      from_walls_.push_back(follow({y, inwards(side) * speed}, speed * width));
+      from_walls_.push_back(follow({y, inward_sign(side) * speed}, speed * width));
     }
   }
 }
@@ -153,9 +155,9 @@ void Characteristics::sort_from_walls() {
   }
 }
 
-// A cell that none has crossed, where the flow converges strongly, gets one of its own. Its strip
-// is so narrow that it takes nothing from cells that have others.
-void Characteristics::lay_through_gaps() {
+// A cell without a characteristic (strong convergence of the flow) gets its own. Its strip is so
+// narrow that it takes a negligible area from cells with other characteristics.
+void Characteristics::trace_through_gaps() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
   const auto mark = [&](std::size_t first) {
@@ -173,16 +175,16 @@ void Characteristics::lay_through_gaps() {
   }
 }
 
-// The equilibrium whose cells no motion from here leaves.
-std::optional<int> Characteristics::rest_within(const State& at) const {
+// The equilibrium whose cells no motion from this state leaves.
+std::optional<int> Characteristics::equilibrium_containing(const State& at) const {
   const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
-    const RestPlace& place = rest_[n];
-    const bool inside = !place.contact && std::ranges::any_of(place.cells, [&](const CellShare& c) {
-      return c.cell == cell;
-    });
-    if (inside && flow_.energy(at) < place.least_energy) return static_cast<int>(n);
+    const RestPoint& place = rest_[n];
+    const bool inside =
+        !place.contact &&
+        std::ranges::any_of(place.cells, [&](const CellFraction& c) { return c.cell == cell; });
+    if (inside && flow_.energy(at) < place.escape_energy) return static_cast<int>(n);
   }
   return std::nullopt;
 }
@@ -193,25 +195,26 @@ Track Characteristics::follow(const State& from, double flux) {
               .j = cell_of(grid_.x2, from.v),
               .flux = flux,
               .first = visits_.size()};
-  if (given_up_.is_over()) out_of_time_ = true;
-  constexpr double kAlike = 0.7;  // energies, for which the reach need not be looked for again
+  if (deadline_.has_passed()) out_of_time_ = true;
+  constexpr double kReuseRatio =
+      0.7;  // ratio of energies above which the accessible interval is reused
   Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
-  Reach reach = flow_.reach(from);
-  double energy = track.energy - reach.least_potential, time = 0;
+  AccessibleInterval accessible_interval = flow_.accessible_interval(from);
+  double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
-    if ((track.landing.rest = rest_within(at.state))) break;
-    if (ended() || (step > kMostSteps && rate_ * time > kLongest)) break;
-    if (flow_.energy(at.state) - reach.least_potential < kAlike * energy) {
-      reach = flow_.reach(at.state);
-      energy = flow_.energy(at.state) - reach.least_potential;
+    if ((track.landing.rest = equilibrium_containing(at.state))) break;
+    if (ended() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
+    if (flow_.energy(at.state) - accessible_interval.least_potential < kReuseRatio * energy) {
+      accessible_interval = flow_.accessible_interval(at.state);
+      energy = flow_.energy(at.state) - accessible_interval.least_potential;
     }
-    double span = flow_.longest_step(at.state, reach);
-    State end = flow_.after(at.state, span);
+    double span = flow_.max_step(at.state, accessible_interval);
+    State end = flow_.advance(at.state, span);
     const auto hit = flow_.beyond(end.y);
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
-      end = {flow_.wall(*hit)->position, flow_.after(at.state, span).v};
-      // By rounding errors alone it may seem to leave the wall.
+      end = {flow_.wall(*hit)->position, flow_.advance(at.state, span).v};
+      // Rounding errors may give the impact velocity the wrong sign.
       end.v = *hit == Side::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
     const Cubic path(flow_, at.state, end, span);
@@ -229,7 +232,7 @@ Track Characteristics::follow(const State& from, double flux) {
   return track;
 }
 
-// What leaves the wall again within the innermost cells comes to rest there.
+// Motion that leaves the wall slower than the innermost cells comes to rest there.
 void Characteristics::land(Side side, double speed, Landing& landing) const {
   landing.wall = side;
   landing.speed = speed;
@@ -244,7 +247,7 @@ void Characteristics::land(Side side, double speed, Landing& landing) const {
   }
 }
 
-// Along a straight line, from face to face.
+// Traverses a straight chord from face to face.
 void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
@@ -257,7 +260,7 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   at.state = to;
   double done = 0;
   while (true) {
-    double y_face = 2, v_face = 2;  // beyond the end
+    double y_face = 2, v_face = 2;  // fractions of the chord; above 1: not on the chord
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
     if (dv > 0 && at.j + 1 < grid_.nv()) v_face = (grid_.x2.faces()[at.j + 1] - from.v) / dv;
@@ -278,7 +281,7 @@ void Characteristics::cross(Position& at, const State& to, double time) {
         durations_.back() += duration;
       } else {
         visits_.push_back(
-            {.cell = cell, .ended = 0, .ended_begun = 0, .share = area, .y = y, .v = v});
+            {.cell = cell, .ended = 0, .mean_end_probability = 0, .share = area, .y = y, .v = v});
         durations_.push_back(duration);
       }
     }
@@ -292,8 +295,9 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   }
 }
 
-// Until here the shares are areas, and positions are from the centre of the cell.
-void Characteristics::share_areas() {
+// Converts areas to fractions of the cell, and positions from the cell's centre to positions from
+// the mean of all visits.
+void Characteristics::normalise_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
   };
@@ -307,11 +311,12 @@ void Characteristics::share_areas() {
   for (std::size_t n = 0; n < visits_.size(); ++n) {
     Visit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
-    const double expected = rate_ * durations_[n];  // impulses
+    const double expected = rate_ * durations_[n];  // expected number of impulses
     const double ended = -std::expm1(-expected);
     visit.ended = static_cast<float>(ended);
-    visit.ended_begun = static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
-    // What begins at rest stays there.
+    visit.mean_end_probability =
+        static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
+    // Mass that starts at rest remains there.
     visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
@@ -333,7 +338,7 @@ void Characteristics::find_landings(std::vector<Track>& tracks) const {
     const double slow = fan.speeds[slower], fast = fan.speeds[faster];
     landing.slower = fan.tracks[slower];
     landing.faster = fan.tracks[faster];
-    landing.to_faster =
+    landing.faster_fraction =
         fast > slow
             ? std::clamp((speed * speed - slow * slow) / (fast * fast - slow * slow), 0.0, 1.0)
             : 0;
@@ -346,14 +351,15 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
   for (const int contact : contacts_) {
     const Side side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Of an impulse off the wall, and into it.
+    // Probabilities that an impulse off the wall is slower than u, and that one into the wall is
+    // faster.
     const auto slower_off = [&](double u) {
       return side == Side::left ? law.cumulative(u) : 1 - law.cumulative(-u);
     };
     const auto faster_into = [&](double u) {
       return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
     };
-    // P(0 < speed after the impulse < u)
+    // P(0 < post-impulse speed < u)
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -363,11 +369,11 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
       const double above = k == 0 ? std::numeric_limits<double>::infinity() : fan.below[k - 1];
       emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
     }
-    emission.stays = slower(fan.below.back());
-    // E[Y^-] and its square's mean, by parts, between the law's breaks; of atoms they are sums.
+    emission.rest_fraction = slower(fan.below.back());
+    // E[Y^-] and E[(Y^-)^2], by parts between the breakpoints of the law; for atoms they are sums.
     const double into = side == Side::left ? -1 : 1;
     std::vector<double> ends{0};
-    for (const double end : law.smooth_pieces()) {
+    for (const double end : law.density_breakpoints()) {
       if (into * end > 0) ends.push_back(into * end);
     }
     std::ranges::sort(ends);

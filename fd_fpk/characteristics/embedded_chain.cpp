@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "fd_fpk/axis/cell_jumps.hpp"
 #include "fd_fpk/characteristics/aggregation.hpp"
-#include "fd_fpk/line/cell_jumps.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -12,48 +12,48 @@ namespace {
 class Chain {
  public:
   Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
-        const Deadline& given_up)
+        const Deadline& deadline)
       : grid_(grid),
         jumps_(cell_jumps(grid.x2, problem.impulses.law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
-                         characteristics_per_cell, given_up),
-        passage_(characteristics_, problem.impulses.law()),
-        tilts_after_(grid, characteristics_.rest_places()),
-        tilts_before_(grid, characteristics_.rest_places()) {}
+                         characteristics_per_cell, deadline),
+        transport_(characteristics_, problem.impulses.law()),
+        slopes_after_(grid, characteristics_.rest_points()),
+        slopes_before_(grid, characteristics_.rest_points()) {}
 
   const Characteristics& characteristics() const { return characteristics_; }
 
-  // From q to p.
-  Eigen::VectorXd carried(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
-    return passage_(after, tilted_ ? tilts_after_(after) : none(), impacts);
+  // p = T q.
+  Eigen::VectorXd apply_flow(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
+    return transport_(after, has_slopes_ ? slopes_after_(after) : zero_slopes(), impacts);
   }
 
-  // From p to q. What has rested in contact until now the passage starts.
-  Eigen::VectorXd kicked(const Eigen::VectorXd& before) const {
+  // q = J p. The transport operator sets mass at rest in contact in motion.
+  Eigen::VectorXd apply_jump(const Eigen::VectorXd& before) const {
     Eigen::VectorXd after = before;
-    columns(after).noalias() = jumps_.even * columns(before);
-    if (tilted_) {
-      const Eigen::VectorXd tilts = tilts_before_.in_v(before);
-      columns(after).noalias() += jumps_.tilt * columns(tilts);
+    columns(after).noalias() = jumps_.uniform * columns(before);
+    if (has_slopes_) {
+      const Eigen::VectorXd slopes = slopes_before_.v_slopes(before);
+      columns(after).noalias() += jumps_.slope * columns(slopes);
     }
     return after;
   }
 
-  void tilt_within(const Eigen::VectorXd& after) {
-    tilted_ = true;
-    tilts_after_.limit_by(after);
-    tilts_before_.limit_by(carried_evenly(after));
+  void enable_slopes(const Eigen::VectorXd& after) {
+    has_slopes_ = true;
+    slopes_after_.set_limiter(after);
+    slopes_before_.set_limiter(apply_flow_without_slopes(after));
   }
 
  private:
-  Tilts none() const {
+  CellSlopes zero_slopes() const {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(grid_.size());
     return {zero, zero};
   }
-  Eigen::VectorXd carried_evenly(const Eigen::VectorXd& after) const {
-    return passage_(after, none());
+  Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& after) const {
+    return transport_(after, zero_slopes());
   }
-  // The masses of each cell of x1 as a column.
+  // The masses of each x1 cell as a column.
   Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
@@ -64,22 +64,23 @@ class Chain {
   const Grid& grid_;
   CellJumps jumps_;
   Characteristics characteristics_;
-  Passage passage_;
-  TiltRule tilts_after_, tilts_before_;
-  bool tilted_ = false;
+  TransportOperator transport_;
+  SlopeReconstruction slopes_after_, slopes_before_;
+  bool has_slopes_ = false;
 };
 
-// Of the residual. Without tilts q is only what limits them.
+// Tolerances of the residual. The solution without slopes serves only as the slope limiter, so its
+// tolerance is larger.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Improves q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has no mass.
-void improve(const Chain& chain, const Aggregation& aggregation, double tolerance,
-             const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
-  const Eigen::VectorXd defect = chain.kicked(chain.carried(after)) - after;
+// Corrects q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has mass 0.
+void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double tolerance,
+                      const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
+  const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
-    return d - chain.kicked(chain.carried(d)) + after * d.sum();
+    return d - chain.apply_jump(chain.apply_flow(d)) + after * d.sum();
   };
   const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) { aggregation.correct(d); };
   const auto found =
@@ -93,8 +94,8 @@ void improve(const Chain& chain, const Aggregation& aggregation, double toleranc
   after /= after.sum();
 }
 
-// The more impulses it takes to forget, the more of the error is slow.
-int blocks_for(const problem::Problem& problem, const problem::Scales& scales) {
+// Slow convergence of the chain (many impulses per decay time) requires more blocks.
+int block_count(const problem::Problem& problem, const problem::Scales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
   return static_cast<int>(std::clamp(kPerImpulse * impulses, 200.0, 1600.0));
@@ -107,47 +108,48 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const proble
                                    const Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
-  const auto& places = characteristics.rest_places();
+  const auto& points = characteristics.rest_points();
   if (const std::string why = characteristics.failure(); !why.empty()) {
     return {.masses = std::nullopt,
             .failure = why,
             .visits = static_cast<long>(characteristics.visits().size())};
   }
   const auto atoms = static_cast<int>(characteristics.contacts().size());
-  Aggregation aggregation(grid, atoms, blocks_for(problem, scales));
+  Aggregation aggregation(grid, atoms, block_count(problem, scales));
   {
-    const Chain of_blocks(problem, aggregation.blocks(), characteristics_per_cell, deadline);
-    if (const std::string why = of_blocks.characteristics().failure(); !why.empty()) {
+    const Chain block_chain(problem, aggregation.blocks(), characteristics_per_cell, deadline);
+    if (const std::string why = block_chain.characteristics().failure(); !why.empty()) {
       return {.masses = std::nullopt, .failure = why};
     }
-    aggregation.set_chain(
-        [&](const Eigen::VectorXd& after) { return of_blocks.kicked(of_blocks.carried(after)); });
+    aggregation.set_block_chain([&](const Eigen::VectorXd& after) {
+      return block_chain.apply_jump(block_chain.apply_flow(after));
+    });
   }
   StationaryMasses result{.masses = std::nullopt,
-                          .rest = places,
+                          .rest = points,
                           .visits = static_cast<long>(characteristics.visits().size())};
-  // The first impulse finds the oscillator at rest.
+  // Initial state: the oscillator at rest.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
-  for (const RestPlace& place : places) {
-    if (place.contact) continue;
-    for (const auto& [cell, share] : place.cells) start(cell) = share;
+  for (const RestPoint& point : points) {
+    if (point.contact) continue;
+    for (const auto& [cell, share] : point.cells) start(cell) = share;
   }
   start.tail(atoms).setOnes();
   start /= start.sum();
-  Eigen::VectorXd after = chain.kicked(start);
-  improve(chain, aggregation, kRoughChainTolerance, deadline, after, result);
+  Eigen::VectorXd after = chain.apply_jump(start);
+  correct_by_gmres(chain, aggregation, kRoughChainTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
-  chain.tilt_within(after);
-  aggregation.spread_like(after);
-  improve(chain, aggregation, kChainTolerance, deadline, after, result);
+  chain.enable_slopes(after);
+  aggregation.set_disaggregation_weights(after);
+  correct_by_gmres(chain, aggregation, kChainTolerance, deadline, after, result);
   if (!result.failure.empty()) return result;
-  const Eigen::VectorXd before = chain.carried(after, &result.impacts);
-  result.residual = (chain.kicked(before) - after).cwiseAbs().sum();
+  const Eigen::VectorXd before = chain.apply_flow(after, &result.impacts);
+  result.residual = (chain.apply_jump(before) - after).cwiseAbs().sum();
   const Eigen::VectorXd masses = before / before.sum();
   result.masses = masses.head(grid.size());
-  for (const RestPlace& place : places) {
+  for (const RestPoint& point : points) {
     double mass = 0;
-    for (const auto& [cell, share] : place.cells) mass += masses(cell);
+    for (const auto& [cell, share] : point.cells) mass += masses(cell);
     result.at_rest.push_back(mass);
   }
   for (int k = 0; k < atoms; ++k) {

@@ -9,14 +9,16 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Damping times the longest step of the Runge-Kutta method: of 2.78 on the negative axis, where it
-// decays as it should.
+// Largest product of damping and Runge-Kutta step. The stability limit on the negative real axis is
+// 2.78; up to 0.75 the decay is also accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// expm1(s t)/s
-double grown(double s, double time) { return s == 0 ? time : std::expm1(s * time) / s; }
+// int_0^t exp(s t') dt' = expm1(s t) / s.
+double integrated_exponential(double s, double time) {
+  return s == 0 ? time : std::expm1(s * time) / s;
+}
 
 }  // namespace
 
@@ -28,11 +30,11 @@ Flow::Flow(const problem::System& system)
       damping_(system.damping_polynomial()),
       damping_slope_(system.damping_polynomial().derivative()),
       rayleigh_(system.rayleigh()),
-      turns_(problem::sign_changes_between_walls(force_, system)),
-      bends_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {}
+      potential_extrema_(problem::sign_changes_between_walls(force_, system)),
+      stiffness_extrema_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {}
 
 double Flow::distance(double y, Side side) const {
-  return inwards(side) * (y - wall(side)->position);
+  return inward_sign(side) * (y - wall(side)->position);
 }
 
 std::optional<Side> Flow::beyond(double y) const {
@@ -49,11 +51,13 @@ double Flow::contraction(const State& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
-// Exactly, with the forces linear about the state: exponentials of the roots s of
-// s^2 + f_v s + (f_y + g') = 0, real where a step is longer than explicit formulas stand.
-State Flow::after_creeping(const State& from, double time) const {
+// Exact solution for forces linearised about the state: exponentials of the roots s of s^2 + f_v s
+// + (f_y + g') = 0. The roots are real where a step exceeds the stability limit of explicit
+// methods.
+State Flow::advance_overdamped(const State& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = modes(from);
-  return {from.y + v_slow * grown(slow, time) + v_fast * grown(fast, time),
+  return {from.y + v_slow * integrated_exponential(slow, time) +
+              v_fast * integrated_exponential(fast, time),
           v_slow * std::exp(slow * time) + v_fast * std::exp(fast * time)};
 }
 
@@ -66,10 +70,10 @@ Flow::Modes Flow::modes(const State& at) const {
   return {.slow = slow, .fast = fast, .v_slow = at.v - v_fast, .v_fast = v_fast};
 }
 
-State Flow::after(const State& from, double time) const {
+State Flow::advance(const State& from, double time) const {
   if (contraction(from) * time > kStability) {
-    const State full = after_creeping(from, time);
-    const State halves = after_creeping(after_creeping(from, time / 2), time / 2);
+    const State full = advance_overdamped(from, time);
+    const State halves = advance_overdamped(advance_overdamped(from, time / 2), time / 2);
     return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
   }
   const double half = time / 2;
@@ -84,19 +88,23 @@ State Flow::after(const State& from, double time) const {
           from.v + time / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
-double Flow::longest_step(const State& from, const Reach& reach) const {
-  constexpr double kChange = 0.1;  // of the state, in the norm of the energy
-  // Over a saddle, and where no force acts, the state changes little and what comes next much.
-  constexpr double kLongest = 0.3, kOfTheWay = 0.1;
-  const double size = std::sqrt(2 * std::max(0.0, energy(from) - reach.least_potential));
-  const double rate = std::hypot(reach.frequency * from.v, acceleration(from));
+double Flow::max_step(const State& from, const AccessibleInterval& accessible_interval) const {
+  constexpr double kChange = 0.1;  // relative change of the state, in the energy norm
+  // Near a saddle, and where no force acts, the state changes slowly although fast changes follow.
+  constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
+  const double size =
+      std::sqrt(2 * std::max(0.0, energy(from) - accessible_interval.least_potential));
+  const double rate = std::hypot(accessible_interval.frequency * from.v, acceleration(from));
   const double free = kChange * size / rate;
-  const double across =
-      reach.high > reach.low ? kOfTheWay * (reach.high - reach.low) / std::abs(from.v) : kInfinity;
-  const double span = std::min({free, kLongest / reach.frequency, across});
+  const double across = accessible_interval.high > accessible_interval.low
+                            ? kIntervalFraction *
+                                  (accessible_interval.high - accessible_interval.low) /
+                                  std::abs(from.v)
+                            : kInfinity;
+  const double span = std::min({free, kLongest / accessible_interval.frequency, across});
   const double damping = contraction(from);
   if (damping * span <= kStability) return span;
-  // What decays fast changes the sign of v, and bends the path at the begin of a step.
+  // The fast mode changes the sign of v, and bends the path at the beginning of a step.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const Modes modes = this->modes(from);
   const double smooth =
@@ -104,9 +112,9 @@ double Flow::longest_step(const State& from, const Reach& reach) const {
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// Between neighbouring turns U is monotone; beyond the last it grows.
-double Flow::end_of_reach(double y, double energy, Side side) const {
-  const double sign = -inwards(side);
+// U is monotone between neighbouring extrema and increases outside them.
+double Flow::end_of_accessible_interval(double y, double energy, Side side) const {
+  const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
     constexpr int kBisections = 30;
@@ -123,9 +131,9 @@ double Flow::end_of_reach(double y, double energy, Side side) const {
     reached = knot;
     return true;
   };
-  const auto count = static_cast<int>(turns_.size());
+  const auto count = static_cast<int>(potential_extrema_.size());
   for (int n = 0; n < count; ++n) {
-    const double turn = turns_[side == Side::left ? count - 1 - n : n];
+    const double turn = potential_extrema_[side == Side::left ? count - 1 - n : n];
     if (!passes(turn)) return between(reached, turn);
   }
   if (const auto& end = wall(side)) {
@@ -136,69 +144,77 @@ double Flow::end_of_reach(double y, double energy, Side side) const {
   return between(reached, reached + sign * step);
 }
 
-Reach Flow::reach(const State& at) const {
+AccessibleInterval Flow::accessible_interval(const State& at) const {
   const double level = energy(at);
-  Reach reach{.low = end_of_reach(at.y, level, Side::left),
-              .high = end_of_reach(at.y, level, Side::right),
-              .least_potential = 0,
-              .frequency = 0};
-  const auto inside = [&](double y) { return y > reach.low && y < reach.high; };
-  double stiffness = std::max(std::abs(tangent_(reach.low)), std::abs(tangent_(reach.high)));
-  reach.least_potential = std::min(potential_(reach.low), potential_(reach.high));
-  for (const double y : turns_) {
-    if (inside(y)) reach.least_potential = std::min(reach.least_potential, potential_(y));
+  AccessibleInterval accessible_interval{
+      .low = end_of_accessible_interval(at.y, level, Side::left),
+      .high = end_of_accessible_interval(at.y, level, Side::right),
+      .least_potential = 0,
+      .frequency = 0};
+  const auto inside = [&](double y) {
+    return y > accessible_interval.low && y < accessible_interval.high;
+  };
+  double stiffness = std::max(std::abs(tangent_(accessible_interval.low)),
+                              std::abs(tangent_(accessible_interval.high)));
+  accessible_interval.least_potential =
+      std::min(potential_(accessible_interval.low), potential_(accessible_interval.high));
+  for (const double y : potential_extrema_) {
+    if (inside(y))
+      accessible_interval.least_potential =
+          std::min(accessible_interval.least_potential, potential_(y));
   }
-  for (const double y : bends_) {
+  for (const double y : stiffness_extrema_) {
     if (inside(y)) stiffness = std::max(stiffness, std::abs(tangent_(y)));
   }
-  reach.frequency = std::sqrt(stiffness);
-  return reach;
+  accessible_interval.frequency = std::sqrt(stiffness);
+  return accessible_interval;
 }
 
-Winding Flow::winding(double speed) const {
+HalfCycle Flow::half_cycle(double speed) const {
   constexpr double kCreeping = 1e-6;
   const double wall = system_.left()->position;
   State state{wall, speed};
-  Winding winding{.height = 0, .duration = kInfinity};
+  HalfCycle half_cycle{.height = 0, .duration = kInfinity};
   double time = 0;
-  const Reach reach = this->reach(state);
-  while (energy(state) - reach.least_potential > kCreeping * speed * speed) {
-    const double span = longest_step(state, reach);
-    const State end = after(state, span);
+  const AccessibleInterval accessible_interval = this->accessible_interval(state);
+  while (energy(state) - accessible_interval.least_potential > kCreeping * speed * speed) {
+    const double span = max_step(state, accessible_interval);
+    const State end = advance(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The parabola's top.
+      // The apex of the parabola.
       const double until = span * state.v / (state.v - end.v);
-      winding.height = std::max(winding.height, after(state, until).y - wall);
+      half_cycle.height = std::max(half_cycle.height, advance(state, until).y - wall);
     }
     const auto hit = beyond(end.y);
     if (hit == Side::left) {
       const double until = impact_time(state, span, Side::left);
-      winding.landing = -after(state, until).v;
-      winding.duration = time + until;
+      half_cycle.impact_speed = -advance(state, until).v;
+      half_cycle.duration = time + until;
       break;
     }
-    if (hit) {  // the other wall
-      winding.height = system_.right()->position - wall;
+    if (hit) {  // the right wall
+      half_cycle.height = system_.right()->position - wall;
       break;
     }
     time += span;
     state = end;
   }
-  return winding;
+  return half_cycle;
 }
 
 double Flow::impact_time(const State& from, double time, Side side) const {
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
-  // Where the chord meets the wall; a flight from the wall itself has none.
+  // Intersection of the chord with the wall; for a flight that starts at the wall, half of the
+  // time.
   double guess = distance_now > 0
-                     ? time * distance_now / (distance_now - distance(after(from, time).y, side))
+                     ? time * distance_now / (distance_now - distance(advance(from, time).y, side))
                      : time / 2;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const State at = after(from, guess);
+    const State at = advance(from, guess);
     const double left = distance(at.y, side);
     (left < 0 ? until : before) = guess;
-    double next = guess - left / (inwards(side) * at.v);
+    double next = guess - left / (inward_sign(side) * at.v);
     if (!(next > before && next < until)) next = (before + until) / 2;
     const bool close = std::abs(next - guess) <= 1e-13 * time;
     guess = next;

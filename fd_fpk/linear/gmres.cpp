@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fd_fpk/linear/carried_exception.hpp"
+#include "fd_fpk/linear/captured_exception.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -10,46 +10,47 @@ namespace {
 
 using namespace sundials_owned;
 
-struct Applied {
+struct GmresCallbacks {
   const LinearMap& a;
-  const ApproximateSolve& nearby;
+  const ApproximateSolve& approximate_solve;
   const Deadline& deadline;
-  bool late = false;
-  CarriedException thrown = {};
+  bool deadline_exceeded = false;
+  CapturedException thrown = {};
 };
 
 int times(void* data, N_Vector v, N_Vector z) {
-  auto& callbacks = *static_cast<Applied*>(data);
-  return callbacks.thrown.flag_of([&] {
-    callbacks.late = callbacks.deadline.is_over();
-    if (callbacks.late) return CarriedException::kUnrecoverable;
+  auto& callbacks = *static_cast<GmresCallbacks*>(data);
+  return callbacks.thrown.invoke([&] {
+    callbacks.deadline_exceeded = callbacks.deadline.has_passed();
+    if (callbacks.deadline_exceeded) return CapturedException::kUnrecoverable;
     view(z) = callbacks.a(view(v));
     return 0;
   });
 }
 
 int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
-  auto& callbacks = *static_cast<Applied*>(data);
-  return callbacks.thrown.flag_of([&] {
+  auto& callbacks = *static_cast<GmresCallbacks*>(data);
+  return callbacks.thrown.invoke([&] {
     view(z) = view(r);
-    callbacks.nearby(view(z));
+    callbacks.approximate_solve(view(z));
     return 0;
   });
 }
 
 }  // namespace
 
-GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eigen::VectorXd& b,
-                  const Eigen::VectorXd& weights, double tolerance, const Deadline& deadline) {
+GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
+                  const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
+                  const Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
   QuietContext context;
-  Applied callbacks{a, nearby, deadline};
-  const auto x = vector_of(Eigen::VectorXd::Zero(b.size()), context);
-  const auto right = vector_of(b, context);
-  const auto scale = vector_of(weights, context);
+  GmresCallbacks callbacks{a, approximate_solve, deadline};
+  const auto x = make_vector(Eigen::VectorXd::Zero(b.size()), context);
+  const auto right = make_vector(b, context);
+  const auto scale = make_vector(weights, context);
   const auto solver =
-      owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
+      make_owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
   check(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts), "SUNLinSol_SPGMRSetMaxRestarts");
   check(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
   check(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),
@@ -58,8 +59,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
         "SUNLinSolSetScalingVectors");
   check(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   check(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
-  // One basis loses its orthogonality before the residual has fallen by much more than kReduction,
-  // and then runs to its end: on fine grids without any gain.
+  // A Krylov basis loses its orthogonality before the residual has fallen by much more than
+  // kReduction. Further iterations then give no reduction on fine grids, so the solve restarts.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(b).norm();
   GmresResult result{std::nullopt};
@@ -73,9 +74,9 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& nearby, const Eige
     result.iterations += SUNLinSolNumIters(solver.get());
     if (flag < 0) break;
   }
-  if (callbacks.late) {
-    result.failure = fmt::format(
-        "GMRES had not converged in {} iterations when max_seconds were over", result.iterations);
+  if (callbacks.deadline_exceeded) {
+    result.failure = fmt::format("GMRES did not converge: max_seconds expired after {} iterations",
+                                 result.iterations);
     return result;
   }
   const bool reduced = flag == kSuccess || flag == SUNLS_RES_REDUCED;

@@ -9,7 +9,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The three arrays of a matrix. KLU's interface is not const-correct, but KLU only reads them.
+// The three arrays of a matrix. The interface of KLU is not const-correct, but KLU does not modify
+// them.
 struct Arrays {
   SparseColumns::StorageIndex* columns;
   SparseColumns::StorageIndex* rows;
@@ -30,7 +31,7 @@ struct KluFactorisation::Handles {
 
   Handles() {
     klu_l_defaults(&common);
-    common.btf = 0;  // the operator is irreducible: every cell is reached from every other
+    common.btf = 0;  // the operator is irreducible: every cell is reachable from every other cell
   }
   ~Handles() {
     klu_l_free_numeric(&numeric, &common);
@@ -62,8 +63,8 @@ bool KluFactorisation::factor(const SparseColumns& matrix) {
   return numeric != nullptr && common.status == KLU_OK;
 }
 
-// Factors with the pivots of the last factorisation. False when there are none, or when the factors
-// grow so much that they would be worth little.
+// Factors with the pivots of the last factorisation. Returns false without such pivots, or when the
+// pivot growth makes the factors inaccurate.
 bool KluFactorisation::refactor(const SparseColumns& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;
@@ -92,9 +93,10 @@ std::string KluFactorisation::failure() const {
   switch (handles_->common.status) {
     case KLU_OUT_OF_MEMORY:
     case KLU_TOO_LARGE:
-      return "not enough memory to factor the operator (take a coarser grid or a smaller box)";
+      return "the operator cannot be factored: not enough memory; use a coarser grid or a smaller "
+             "box";
     default:
-      return "KLU found the operator singular beyond its null vector (take a finer grid)";
+      return "the operator cannot be factored: KLU reports a singular matrix; use a finer grid";
   }
 }
 

@@ -8,9 +8,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Sparse LU factorisations by KLU, ordered by nested dissection (CHOLMOD with METIS). The ordering
-/// is found once, and so are the pivots: all matrices that one object factors must have the same
-/// pattern. A matrix for which the pivots of the one before are no good gets its own.
+/// Sparse LU factorisations by KLU with a nested-dissection ordering (CHOLMOD with METIS). Ordering
+/// and pivots are computed once: all matrices of one object must have the same pattern. A matrix
+/// for which the previous pivots are numerically unsuitable is factored with new pivots.
 class KluFactorisation {
  public:
   KluFactorisation();
@@ -18,11 +18,11 @@ class KluFactorisation {
   KluFactorisation(KluFactorisation&&) noexcept;
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
-  /// Factors `matrix`. False when there is no factorisation; then solve must not be called.
+  /// Factors `matrix`. Returns false on failure; solve_in_place must not be called then.
   bool factor(const SparseColumns& matrix);
-  /// Why it failed and what to do; empty when it succeeded.
+  /// Reason of the failure and what to do; empty on success.
   std::string failure() const;
-  /// Entries of both factors.
+  /// Number of entries of both factors.
   long entries() const;
 
   /// Replaces b by the solution x of A x = b.

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "fd_fpk/linear/carried_exception.hpp"
+#include "fd_fpk/linear/captured_exception.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {
 
-// Part of Handles, which the header declares.
+// Part of Handles, which is declared in the header.
 struct Callbacks {
   LinearSystem system;
   std::string message = {};
-  CarriedException thrown = {};
+  CapturedException thrown = {};
 };
 
 namespace {
@@ -21,7 +21,7 @@ using namespace sundials_owned;
 Callbacks& callbacks_in(void* data) { return *static_cast<Callbacks*>(data); }
 
 int write_product(Callbacks& callbacks, N_Vector v, N_Vector lv) {
-  return callbacks.thrown.flag_of([&] {
+  return callbacks.thrown.invoke([&] {
     view(lv) = callbacks.system.times(view(v));
     return 0;
   });
@@ -39,14 +39,14 @@ int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* curr
            sunrealtype gamma, void* data) {
   auto& callbacks = callbacks_in(data);
   *current = SUNTRUE;
-  return callbacks.thrown.flag_of(
-      [&] { return callbacks.system.factor(gamma) ? 0 : CarriedException::kUnrecoverable; });
+  return callbacks.thrown.invoke(
+      [&] { return callbacks.system.factor(gamma) ? 0 : CapturedException::kUnrecoverable; });
 }
 
 int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrealtype, sunrealtype,
                  int, void* data) {
   auto& callbacks = callbacks_in(data);
-  return callbacks.thrown.flag_of([&] {
+  return callbacks.thrown.invoke([&] {
     view(z) = view(r);
     callbacks.system.solve(view(z));
     return 0;
@@ -55,7 +55,7 @@ int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrea
 
 void store_message(const char* function, const char* text, void* data) {
   auto& callbacks = callbacks_in(data);
-  callbacks.thrown.flag_of([&] {
+  callbacks.thrown.invoke([&] {
     callbacks.message = fmt::format("{}: {}", function, text);
     return 0;
   });
@@ -70,9 +70,9 @@ LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preco
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
-LinearSystem within(const Deadline& deadline, LinearSystem system) {
+LinearSystem with_deadline(const Deadline& deadline, LinearSystem system) {
   system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
-    if (deadline.is_over()) throw OutOfTime();
+    if (deadline.has_passed()) throw DeadlineExceeded();
     return times(p);
   };
   return system;
@@ -87,10 +87,10 @@ struct LinearCvode::Handles {
 
   Handles(LinearSystem system, const Eigen::VectorXd& start)
       : callbacks{std::move(system)},
-        averages(vector_of(start, context)),
-        gmres(
-            owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context), "a GMRES solver")),
-        cvode(owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
+        averages(make_vector(start, context)),
+        gmres(make_owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context),
+                         "a GMRES solver")),
+        cvode(make_owned(CVodeCreate(CV_BDF, context), "CVODE")) {}
 
   using Count = int(void* cvode, long* count);
   long count(Count get, const char* call) const {
@@ -109,7 +109,8 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
   set_error_handler<store_message>(cvode, handles_->context, data);
   check(CVodeSetUserData(cvode, data), "CVodeSetUserData");
   if (const auto& of_cells = control.absolute_tolerances) {
-    const Owned<N_Vector> tolerances = vector_of(*of_cells, handles_->context);  // CVODE copies it
+    const Owned<N_Vector> tolerances =
+        make_vector(*of_cells, handles_->context);  // CVODE copies it
     check(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
           "CVodeSVtolerances");
   } else {
@@ -123,8 +124,7 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
   check(CVodeSetEpsLin(cvode, control.linear_tolerance), "CVodeSetEpsLin");
   if (const auto& step = control.first_step)
     check(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
-  if (const auto& step = control.longest_step)
-    check(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
+  if (const auto& step = control.max_step) check(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
   if (const auto& growth = control.step_growth) {
     check(CVodeSetEtaMaxFirstStep(cvode, *growth), "CVodeSetEtaMaxFirstStep");
     check(CVodeSetEtaMaxEarlyStep(cvode, *growth), "CVodeSetEtaMaxEarlyStep");
@@ -132,7 +132,7 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
   }
   if (const auto& time = control.stop_time)
     check(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
-  if (const auto& steps = control.most_steps) {
+  if (const auto& steps = control.max_steps) {
     check(CVodeSetMaxNumSteps(cvode, *steps), "CVodeSetMaxNumSteps");
   }
   if (const auto& steps = control.steps_per_factorisation) {
@@ -142,8 +142,8 @@ LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
 
 LinearCvode::~LinearCvode() = default;
 
-LinearCvode::Reached LinearCvode::run(double time, int task) {
-  Reached reached{.flag = 0, .time = 0};
+LinearCvode::StepResult LinearCvode::run(double time, int task) {
+  StepResult reached{.flag = 0, .time = 0};
   reached.flag = CVode(handles_->cvode.get(), time, handles_->averages.get(), &reached.time, task);
   handles_->callbacks.thrown.rethrow();
   return reached;
@@ -153,8 +153,8 @@ void LinearCvode::set_linear_tolerance(double tolerance) {
   check(CVodeSetEpsLin(handles_->cvode.get(), tolerance), "CVodeSetEpsLin");
 }
 
-LinearCvode::Reached LinearCvode::step() { return run(HUGE_VAL, CV_ONE_STEP); }
-LinearCvode::Reached LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
+LinearCvode::StepResult LinearCvode::step() { return run(HUGE_VAL, CV_ONE_STEP); }
+LinearCvode::StepResult LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
 
 Eigen::Map<const Eigen::VectorXd> LinearCvode::averages() const {
   const auto all = view(handles_->averages.get());

@@ -11,40 +11,41 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// dP/dt = L P, and a way to solve with I - gamma L approximately.
+/// dP/dt = L P, and approximate solves with I - gamma L.
 struct LinearSystem {
   LinearMap times;                           ///< L P
-  std::function<bool(double gamma)> factor;  ///< before `solve`; false when it failed
-  ApproximateSolve solve;                    ///< with the gamma of the last factorisation
+  std::function<bool(double gamma)> factor;  ///< called before `solve`; false on failure
+  ApproximateSolve solve;                    ///< uses the gamma of the last factorisation
 };
-/// @param op,preconditioner must outlive the system
+/// @param op,preconditioner must outlive the returned system
 LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
 
-/// Thrown out of a step that is under way at a deadline: one step may take as long as many products.
-struct OutOfTime {};
+/// Thrown inside a step at its deadline: one step may take as long as many products.
+struct DeadlineExceeded {};
 
-/// The same system, whose products throw OutOfTime after the deadline.
-/// @param deadline must outlive it
-LinearSystem within(const Deadline& deadline, LinearSystem system);
+/// The same system with products that throw DeadlineExceeded after the deadline.
+/// @param deadline must outlive the returned system
+LinearSystem with_deadline(const Deadline& deadline, LinearSystem system);
 
-/// How CVODE steps; what is left out is as CVODE has it.
+/// Step control of CVODE; absent values are the defaults of CVODE.
 struct BdfControl {
-  int max_order;  ///< of BDF, 1 .. 5; above 2 it is not stable on the whole imaginary axis
-  double relative_tolerance;  ///< of the local error of a cell's average, in the RMS over the cells
+  /// Order of BDF, 1 .. 5; orders above 2 are unstable on part of the imaginary axis.
+  int max_order;
+  double relative_tolerance;  ///< for the local error of a cell average, in the RMS over the cells
   double absolute_tolerance;  ///< likewise, in units of the density
-  double linear_tolerance;    ///< of GMRES, as a fraction of the local error
-  /// In place of the absolute one, cell by cell: shape of the start.
+  double linear_tolerance;    ///< tolerance of GMRES as a fraction of the local error
+  /// Replaces the absolute tolerance by a value for each cell: shape of the start.
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
-  std::optional<double> longest_step = {};
-  std::optional<double> step_growth = {};            ///< largest factor from one step to the next
-  std::optional<double> stop_time = {};              ///< no step goes beyond it
-  std::optional<long> most_steps = {};               ///< on the way to one time
-  std::optional<long> steps_per_factorisation = {};  ///< at most, while gamma does not change
+  std::optional<double> max_step = {};
+  std::optional<double> step_growth = {};  ///< largest ratio of successive steps
+  std::optional<double> stop_time = {};    ///< upper limit of the time of a step
+  std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
+  std::optional<long> steps_per_factorisation = {};  ///< maximum, for a constant gamma
 };
 
-/// CVODE, BDF, on dP/dt = L P: GMRES with L itself, preconditioned by factors of something close to
-/// I - gamma L.
+/// CVODE with BDF for dP/dt = L P: GMRES with L itself, preconditioned by factors of an
+/// approximation of I - gamma L.
 class LinearCvode {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
@@ -53,24 +54,24 @@ class LinearCvode {
   LinearCvode(const LinearCvode&) = delete;
   LinearCvode& operator=(const LinearCvode&) = delete;
 
-  struct Reached {
-    int flag;  ///< of CVODE; negative: it stopped, see message()
+  struct StepResult {
+    int flag;  ///< flag of CVODE; negative: it stopped, see message()
     double time;
   };
-  /// From the next step on; see BdfControl::linear_tolerance.
+  /// Takes effect from the next step; see BdfControl::linear_tolerance.
   void set_linear_tolerance(double tolerance);
   /// One internal step.
-  /// @throws what the system throws
-  Reached step();
-  /// Steps on to `time`; the averages are interpolated there.
-  /// @throws what the system throws
-  Reached advance(double time);
+  /// @throws every exception of the system
+  StepResult step();
+  /// Advances to `time`; the averages are interpolated there.
+  /// @throws every exception of the system
+  StepResult advance(double time);
 
   Eigen::Map<const Eigen::VectorXd> averages() const;
-  /// What CVODE last complained of.
+  /// The last error message of CVODE.
   const std::string& message() const;
 
-  /// Counts of CVODE since the start.
+  /// Counters of CVODE since the start.
   long steps() const;
   long factorisations() const;
   long rhs_evaluations() const;
@@ -78,7 +79,7 @@ class LinearCvode {
 
  private:
   struct Handles;
-  Reached run(double time, int task);
+  StepResult run(double time, int task);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -13,24 +13,26 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
   constexpr double kTolerance = 1e-13;
   if (!preconditioner.factor_stationary()) return {std::nullopt, 0, preconditioner.failure()};
   const auto times = [&](const Eigen::VectorXd& p) { return op * p; };
-  const auto nearby = [&](Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); };
+  const auto approximate_solve = [&](Eigen::Ref<Eigen::VectorXd> b) {
+    preconditioner.solve_in_place(b);
+  };
   const Stopwatch stopwatch;
   auto [correction, iterations, failure] =
-      gmres(times, nearby, -(op * start), op.areas, kTolerance, deadline);
+      gmres(times, approximate_solve, -(op * start), op.areas, kTolerance, deadline);
   const double seconds = stopwatch.seconds();
-  if (!correction) return {std::nullopt, iterations, failure + " (take another grid)", seconds};
+  if (!correction) return {std::nullopt, iterations, failure + "; use another grid", seconds};
   Eigen::VectorXd averages = start + *correction;
   averages /= op.mass(averages);
   return {std::move(averages), iterations, "", seconds};
 }
 
-NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::VectorXd& start,
-                                double frequency) {
-  constexpr double kShift = 1e-7;  // off the singular matrix, in units of frequency
+NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                            const Eigen::VectorXd& start, double frequency) {
+  constexpr double kShift = 1e-7;  // shift off the singular matrix, in units of frequency
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
   KluFactorisation klu;
-  if (!klu.factor(shifted(1, op.assembled(), -kShift * frequency)))
+  if (!klu.factor(scale_and_shift(1, op.assembled(), -kShift * frequency)))
     return {std::nullopt, 0, klu.failure()};
   Eigen::VectorXd averages = start;
   for (int k = 0; k < kIterations; ++k) {
@@ -39,7 +41,8 @@ NullVector factored_null_vector(const FokkerPlanckOperator& op, const Eigen::Vec
   }
   const double residual = op.residual(averages) / frequency;
   if (!(residual < kResidual)) {
-    return {std::nullopt, 0, fmt::format("inverse iteration stopped at residual {:.1e}", residual)};
+    return {std::nullopt, 0,
+            fmt::format("inverse iteration did not converge: residual {:.1e}", residual)};
   }
   return {std::move(averages), 0};
 }

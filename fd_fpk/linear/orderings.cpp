@@ -12,9 +12,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// METIS draws from the C library's random numbers, one sequence for the whole process: it seeds them
-// for each dissection, but two dissections at once would draw from one another's, and their orders
-// (and the last digits of all that is solved by them) would depend on who came when.
+// METIS uses the random numbers of the C library, one sequence for the whole process. It seeds them
+// for each dissection, but concurrent dissections would share the sequence. Their orderings, and
+// the last digits of all solutions, would then depend on the timing of threads.
 std::mutex dissection_mutex;
 
 std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
@@ -23,17 +23,18 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = n;
   graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
-  // It only reads them.
+  // CHOLMOD does not modify these arrays.
   graph.p = const_cast<SparseColumns::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumns::StorageIndex*>(symmetric.innerIndexPtr());
-  graph.stype = 1;  // symmetric, the upper triangle counts
+  graph.stype = 1;  // symmetric: the upper triangle is read
   graph.itype = CHOLMOD_LONG;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
-  // Without memory METIS ends the program: CHOLMOD looks first whether there is twice what it needs.
+  // METIS aborts the program when memory is exhausted: CHOLMOD first checks for twice the memory
+  // that METIS needs.
   common.metis_memory = 2;
   std::vector<std::int64_t> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
@@ -44,31 +45,31 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   return order;
 }
 
-/// By what a pattern is known again: were two patterns of as many unknowns taken for one another, the
-/// order would be a poorer one, and nothing else.
-struct Pattern {
+/// Key of a sparsity pattern. A hash collision of two patterns with equal sizes would cause a less
+/// efficient ordering, and no error.
+struct SparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
 
-  explicit Pattern(const SparseColumns& matrix)
+  explicit SparsityPattern(const SparseColumns& matrix)
       : unknowns(matrix.cols()), entries(matrix.nonZeros()), hash(0) {
     boost::hash_range(hash, matrix.outerIndexPtr(), matrix.outerIndexPtr() + unknowns + 1);
     boost::hash_range(hash, matrix.innerIndexPtr(), matrix.innerIndexPtr() + entries);
   }
-  bool operator==(const Pattern&) const = default;
+  bool operator==(const SparsityPattern&) const = default;
 };
 
-/// The orders that were asked for last.
-class Kept {
+/// Cache of the most recent orderings.
+class OrderingCache {
  public:
-  std::vector<std::int64_t> find(const Pattern& pattern) {
+  std::vector<std::int64_t> find(const SparsityPattern& pattern) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(orders_, pattern, &Entry::first);
     if (found == orders_.end()) return {};
     orders_.splice(orders_.begin(), orders_, found);
     return found->second;
   }
-  void put(const Pattern& pattern, const std::vector<std::int64_t>& order) {
+  void put(const SparsityPattern& pattern, const std::vector<std::int64_t>& order) {
     const std::lock_guard lock(mutex_);
     orders_.emplace_front(pattern, order);
     unknowns_ += order.size();
@@ -81,21 +82,22 @@ class Kept {
  private:
   static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB
 
-  using Entry = std::pair<Pattern, std::vector<std::int64_t>>;
+  using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
   std::mutex mutex_;
-  std::list<Entry> orders_;  // the last one first
+  std::list<Entry> orders_;  // most recent first
   std::size_t unknowns_ = 0;
 };
 
 }  // namespace
 
 std::vector<std::int64_t> ordering(const SparseColumns& matrix) {
-  static Kept& kept = *new Kept;  // never destroyed: a thread may still ask at the end
-  const Pattern pattern(matrix);
-  auto order = kept.find(pattern);
+  static OrderingCache& cache =
+      *new OrderingCache;  // never destroyed: threads may still use it at exit
+  const SparsityPattern pattern(matrix);
+  auto order = cache.find(pattern);
   if (!order.empty()) return order;
   order = nested_dissection(matrix);
-  if (!order.empty()) kept.put(pattern, order);
+  if (!order.empty()) cache.put(pattern, order);
   return order;
 }
 

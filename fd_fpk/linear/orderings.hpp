@@ -7,11 +7,11 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// An order of unknowns in which a factorisation of the matrix has few entries, by nested dissection
-/// of the graph of A + A^T (CHOLMOD with METIS). It follows from the pattern alone; the orders of the
-/// last patterns are kept, since grids of one size come again: coarser ones for an estimate of the
-/// error, neighbours of a sweep. May be called from several threads.
-/// @return empty when there is none
+/// A fill-reducing ordering of the unknowns for a factorisation, by nested dissection of the graph
+/// of A + A^T (CHOLMOD with METIS). It depends on the pattern of the matrix alone. Recent orderings
+/// are cached, since grids of one size recur: coarser grids of an error estimate, neighbours in a
+/// sweep. Thread-safe.
+/// @return empty on failure
 std::vector<std::int64_t> ordering(const SparseColumns& matrix);
 
 }  // namespace fpkcheck::fd_fpk

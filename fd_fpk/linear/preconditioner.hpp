@@ -12,46 +12,47 @@ class System;
 
 namespace fpkcheck::fd_fpk {
 
-/// Solves systems with I - gamma L, or with L itself, approximately: KLU on a sparse operator of
-/// the same equation and of low order. The jumps, which would fill the factors, are left out and a
-/// weak diffusion put in their place; a small loss of mass keeps the matrix regular. GMRES corrects
-/// for all three. The number of its iterations hardly grows with the grid (docs/performance.md).
+/// Approximate solves with I - gamma L, or with L itself: KLU on a sparse low-order operator of the
+/// same equation. A weak diffusion replaces the jumps, which would fill the factors; a small loss
+/// of mass makes the matrix regular. GMRES corrects for all three approximations. Its number of
+/// iterations hardly increases with the grid (docs/performance.md).
 class Preconditioner {
  public:
-  /// @param order of L. An even one is taken as it is, and not replaced by the third: centred
-  ///        differences lack the upwind dissipation, and GMRES would not get along with it.
+  /// @param order of L. Even orders are used unchanged instead of the third order: centred
+  /// differences lack the upwind dissipation, and GMRES would not converge with a dissipative
+  /// preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss problem::Scales::slowest_decay, where it is known
+  /// @param loss problem::Scales::slowest_decay_rate, where known
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M. False when it failed; see failure(). For gamma that is long against the
-  /// slowest decay it is nearly -gamma M: right after factor_stationary() those factors are kept, and
-  /// GMRES corrects for the rest, as it does for the loss.
+  /// Factors I - gamma M. Returns false on failure; see failure(). For gamma much longer than the
+  /// slowest decay time the matrix is nearly -gamma M: directly after factor_stationary() those
+  /// factors are reused, and GMRES corrects for the difference, as for the loss.
   bool factor(double gamma);
   /// Factors M.
   bool factor_stationary();
   std::string failure() const { return klu_.failure(); }
 
-  long factorisations() const { return factorisations_; }  ///< so far
-  /// Time spent in them, in seconds.
+  long factorisations() const { return factorisations_; }  ///< number of factorisations so far
+  /// Total time of the factorisations, in seconds.
   double factor_seconds() const { return factor_seconds_; }
-  /// Entries of the factors.
+  /// Number of entries of the factors.
   long entries() const { return klu_.entries(); }
 
   /// Replaces b by the solution.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
-  bool factored_by_klu(const SparseColumns& matrix);
+  bool factor_with_klu(const SparseColumns& matrix);
 
   double loss_;
   SparseColumns approximation_;  // M, with its diagonal stored
   SparseColumns factored_;
   KluFactorisation klu_;
-  bool of_stationary_ = false;  // the factors are those of M
-  double multiple_ = 1;  // of the factored matrix, which takes the place of the one asked for
+  bool are_stationary_ = false;  // true if the factors are those of M
+  double matrix_scale_ = 1;      // the requested matrix is this multiple of the factored matrix
   long factorisations_ = 0;
   double factor_seconds_ = 0;
 };

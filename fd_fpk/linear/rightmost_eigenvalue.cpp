@@ -14,16 +14,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kTolerance = 1e-9;  // of a Ritz value's residual, relative
+constexpr double kTolerance = 1e-9;  // relative residual of a Ritz value
 constexpr long kRestarts = 20;
 constexpr long kTestRestarts = 6;
 constexpr int kNearest = 20;
-constexpr int kSpare = 3;  // eigenvalues that a test asks for beyond those known
+constexpr int kSpare = 3;  // eigenvalues requested by a test in addition to the known ones
 constexpr int kBasis = 60;
-// Closer than this, in units of the rates at hand, two Ritz values are one eigenvalue.
+// Two Ritz values closer than this, in units of the relevant rate, are one eigenvalue.
 constexpr double kSame = 1e-7;
 
-// (L - sigma)^-1.
+// The operator (L - sigma)^-1.
 class ShiftedInverse {
  public:
   explicit ShiftedInverse(SparseColumns matrix) : matrix_(std::move(matrix)) {}
@@ -31,9 +31,9 @@ class ShiftedInverse {
   Eigen::Index size() const { return matrix_.rows(); }
 
   void set_shift(double sigma) {
-    // The pattern must not depend on the shift: KLU keeps its ordering.
+    // The pattern must not depend on the shift, since KLU reuses its ordering.
     ++factorisations_;
-    if (!klu_.factor(shifted(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
+    if (!klu_.factor(scale_and_shift(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
     sigma_ = sigma;
   }
   double shift() const { return sigma_; }
@@ -54,12 +54,12 @@ class ShiftedInverse {
   mutable long solves_ = 0;
 };
 
-// T = constant + factor (L - sigma)^-1 as Spectra wants it.
+// T = constant + factor (L - sigma)^-1, in the interface of Spectra.
 class Transform {
  public:
   using Scalar = double;
 
-  /// The shifted inverse itself.
+  /// The operator (L - sigma)^-1 itself.
   explicit Transform(const ShiftedInverse& inverse) : Transform(inverse, 0, 1) {}
   /// The Cayley transform C = 1 + 2 (sigma - m) (L - sigma)^-1.
   static Transform cayley(const ShiftedInverse& inverse, double m) {
@@ -95,8 +95,8 @@ struct EigenPairs {
   Eigen::MatrixXcd vectors;  // shape (size, values)
 };
 
-// What has converged of the `count` eigenvalues of L that the transform makes the largest.
-EigenPairs largest(Transform& transform, int count, long restarts) {
+// The converged ones among the `count` eigenvalues of L that are dominant under the transform.
+EigenPairs largest_eigenpairs(Transform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
@@ -107,9 +107,9 @@ EigenPairs largest(Transform& transform, int count, long restarts) {
   return pairs;
 }
 
-// Both lists as one without repetitions, the rightmost first, of each conjugate pair the one above
-// the real axis.
-EigenPairs from_the_right(const EigenPairs& a, const EigenPairs& b, double unit) {
+// Union of both lists without duplicates, by decreasing real part; of each conjugate pair the value
+// in the upper half-plane.
+EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double unit) {
   struct Pair {
     Complex value;
     Eigen::VectorXcd vector;
@@ -138,8 +138,8 @@ EigenPairs from_the_right(const EigenPairs& a, const EigenPairs& b, double unit)
   return sorted;
 }
 
-// Eigenvalues of L that the first `count` of a list stand for.
-int with_conjugates(const EigenPairs& pairs, int count) {
+// Number of eigenvalues of L, with conjugates, among the first `count` of a list.
+int count_with_conjugates(const EigenPairs& pairs, int count) {
   int all = 0;
   for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
   return all;
@@ -157,19 +157,22 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   RightmostEigenvalues result;
   try {
     const double unit = std::max(growth, frequency);
-    // A transform as wide as the modes turn fast ranks them by their real parts.
+    // A transform as wide as the modes' frequencies orders them by their real parts.
     const double width = std::max(growth, kFastest * frequency);
     inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
     Transform nearest(inverse);
-    EigenPairs found = from_the_right(largest(nearest, kNearest, kRestarts), {}, unit);
+    EigenPairs found =
+        merge_by_real_part(largest_eigenpairs(nearest, kNearest, kRestarts), {}, unit);
     if (static_cast<int>(found.values.size()) <= count) {
       throw std::runtime_error(fmt::format(
-          "Arnoldi's iteration found {} eigenvalues of {} in {} restarts (take another grid)",
+          "Arnoldi iteration: {} of {} eigenvalues converged in {} restarts; use another grid",
           found.values.size(), kNearest, kRestarts));
     }
     for (int test = 0, confirmed = 0; confirmed < count; ++test) {
       if (test == kMostTests) {
-        throw std::runtime_error("the rightmost eigenvalues did not settle (take another grid)");
+        throw std::runtime_error(
+            "the rightmost eigenvalues did not converge: every test found new "
+            "ones; use another grid");
       }
       const double last = found.values[count - 1].real();
       const double next = found.values[count].real();
@@ -177,8 +180,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
       inverse.set_shift(m + width);
       Transform cayley = Transform::cayley(inverse, m);
       const EigenPairs right =
-          largest(cayley, with_conjugates(found, count) + kSpare, kTestRestarts);
-      const EigenPairs all = from_the_right(found, right, unit);
+          largest_eigenpairs(cayley, count_with_conjugates(found, count) + kSpare, kTestRestarts);
+      const EigenPairs all = merge_by_real_part(found, right, unit);
       for (confirmed = 0; confirmed < count; ++confirmed) {
         if (all.values[confirmed] != found.values[confirmed]) break;
       }

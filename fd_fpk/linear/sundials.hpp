@@ -11,15 +11,15 @@
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
-/// Owners of SUNDIALS objects, and a check of every flag it returns. SUNDIALS 6 and 7 differ in this
-/// header only.
+/// Owning handles of SUNDIALS objects, and a check of every flag. The differences between SUNDIALS
+/// 6 and 7 are confined to this header.
 namespace fpkcheck::fd_fpk::sundials_owned {
 
 /// SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
 inline constexpr int kSuccess = 0;
 
-/// A context that prints nothing: errors come back as flags, and as messages to set_error_handler.
-/// SUNDIALS 7 prints errors and warnings to standard error unless it is told not to.
+/// A context without output: errors are reported by flags, and by messages to set_error_handler. By
+/// default SUNDIALS 7 prints errors and warnings to standard error.
 struct QuietContext : sundials::Context {
   QuietContext() {
 #if SUNDIALS_VERSION_MAJOR >= 7
@@ -43,9 +43,9 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Destroy>;
 
 /// @throws std::runtime_error when `handle` is null
 template <class Handle>
-Owned<Handle> owned(Handle handle, const char* what) {
+Owned<Handle> make_owned(Handle handle, const char* name) {
   if (handle == nullptr)
-    throw std::runtime_error(fmt::format("SUNDIALS could not create {} (out of memory?)", what));
+    throw std::runtime_error(fmt::format("SUNDIALS cannot create {}: out of memory?", name));
   return Owned<Handle>(handle);
 }
 
@@ -74,14 +74,13 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// A vector whose clones are there or an exception is thrown, and whose inner products, a tenth of
-/// a solution's time, are Eigen's: they use the vector registers, where N_VDotProd_Serial adds one
-/// product at a time.
-inline Owned<N_Vector> vector_of(const Eigen::VectorXd& values, QuietContext& context) {
-  auto v = owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
+/// A vector whose failed clones throw, and whose inner products (a tenth of a solution's time) are
+/// those of Eigen. Eigen uses vector registers, N_VDotProd_Serial adds one product at a time.
+inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
+  auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
-  // SUNDIALS 6 does not check whether a clone was made. Where there is no memory for one, what it
-  // has made until then is lost: it does not know of exceptions.
+  // SUNDIALS 6 does not check clones for null. The exception thrown here leaks the clones that
+  // SUNDIALS has made so far, since it does not support exceptions.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();

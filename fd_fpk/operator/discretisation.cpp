@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fd_fpk/line/growth.hpp"
+#include "fd_fpk/axis/growth_rate.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 #include "problem/inelastic_collapse.hpp"
@@ -13,155 +13,159 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// In deviations of equivalent linearisation. A hardening spring keeps p(y) short, the impulses make
-// p(y') long; the steep tail of p(y) in turn wants the finer step.
-constexpr double kX1Box = 6;
-constexpr double kX2Box = 7;
-// Deviations of a single impulse that the velocity box holds at least.
-constexpr double kImpulseBox = 6.5;
-// A graded grid has narrow cells where they matter: wider ones far out leave their number as it
-// was.
+// In standard deviations of equivalent linearisation. A hardening spring shortens the tail of p(y),
+// the impulses lengthen that of p(y'); the steep tail of p(y) requires the finer step.
+constexpr double kX1BoxDeviations = 6;
+constexpr double kX2BoxDeviations = 7;
+// Least half-width of the velocity box, in standard deviations of a single impulse.
+constexpr double kImpulseBoxDeviations = 6.5;
+// A graded grid has narrow cells near the origin; wider cells far out keep the total number
+// unchanged.
 constexpr double kGradedWidth = 1.6;
-// Lengths sqrt(b) beyond which the kernel of the Pade approximant is less than 1e-12 of its peak.
+// Distance, in lengths sqrt(b), at which the kernel of the Pade approximant falls below 1e-12 of
+// its peak.
 constexpr double kPadeReach = 28;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
-// Cells of a graded grid have grown to half of their full width at about as many deviations: x1
-// where it follows a singularity, and all else.
+// Distance, in standard deviations, at which cells of a graded grid have half of their full width:
+// for x1 where it is graded to a singularity, and for all other axes.
 constexpr double kLongReach = 2;
 constexpr double kReach = 0.75;
 
-// Whether cells of x1 may shrink as the cube of those of x2: centred orders and the seventh ring on
-// cells as uneven as that takes.
-bool follows_cubes(const Options& options) {
+// True if cells of x1 may be graded as the cube of those of x2: centred orders and order 7
+// oscillate on cells as uneven as this.
+bool can_grade_cubically(const Options& options) {
   return order_of(options) == 3 || order_of(options) == 5;
 }
 
-// Whether single impulses are so short that the density at a wall has the singularity of white noise
-// down to lengths that cells resolve. By the error that is estimated, and what the finest grids
-// tend to, cells graded as under white noise are better from an eighth of the deviation on: case 1
-// with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential (build/release/benchmarks/
-// fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
-bool impulses_are_short(const problem::Problem& problem) {
+// True if single impulses are so short that the density at a wall has the singularity of white
+// noise down to lengths that cells resolve. Cells graded as under white noise are better below an
+// eighth of the standard deviation of velocity. Measured by the estimated error and the limit of
+// the finest grids for case 1 with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential
+// (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+bool are_impulses_short(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
-  if (!problem.impulses.present()) return false;
+  if (!problem.impulses.is_present()) return false;
   return std::sqrt(problem.impulses.law().moment(2)) <
          kShort * problem::scales(problem).velocity_deviation;
 }
 
-// Whether what excites the mass takes hold of the shortest lengths, as white noise does.
-bool acts_as_noise(const problem::Problem& problem, Equation equation) {
-  return equation == Equation::white || impulses_are_short(problem);
+// True if the excitation acts on the shortest lengths, as white noise does.
+bool is_noise_like(const problem::Problem& problem, Equation equation) {
+  return equation == Equation::white || are_impulses_short(problem);
 }
 
-// Where the density at the wall goes as u^-beta (exact::wall_exponent) and cells may follow it.
-bool follows_singularity(const problem::Problem& problem, const Options& options) {
+// True if the density at the wall goes as u^-beta (exact::wall_exponent) and cells may be graded to
+// this singularity.
+bool can_resolve_singularity(const problem::Problem& problem, const Options& options) {
   const double r = problem.system.restitution();
-  return options.impact == Impact::map && r < 1 && follows_cubes(options) &&
-         acts_as_noise(problem, options.equation);
+  return options.impact == Impact::map && r < 1 && can_grade_cubically(options) &&
+         is_noise_like(problem, options.equation);
 }
 
-// Cells at the origin narrower by this factor than far from it.
+// Grading with cells at the origin narrower by this factor than far out.
 Grading grading(double factor, double deviation) {
   if (factor == 1) return {};
   return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
 }
 
-// Of x1, given that of x2. Under white noise with losses the density near the origin is v^-beta
-// times a function of D2 y / v^3 (Cornell, Swift, Bray 1998): where x2 is resolved down to its
-// core, x1 must be down to core^3 / D2. On cells graded alike the density at the wall is flat
-// instead, and the impact rate too small (by 1 % at r = 0.6). Impulses that come one by one leave
-// a mere step at the origin. Cells that grow by more than a quarter from one to the next let a
-// ripple of the grid grow with them, by 4 % of p(y) in the end: hence the long reach, which leaves
-// a factor of 2 for the coarser grids of an error estimate.
+// Grading of x1, given that of x2. Under white noise with losses the density near the origin is
+// v^-beta times a function of D2 y / v^3 (Cornell, Swift, Bray 1998). Where x2 is resolved down to
+// its core, x1 must be resolved down to core^3 / D2. On cells graded alike the density at the wall
+// is flat instead, and the impact rate too small (by 1 % at r = 0.6). Separate impulses leave a
+// mere step at the origin. Where neighbouring cells differ by more than a quarter, a grid-scale
+// ripple is amplified, up to 4 % of p(y). The long reach avoids this, with a factor of 2 in reserve
+// for the coarser grids of an error estimate.
 Grading x1_grading(const problem::Problem& problem, const Options& options, double factor,
                    const Grading& of_x2, double deviation) {
-  if (factor == 1 || !follows_singularity(problem, options)) return grading(factor, deviation);
+  if (factor == 1 || !can_resolve_singularity(problem, options)) return grading(factor, deviation);
   const double d2 = problem.impulses.intensity() / 2;
   return {.reach = kLongReach * deviation, .core = std::pow(of_x2.core, 3) / d2};
 }
 
-Excitation of_impulses(const problem::ImpulseTrain& impulses, const Options& options,
-                       const Line& line, double regularisation_length) {
-  if (!impulses.present()) return {};  // then all equations are the same
+Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Options& options,
+                              const Axis& axis, double regularisation_length) {
+  if (!impulses.is_present()) return {};  // all equations coincide
   switch (options.equation) {
     case Equation::white:
       return white_noise(impulses);
     case Equation::km4:
-      return kramers_moyal(impulses, line, regularisation_length);
+      return kramers_moyal(impulses, axis, regularisation_length);
     case Equation::km4_pade:
-      return kramers_moyal_pade(impulses, line, centred_points(order_of(options)));
+      return kramers_moyal_pade(impulses, axis, centred_points(order_of(options)));
     case Equation::kf:
-      return jumps(impulses, line);
+      return jumps(impulses, axis);
   }
   return {};
 }
 
 // White noise adds D p'' to every equation.
-Excitation excitation(const problem::Problem& problem, const Options& options, const Line& line,
+Excitation excitation(const problem::Problem& problem, const Options& options, const Axis& axis,
                       double regularisation_length) {
-  Excitation terms = of_impulses(problem.impulses, options, line, regularisation_length);
+  Excitation terms = impulse_excitation(problem.impulses, options, axis, regularisation_length);
   terms.diffusion += problem.noise.diffusion();
   return terms;
 }
 
-// l of km4 on these cells: 0 asks for the literal scheme.
+// l of km4 on these cells; option value 0 selects the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
-                             const Line& line) {
-  if (options.equation != Equation::km4 || !problem.impulses.present()) return 0;
+                             const Axis& axis) {
+  if (options.equation != Equation::km4 || !problem.impulses.is_present()) return 0;
   if (!options.regularisation_length) {
-    return default_regularisation_length(problem.impulses, line, centred_points(order_of(options)));
+    return default_regularisation_length(problem.impulses, axis, centred_points(order_of(options)));
   }
   const double length = *options.regularisation_length;
-  return length > 0 ? length : line.smallest_width();
+  return length > 0 ? length : axis.smallest_width();
 }
 
-// As a double: a box may ask for more cells than an int can count. The fewest follow the refinement,
-// so that the levels of an error estimate differ; one-sided stencils take kFewest.
-double cells_over(double length, double step, const Grading& grading, double refinement) {
-  constexpr double kUsually = 16, kFewest = 8;
-  const double fewest = std::max(kFewest, std::ceil(kUsually * refinement - 1e-9));
-  return std::max(fewest, std::ceil(graded_cells(length, step, grading) - 1e-9));
+// Number of cells, as a double, since a box may need more cells than an int can hold. The minimum
+// is proportional to the refinement, so that the levels of an error estimate differ; one-sided
+// stencils need kFewest.
+double cell_count(double length, double step, const Grading& grading, double refinement) {
+  constexpr double kAutomatic = 16, kFewest = 8;
+  const double fewest = std::max(kFewest, std::ceil(kAutomatic * refinement - 1e-9));
+  return std::max(fewest, std::ceil(graded_cell_count(length, step, grading) - 1e-9));
 }
 
-Discretisation no_grid(const Box& box, std::string refusal, double cells) {
+Discretisation failed_discretisation(const Box& box, std::string failure, double cells) {
   return {.grid = make_grid(1, 2, box.x1_max, box.x2_max),
           .excitation = {},
           .regularisation_length = 0,
-          .refusal = std::move(refusal),
+          .failure = std::move(failure),
           .cells = cells};
 }
 
-// Why a grid cannot be made or would not do; empty when it can.
-std::string objection(const problem::Problem& problem, const Options& options, const Box& box,
-                      double nx, double nv) {
+// Reason for the absence of a usable grid; empty when there is one.
+std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
+                                const Box& box, double nx, double nv) {
   if (options.impact == Impact::map) {
-    std::string collapse = problem::collapse_objection(problem, options.equation);
+    std::string collapse = problem::collapse_unsupported_reason(problem, options.equation);
     if (!collapse.empty()) return collapse;
   }
   if (!(nx * nv <= kMostCells)) {
     return fmt::format(
-        "the grid needs {:.9g} x {:.9g} cells, more than {} (give nx, nv or a smaller box)", nx, nv,
-        kMostCells);
+        "the grid needs {:.9g} x {:.9g} cells, more than {}: use fewer cells (nx, nv) or a smaller "
+        "box",
+        nx, nv, kMostCells);
   }
-  if (!problem.impulses.present()) return "";
+  if (!problem.impulses.is_present()) return "";
   if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
-    return "the Pade approximant of the truncated series does not exist for so skew a law, "
-           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2 (solve km4 or kf)";
+    return "the Pade approximant of the truncated series does not exist: the law is too skew, "
+           "E[Y^4] E[Y^2] <= 4/3 E[Y^3]^2; use km4 or kf";
   }
   if (const double length = options.regularisation_length.value_or(
           default_regularisation_length(problem.impulses.law()));
       options.equation == Equation::km4 && length > box.x2_max / 2) {
     return fmt::format(
-        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g} (take a shorter "
-        "regularisation length or a wider box)",
+        "the fourth difference of km4 has step {:.3g} in a box |y'| <= {:.3g}: the step must be at "
+        "most half of the box; use a shorter regularisation length or a larger box",
         length, box.x2_max);
   }
   return "";
 }
 
-// The gradings of both lines.
+// The gradings of both axes.
 struct Gradings {
   Grading of_x1, of_x2;
 };
@@ -173,119 +177,124 @@ Gradings gradings(const problem::Problem& problem, const Options& options) {
           .of_x2 = of_x2};
 }
 
-// Where a line of `cells` from 0 to `length` ends when it goes on for so many more.
-double end_after(int more, int cells, double length, const Grading& grading) {
-  const double wanted = graded_cells(length, 1, grading) * (cells + more) / cells;
+// The upper end of an axis with `more` additional cells, where `cells` cells end at `length`.
+double extended_end(int more, int cells, double length, const Grading& grading) {
+  const double wanted = graded_cell_count(length, 1, grading) * (cells + more) / cells;
   double end = length;
-  for (int n = 0; n < 20; ++n) {  // Newton: convex, and close to a line
-    end -= (graded_cells(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
+  for (int n = 0; n < 20; ++n) {  // Newton: convex, and nearly linear
+    end -=
+        (graded_cell_count(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
   }
   return end;
 }
-int cells_more(int cells, double length, double factor, const Grading& grading) {
+int additional_cells(int cells, double length, double factor, const Grading& grading) {
   const double quotient =
-      graded_cells(factor * length, 1, grading) / graded_cells(length, 1, grading);
+      graded_cell_count(factor * length, 1, grading) / graded_cell_count(length, 1, grading);
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
 // The coefficient of p'' in the terms that act on the shortest lengths.
 double local_diffusion(const problem::Problem& problem, Equation equation) {
-  const bool local = equation == Equation::km4 || acts_as_noise(problem, equation);
+  const bool local = equation == Equation::km4 || is_noise_like(problem, equation);
   return problem.noise.diffusion() + (local ? problem.impulses.rate_moment(2) / 2 : 0);
 }
 
-// Where cells shrink beyond the paper's class, and how far: at walls with losses and at x2 = 0.
-// Noise takes hold of what is slow at the wall whatever the force: under it those of x1 shrink as
-// the cube of x2's (x1_grading). The long reach in both directions: with it neighbours differ by
-// less than a fifth.
-struct GradingsAtWalls {
+// Gradings outside the paper's class: at walls with losses and at x2 = 0. Noise dominates slow
+// motion at the wall for any force; under noise the cells of x1 are graded as the cube of those of
+// x2 (x1_grading). The long reach in both directions limits the difference of neighbouring widths
+// to a fifth.
+struct WallGradings {
   Grading x1, x2;
 };
-GradingsAtWalls gradings_at_walls(const problem::Problem& problem, const Options& options,
-                                  double factor, const Lengths& lengths) {
+WallGradings wall_gradings(const problem::Problem& problem, const Options& options, double factor,
+                           const LengthScales& lengths) {
   if (factor == 1) return {};
   const auto of = [&](double length) {
     return Grading{.reach = kLongReach * length, .core = kLongReach * length / (factor - 1)};
   };
-  GradingsAtWalls gradings{.x1 = of(lengths.x1), .x2 = of(lengths.x2)};
+  WallGradings gradings{.x1 = of(lengths.x1), .x2 = of(lengths.x2)};
   const double diffusion = local_diffusion(problem, options.equation);
-  if (diffusion > 0 && follows_cubes(options)) {
+  if (diffusion > 0 && can_grade_cubically(options)) {
     gradings.x1.core = std::min(gradings.x1.core, std::pow(gradings.x2.core, 3) / diffusion);
   }
   return gradings;
 }
 
-// The automatic choice of origin_refinement() beyond the paper's class.
+// The automatic value of origin_refinement() outside the paper's class.
 double refinement_at_walls(const problem::Problem& problem, const Options& options) {
-  if (!loses(problem.system.left()) && !loses(problem.system.right())) return 1;
+  if (!has_significant_losses(problem.system.left()) &&
+      !has_significant_losses(problem.system.right()))
+    return 1;
   const bool singular = local_diffusion(problem, options.equation) > 0;
-  return singular ? kOriginUnderWhiteNoise : kRefinedOrigin;
+  return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
 }
 
-// Faces between the walls or the ends of the box, so many if they are given.
+// Faces between the walls or the ends of the box; `cells` sets their number, if given.
 std::vector<double> faces_between_walls(const problem::System& system, const Box& box, double step,
                                         const Grading& grading, std::optional<int> cells) {
-  std::vector<Centre> centres;
-  if (grading.reach > 0 && loses(system.left())) centres.push_back({box.x1_min, grading});
-  if (grading.reach > 0 && loses(system.right())) centres.push_back({box.x1_max, grading});
+  std::vector<RefinementPoint> refinement_points;
+  if (grading.reach > 0 && has_significant_losses(system.left()))
+    refinement_points.push_back({box.x1_min, grading});
+  if (grading.reach > 0 && has_significant_losses(system.right()))
+    refinement_points.push_back({box.x1_max, grading});
   if (cells) {
     double all = box.x1_max - box.x1_min;
-    for (std::size_t n = 0; n < centres.size(); ++n) {
-      all += graded_cells(box.x1_max - box.x1_min, 1, grading) - (box.x1_max - box.x1_min);
+    for (std::size_t n = 0; n < refinement_points.size(); ++n) {
+      all += graded_cell_count(box.x1_max - box.x1_min, 1, grading) - (box.x1_max - box.x1_min);
     }
     step = all / *cells * (1 + 1e-12);
   }
-  return faces_graded_to(box.x1_min, box.x1_max, step, centres);
+  return faces_graded_to(box.x1_min, box.x1_max, step, refinement_points);
 }
 
-Discretisation discretise_family(const problem::Problem& problem, const Options& options,
-                                 const Box& box) {
+Discretisation discretise_general(const problem::Problem& problem, const Options& options,
+                                  const Box& box) {
   const problem::System& system = problem.system;
   const double at_walls = origin_refinement(problem, options);
-  const GradingsAtWalls gradings = gradings_at_walls(problem, options, at_walls, box.lengths);
+  const WallGradings gradings = wall_gradings(problem, options, at_walls, box.lengths);
   double width = (at_walls == 1 ? 1 : kGradedWidth) / options.refinement;
-  if (order_of(options) == kHighOrder) width *= kWidthOfHighOrder;
-  const double from_end_to_end = box.x1_max - box.x1_min;
+  if (order_of(options) == kHighOrder) width *= kHighOrderWidthFactor;
+  const double total_length = box.x1_max - box.x1_min;
   const double about = options.nx ? *options.nx
-                                  : cells_over(from_end_to_end, width * kX1Step * box.lengths.x1,
-                                               {}, options.refinement);
-  const double step = from_end_to_end / about;
+                                  : cell_count(total_length, width * kX1Step * box.lengths.x1, {},
+                                               options.refinement);
+  const double step = total_length / about;
   const double nv = options.nv ? *options.nv
-                               : 2 * cells_over(box.x2_max, width * kX2Step * box.lengths.x2,
+                               : 2 * cell_count(box.x2_max, width * kX2Step * box.lengths.x2,
                                                 gradings.x2, options.refinement);
-  std::string refusal = objection(problem, options, box, about, nv);
+  std::string failure = grid_failure_reason(problem, options, box, about, nv);
   std::vector<double> faces;
-  if (refusal.empty()) {
+  if (failure.empty()) {
     faces = faces_between_walls(system, box, step, gradings.x1, options.nx);
-    refusal = objection(problem, options, box, static_cast<double>(faces.size() - 1), nv);
+    failure = grid_failure_reason(problem, options, box, static_cast<double>(faces.size() - 1), nv);
   }
-  if (!refusal.empty()) return no_grid(box, std::move(refusal), about * nv);
+  if (!failure.empty()) return failed_discretisation(box, std::move(failure), about * nv);
   Grid grid = symmetric_grid(std::move(faces),
                              graded_faces(box.x2_max, static_cast<int>(nv) / 2, gradings.x2),
-                             system.left() ? Beyond::boundary : Beyond::vacuum,
-                             system.right() ? Beyond::boundary : Beyond::vacuum);
+                             system.left() ? EndCondition::boundary : EndCondition::vacuum,
+                             system.right() ? EndCondition::boundary : EndCondition::vacuum);
   const double length = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem, options, grid.x2, length);
   const double cells = grid.size();
   return {.grid = std::move(grid),
           .excitation = std::move(terms),
           .regularisation_length = length,
-          .refusal = "",
+          .failure = "",
           .cells = cells};
 }
 
 }  // namespace
 
-bool loses(const std::optional<problem::Wall>& wall) {
+bool has_significant_losses(const std::optional<problem::Wall>& wall) {
   constexpr double kSmallJump = 0.1;
   return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
 }
 
-Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
-                   const problem::Scales& scales) {
-  constexpr double kFaint = 1e-3;     // of the peak: what is below may be noise of the grid
-  constexpr double kShortest = 0.25;  // deviations
-  constexpr double kMost = 25;        // lengths from end to end: a long tail is smooth
+LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
+                                  const problem::Scales& scales) {
+  constexpr double kFaint = 1e-3;  // fraction of the peak: smaller densities may be numerical noise
+  constexpr double kShortest = 0.25;  // shortest length, in standard deviations
+  constexpr double kMost = 25;  // maximum number of lengths along the axis: a long tail is smooth
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const double faint = kFaint * averages.maxCoeff();
   double of_x1 = 0, of_x2 = 0, mass = 0;
@@ -308,8 +317,8 @@ Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
       }
     }
   }
-  const auto length = [&](double information, double deviation, double from_end_to_end) {
-    const double shortest = std::max(kShortest * deviation, from_end_to_end / kMost);
+  const auto length = [&](double information, double deviation, double total_length) {
+    const double shortest = std::max(kShortest * deviation, total_length / kMost);
     return std::clamp(std::sqrt(mass / information), std::min(shortest, deviation), deviation);
   };
   return {length(of_x1, scales.displacement_deviation, grid.x1_max() - grid.x1_min()),
@@ -323,87 +332,89 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
 Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                 const Options& options) {
   const auto& law = problem.impulses.law();
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     const problem::System& system = problem.system;
-    Box box{.x1_max = options.x1_max.value_or(scales.y_high),
-            .x2_max = options.x2_max.value_or(std::max(
-                scales.v_high, problem.impulses.present()
-                                   ? std::abs(law.moment(1)) + kImpulseBox * law.deviation()
-                                   : 0)),
-            .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
-            .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
+    Box box{
+        .x1_max = options.x1_max.value_or(scales.y_high),
+        .x2_max = options.x2_max.value_or(std::max(
+            scales.v_high, problem.impulses.is_present()
+                               ? std::abs(law.moment(1)) + kImpulseBoxDeviations * law.deviation()
+                               : 0)),
+        .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
+        .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
     if (system.left()) box.x1_min = system.left()->position;
     if (system.right()) box.x1_max = system.right()->position;
     return box;
   }
-  return {
-      options.x1_max.value_or(scales.centre + kX1Box * scales.displacement_deviation),
-      options.x2_max.value_or(std::max(kX2Box * scales.velocity_deviation,
-                                       std::abs(law.moment(1)) + kImpulseBox * law.deviation()))};
+  return {options.x1_max.value_or(scales.centre + kX1BoxDeviations * scales.displacement_deviation),
+          options.x2_max.value_or(
+              std::max(kX2BoxDeviations * scales.velocity_deviation,
+                       std::abs(law.moment(1)) + kImpulseBoxDeviations * law.deviation()))};
 }
 
-bool unbounded_at_origin(const problem::Problem& problem) {
-  if (!problem::of_the_paper(problem)) return false;
+bool is_unbounded_at_origin(const problem::Problem& problem) {
+  if (!problem::is_paper_oscillator(problem)) return false;
   return problem::impulses_per_decay_time(problem) <= 2;
 }
 
-bool off_the_wall(const problem::Problem& problem) {
+bool is_held_off_wall(const problem::Problem& problem) {
   constexpr double kDeviations = 4;
   return problem::static_deflection(problem) >
          kDeviations * problem::equivalent_linearisation(problem).displacement_deviation;
 }
 
 int automatic_order(const problem::Problem& problem) {
-  const bool smooth = !loses(problem.system.left()) && !loses(problem.system.right());
-  return smooth && !problem::of_the_paper(problem) ? kHighOrder : kUsualOrder;
+  const bool smooth = !has_significant_losses(problem.system.left()) &&
+                      !has_significant_losses(problem.system.right());
+  return smooth && !problem::is_paper_oscillator(problem) ? kHighOrder : kDefaultOrder;
 }
 
 double origin_refinement(const problem::Problem& problem, const Options& options) {
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     return options.origin_refinement.value_or(refinement_at_walls(problem, options));
   }
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
-  // High orders ring on narrow cells at the spike that rare impulses leave; wide ones hold it as
-  // the mass that it is. White noise leaves none.
-  const bool singular = follows_singularity(problem, options);
+  // High orders oscillate on narrow cells at the spike of rare impulses, where wide cells represent
+  // the spike as a mass. White noise leaves no spike.
+  const bool singular = can_resolve_singularity(problem, options);
   const bool narrow =
-      jumps && !off_the_wall(problem) && (singular || !unbounded_at_origin(problem));
+      jumps && !is_held_off_wall(problem) && (singular || !is_unbounded_at_origin(problem));
   return options.origin_refinement.value_or(!narrow    ? 1
-                                            : singular ? kOriginUnderWhiteNoise
-                                                       : kRefinedOrigin);
+                                            : singular ? kOriginRefinementUnderWhiteNoise
+                                                       : kOriginRefinement);
 }
 
-Extent beyond(const problem::Problem& problem, const Options& options, const Grid& grid,
-              double factor_x1, double factor_x2) {
+BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
+                        double factor_x1, double factor_x2) {
   const auto [of_x1, of_x2] = gradings(problem, options);
   const int nx = grid.nx(), half = grid.nv() / 2;
-  const int more_x1 = cells_more(nx, grid.x1_max(), factor_x1, of_x1);
-  const int more_x2 = cells_more(half, grid.x2_max(), factor_x2, of_x2);
-  return {.box = {.x1_max = end_after(more_x1, nx, grid.x1_max(), of_x1),
-                  .x2_max = end_after(more_x2, half, grid.x2_max(), of_x2)},
+  const int more_x1 = additional_cells(nx, grid.x1_max(), factor_x1, of_x1);
+  const int more_x2 = additional_cells(half, grid.x2_max(), factor_x2, of_x2);
+  return {.box = {.x1_max = extended_end(more_x1, nx, grid.x1_max(), of_x1),
+                  .x2_max = extended_end(more_x2, half, grid.x2_max(), of_x2)},
           .nx = nx + more_x1,
           .nv = 2 * (half + more_x2)};
 }
 
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
-  if (!problem::of_the_paper(problem)) return discretise_family(problem, options, box);
+  if (!problem::is_paper_oscillator(problem)) return discretise_general(problem, options, box);
   const auto linear = problem::equivalent_linearisation(problem);
   const auto [of_x1, of_x2] = gradings(problem, options);
   const double width =
       (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
-  // Not value_or(), which would make an int of it.
+  // value_or() would convert to int
   const double nx = options.nx
                         ? *options.nx
-                        : cells_over(box.x1_max, width * kX1Step * linear.displacement_deviation,
+                        : cell_count(box.x1_max, width * kX1Step * linear.displacement_deviation,
                                      of_x1, options.refinement);
   const double nv = options.nv
                         ? *options.nv
-                        : 2 * cells_over(box.x2_max, width * kX2Step * linear.velocity_deviation,
+                        : 2 * cell_count(box.x2_max, width * kX2Step * linear.velocity_deviation,
                                          of_x2, options.refinement);
-  std::string refusal = objection(problem, options, box, nx, nv);
-  if (!refusal.empty()) return no_grid(box, std::move(refusal), nx * nv);
+  std::string failure = grid_failure_reason(problem, options, box, nx, nv);
+  if (!failure.empty()) return failed_discretisation(box, std::move(failure), nx * nv);
   Grid grid =
       make_grid(static_cast<int>(nx), static_cast<int>(nv), box.x1_max, box.x2_max, of_x1, of_x2);
   const double length = regularisation_length(problem, options, grid.x2);
@@ -412,7 +423,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   return {.grid = std::move(grid),
           .excitation = std::move(terms),
           .regularisation_length = length,
-          .refusal = "",
+          .failure = "",
           .cells = cells};
 }
 
@@ -425,16 +436,16 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step) {
   const int points = centred_points(order_of(options));
-  const double length = regularisation_length(problem, options, Line::uniform(0, step, 1));
-  int reach = cells_of_a_row(length, step, points);
+  const double length = regularisation_length(problem, options, Axis::uniform(0, step, 1));
+  int reach = stencil_half_width(length, step, points);
   if (options.equation == Equation::km4_pade) {
-    // The inverse in the Pade approximant reaches as exp(-|x2| / sqrt(b)).
+    // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(
         std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
   }
-  Line line = Line::uniform(0, step, 2 * reach + 1);
-  Excitation terms = excitation(problem, options, line, length);
-  return {std::move(line), std::move(terms)};
+  Axis axis = Axis::uniform(0, step, 2 * reach + 1);
+  Excitation terms = excitation(problem, options, axis, length);
+  return {std::move(axis), std::move(terms)};
 }
 
 }  // namespace fpkcheck::fd_fpk

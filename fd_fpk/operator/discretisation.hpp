@@ -10,21 +10,21 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Over how much the density changes in either direction; 0 where nobody has looked.
-struct Lengths {
+/// Distances over which the density varies in either direction; 0 where not yet determined.
+struct LengthScales {
   double x1 = 0, x2 = 0;
 };
 
-/// The box in which the density is sought: impact walls stand at its ends, where there are any.
+/// The box in which the density is computed. Impact walls are at its ends, where there are any.
 struct Box {
   double x1_max;
   double x2_max;
   double x1_min = 0;
-  Lengths lengths = {};  ///< what cells are fractions of, beyond the paper's class
+  LengthScales lengths = {};  ///< unit of the cell widths, outside the paper's class
 };
 
-/// Most cells of a grid: the factors of the preconditioner and GMRES's vectors then take about two
-/// gigabytes.
+/// Maximum number of cells of a grid: the factors of the preconditioner and the vectors of GMRES
+/// then take about two gigabytes.
 inline constexpr int kMostCells = 100000;
 
 /// The grid and the excitation on it.
@@ -32,76 +32,80 @@ struct Discretisation {
   Grid grid;
   Excitation excitation;
   double regularisation_length = 0;  ///< l of km4 as used, else 0
-  /// Why there is no such grid and what to do; empty when there is one.
-  std::string refusal = {};
-  double cells = 0;  ///< that it has, or would have
+  /// Reason for the absence of a grid, and what to do; empty when there is a grid.
+  std::string failure = {};
+  double cells = 0;  ///< number of cells of the grid, or the number it would need
 };
 
 /// True where the joint density is unbounded at rest (problem::impulses_per_decay_time).
-bool unbounded_at_origin(const problem::Problem& problem);
+bool is_unbounded_at_origin(const problem::Problem& problem);
 
-/// There is such a wall, and the density's jump along it at x2 = 0, 1/r^2 - 1, is more than a tenth.
-bool loses(const std::optional<problem::Wall>& wall);
+/// True if there is a wall and the density's jump along it at x2 = 0, 1/r^2 - 1, exceeds a tenth.
+bool has_significant_losses(const std::optional<problem::Wall>& wall);
 
-/// The mean of the impulses holds the oscillator so far off the wall that it hardly meets it.
-bool off_the_wall(const problem::Problem& problem);
+/// True if a nonzero mean of the impulses keeps the oscillator so far off the wall that impacts are
+/// rare.
+bool is_held_off_wall(const problem::Problem& problem);
 
-/// How much narrower cells are at the origin where it is refined without being asked to.
-inline constexpr double kRefinedOrigin = 16;
-/// The same in x2 under white noise with losses, where the density at the wall goes as u^-beta and
-/// cells of x1 are graded as the cube of those of x2 (orders 3 and 5).
-inline constexpr double kOriginUnderWhiteNoise = 32;
+/// Automatic ratio of the cell width far out to the width at the origin, where the origin is
+/// refined.
+inline constexpr double kOriginRefinement = 16;
+/// The same ratio for x2 under white noise with losses, where the density at the wall goes as
+/// u^-beta and cells of x1 are graded as the cube of those of x2 (orders 3 and 5).
+inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
-/// Beyond the paper's class, where no wall takes energy and the density has no jump along the orbit that
-/// grazes it, this order is worth more than its price, and so wider automatic cells
-/// (docs/performance.md).
+/// Automatic order outside the paper's class where no wall dissipates energy. There the density has
+/// no jump along the orbit that grazes the wall, and this order with wider cells is more accurate
+/// than order 5 at equal cost (docs/performance.md).
 inline constexpr int kHighOrder = 7;
-inline constexpr double kWidthOfHighOrder = 1.2;
+inline constexpr double kHighOrderWidthFactor = 1.2;
 
-/// Of the transport terms of the stationary density, where the options leave it open.
+/// Automatic order of the transport terms for the stationary density.
 int automatic_order(const problem::Problem& problem);
 
-/// options.origin_refinement, or the automatic choice.
+/// options.origin_refinement, or its automatic value.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 
-/// Cells of about 1/7 (x1) and 1/6 (x2) of a deviation of equivalent linearisation, or of the box's
-/// lengths, wider by 1.6 far out on a graded grid, unless the options set their number.
+/// Cells of about 1/7 (x1) and 1/6 (x2) of a standard deviation of equivalent linearisation, or of
+/// the box's length scales; 1.6 times as wide far out on a graded grid. The options may set the
+/// numbers of cells.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// A box, and cells that it is cut into.
-struct Extent {
+/// A box and its numbers of cells.
+struct BoxExtension {
   Box box;
   int nx;
   int nv;
 };
-/// About so much further than a grid of these options reaches, on the same cells within.
-Extent beyond(const problem::Problem& problem, const Options& options, const Grid& grid,
-              double factor_x1, double factor_x2);
+/// A box enlarged by about these factors, with the same cells inside the given grid.
+BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
+                        double factor_x1, double factor_x2);
 
-/// The operator that the options ask for on their grid.
+/// The operator of the options on their grid.
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);
 
-/// The excitation on a uniform velocity line of this step, long enough that its middle row is the
-/// operator without walls: what largest_growth scans. The regularisation length is that of the
-/// options, or the default on cells of this step.
+/// The excitation on a uniform velocity axis with this step, long enough that its middle row is the
+/// operator without walls: the input of largest_growth. The regularisation length is that of the
+/// options, or the default for cells of this step.
 struct UnboundedExcitation {
-  Line line;
+  Axis axis;
   Excitation excitation;
 };
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step);
 
-/// What the options say of the box, else 6 (x1, beyond the static deflection) and 7 (x2) deviations
-/// of equivalent linearisation, and 6.5 deviations of a single impulse in x2. Beyond the paper's
-/// class to where problem::Scales end, and to the walls.
+/// The box of the options. Else 6 (x1, from the static deflection) and 7 (x2) standard deviations
+/// of equivalent linearisation, and at least 6.5 standard deviations of a single impulse in x2.
+/// Outside the paper's class the limits of problem::Scales, and the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                 const Options& options);
 
-/// The lengths of a density on a coarse grid, by its Fisher information: l^-2 = E[(d ln p/dx)^2].
-/// They are the deviations of what is normal, and less in several wells or on a ring; never more.
-Lengths lengths_of(const Grid& grid, const Eigen::VectorXd& averages,
-                   const problem::Scales& scales);
+/// The length scales of a density on a coarse grid, by its Fisher information: l^-2 = E[(d ln
+/// p/dx)^2]. For a normal density they are the standard deviations; they are shorter for several
+/// wells or a ring, and never longer.
+LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
+                                  const problem::Scales& scales);
 
 }  // namespace fpkcheck::fd_fpk

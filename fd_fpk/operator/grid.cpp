@@ -11,12 +11,12 @@ Eigen::VectorXd Grid::areas() const {
   return areas;
 }
 
-Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2, Beyond left,
-                    Beyond right) {
-  std::vector<double> x2;  // 0 once, and not -0
+Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
+                    EndCondition left, EndCondition right) {
+  std::vector<double> x2;  // 0 occurs once, with a positive sign
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
-  return {Line(std::move(x1), left, right), Line(std::move(x2))};
+  return {Axis(std::move(x1), left, right), Axis(std::move(x2))};
 }
 
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading,
@@ -32,8 +32,8 @@ transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& ave
 WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
   WallDensity wall{0, 0};
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
-  const bool open_left = grid.x1.left() == Beyond::vacuum;
-  const bool open_right = grid.x1.right() == Beyond::vacuum;
+  const bool open_left = grid.x1.left() == EndCondition::vacuum;
+  const bool open_right = grid.x1.right() == EndCondition::vacuum;
   for (Eigen::Index j = 0; j < nv; ++j) {
     if (open_right) wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
     if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(averages(j)));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fd_fpk/line/line.hpp"
+#include "fd_fpk/axis/axis.hpp"
 #include "fd_fpk/operator/wall_density.hpp"
 #include "transform/density.hpp"
 
@@ -11,8 +11,8 @@ namespace fpkcheck::fd_fpk {
 /// and the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the
 /// paper) over each cell; cell (i, j) has index i nv() + j.
 struct Grid {
-  Line x1;  ///< impact walls are its boundaries
-  Line x2;
+  Axis x1;  ///< its ends of type `boundary` are impact walls
+  Axis x2;
 
   int nx() const { return x1.cells(); }
   int nv() const { return x2.cells(); }  ///< even
@@ -22,23 +22,24 @@ struct Grid {
   double x2_max() const { return x2.faces().back(); }
   /// Areas of the cells, shape (size).
   Eigen::VectorXd areas() const;
-  /// Speeds of the outgoing half in increasing order, from 0 on.
-  Line speeds() const { return x2.from(nv() / 2); }
+  /// Speeds of the half x2 > 0 in increasing order, from 0 upwards.
+  Axis speeds() const { return x2.from(nv() / 2); }
 };
 
-/// @param positive_x2 faces from 0 on, which are mirrored
-/// @param left,right what is at the ends of x1
+/// @param positive_x2 faces from 0 upwards; their mirror images are added
+/// @param left,right end conditions of x1
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
-                    Beyond left = Beyond::boundary, Beyond right = Beyond::vacuum);
+                    EndCondition left = EndCondition::boundary,
+                    EndCondition right = EndCondition::vacuum);
 
-/// @param nx,nv cells in x1 and x2; nv even
+/// @param nx,nv numbers of cells in x1 and x2; nv even
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
                const Grading& x2_grading = {});
 
-/// The density that an unknown vector on the grid stands for.
+/// The density of a vector of cell averages.
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// @param reference the peak to which the walls' densities are relative
+/// @param reference the peak density to which the result is relative
 WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference);
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "fd_fpk/line/line_operators.hpp"
+#include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/wall_test_function.hpp"
@@ -12,28 +12,28 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Three Gauss-Legendre points of a cell.
+// Gauss-Legendre rule with three points in a cell.
 constexpr int kPoints = 3;
 const double kOffset = std::sqrt(0.6) / 2;
 const std::array<double, kPoints> kFractions{0.5 - kOffset, 0.5, 0.5 + kOffset};
 constexpr std::array<double, kPoints> kWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-double at(const Line& line, int cell, int point) {
-  return line.face(cell) + kFractions[point] * line.width(cell);
+double quadrature_node(const Axis& axis, int cell, int point) {
+  return axis.face(cell) + kFractions[point] * axis.width(cell);
 }
 
-// A wall, and coordinates from it: d = sign (x - position) >= 0, and w = sign v away from it.
-struct SeenFromWall {
+// A wall and its coordinates: d = sign (x - position) >= 0, and w = sign v away from the wall.
+struct WallCoordinates {
   double position;
   double sign;
   double distance(double x) const { return sign * (x - position); }
   double speed(double v) const { return sign * v; }
 };
 
-class Balance {
+class TestFunctionBalance {
  public:
-  Balance(const problem::System& system, const Excitation& excitation, problem::Impact impact,
-          const Grid& grid, int order)
+  TestFunctionBalance(const problem::System& system, const Excitation& excitation,
+                      problem::Impact impact, const Grid& grid, int order)
       : system_(system),
         excitation_(excitation),
         impact_(impact),
@@ -45,7 +45,7 @@ class Balance {
   double rate(End end, const Eigen::VectorXd& averages, const Eigen::VectorXd& change) const {
     const bool left = end == End::left;
     const problem::Wall& wall = left ? *system_.left() : *system_.right();
-    const SeenFromWall from{wall.position, left ? 1.0 : -1.0};
+    const WallCoordinates from{wall.position, left ? 1.0 : -1.0};
     const WallTestFunction h(excitation_.diffusion, from.sign * force(wall.position, 0),
                              wall.restitution);
     double balance = integral(averages, [&](double x, double v) {
@@ -58,7 +58,7 @@ class Balance {
     balance -=
         integral(source, [&](double x, double v) { return h(from.distance(x), from.speed(v)); });
     if (const auto& other = left ? system_.right() : system_.left()) {
-      balance -= raised_by(*other, left ? End::right : End::left, from, h, averages);
+      balance -= mean_gain_at_wall(*other, left ? End::right : End::left, from, h, averages);
     }
     const double log_of_loss =
         impact_ == problem::Impact::map ? std::log(wall.restitution) : wall.restitution - 1;
@@ -78,20 +78,20 @@ class Balance {
            excitation_.drift;
   }
 
-  // The integral of weight p, of the averages of p.
+  // The integral of weight times p, from the averages of p.
   template <class Weight>
   double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
     const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
     double sum = 0;
     for (int i = 0; i < grid_.nx(); ++i) {
       for (int a = 0; a < kPoints; ++a) {
-        const double x = at(grid_.x1, i, a);
+        const double x = quadrature_node(grid_.x1, i, a);
         double of_column = 0;
         for (int j = 0; j < grid_.nv(); ++j) {
           double of_cell = 0;
           for (int b = 0; b < kPoints; ++b) {
-            of_cell +=
-                kWeights[b] * p(j * kPoints + b, i * kPoints + a) * weight(x, at(grid_.x2, j, b));
+            of_cell += kWeights[b] * p(j * kPoints + b, i * kPoints + a) *
+                       weight(x, quadrature_node(grid_.x2, j, b));
           }
           of_column += grid_.x2.width(j) * of_cell;
         }
@@ -101,16 +101,16 @@ class Balance {
     return sum;
   }
 
-  // What impacts on the other wall add to E[h] per unit time.
-  double raised_by(const problem::Wall& other, End end, const SeenFromWall& from,
-                   const WallTestFunction& h, const Eigen::VectorXd& averages) const {
+  // The change of E[h] per unit time due to impacts on the other wall.
+  double mean_gain_at_wall(const problem::Wall& other, End end, const WallCoordinates& from,
+                           const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;
-    const LineOperator to_wall =
-        end == End::left ? end_value(grid_.x1, order_) : last_value(grid_.x1, order_);
+    const AxisOperator to_wall =
+        end == End::left ? first_face_value(grid_.x1, order_) : last_face_value(grid_.x1, order_);
     const Eigen::VectorXd p = point_values(grid_.x2, weighting_points(order_), kFractions, half) *
                               (columns(averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
-    // Of the paper's impact: the flux f returns as f(w) + (1-r) d(w f)/dw, by parts.
+    // First-order impact of the paper: the flux f returns as f(w) + (1-r) d(w f)/dw; by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
       return impact_ == problem::Impact::map
@@ -121,7 +121,7 @@ class Balance {
     double sum = 0;
     for (int j = first; j < first + half; ++j) {
       for (int b = 0; b < kPoints; ++b) {
-        const double v = at(grid_.x2, j, b);
+        const double v = quadrature_node(grid_.x2, j, b);
         sum += grid_.x2.width(j) * kWeights[b] * std::abs(v) * p(j * kPoints + b) *
                raise(from.speed(v));
       }
@@ -134,7 +134,7 @@ class Balance {
   problem::Impact impact_;
   const Grid& grid_;
   int order_;
-  LineOperator of_x1_, of_x2_;
+  AxisOperator of_x1_, of_x2_;
 };
 
 }  // namespace
@@ -142,10 +142,10 @@ class Balance {
 double impact_rate(const problem::System& system, const Excitation& excitation,
                    problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
                    const Eigen::VectorXd& change, int order) {
-  std::optional<Balance> balance;
+  std::optional<TestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, End end) {
     if (!wall) return 0.0;
-    if (excitation.diffusion == 0 || !loses(*wall))
+    if (excitation.diffusion == 0 || !has_significant_losses(*wall))
       return impact_flux(grid, averages, order, 1, end);
     if (!balance) balance.emplace(system, excitation, impact, grid, order);
     return balance->rate(end, averages, change);

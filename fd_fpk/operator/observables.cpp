@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "fd_fpk/line/line_operators.hpp"
+#include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "problem/features.hpp"
 #include "problem/motion_balances.hpp"
@@ -14,20 +14,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// factor x^power
+// The polynomial factor x^power.
 numerics::Polynomial monomial(int power, double factor = 1) {
   numerics::Polynomial::Coefficients a{};
   a[static_cast<std::size_t>(power)] = factor;
   return numerics::Polynomial(a);
 }
 
-// Integral of a polynomial against the averages of a marginal.
-double integral(const Line& line, const Eigen::VectorXd& marginal, int order,
+// Integral of a polynomial weighted with the averages of a marginal.
+double integral(const Axis& axis, const Eigen::VectorXd& marginal, int order,
                 const numerics::Polynomial& weight) {
-  return line.widths().dot(weighted_averages(line, weighting_points(order), weight) * marginal);
+  return axis.widths().dot(weighted_averages(axis, weighting_points(order), weight) * marginal);
 }
 
-// The integral of a product of polynomials against the joint density.
+// Integral of a product of polynomials weighted with the joint density.
 double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
                       const numerics::Polynomial& of_x1, const numerics::Polynomial& of_x2) {
   const int points = weighting_points(order);
@@ -39,19 +39,19 @@ double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int ord
   return v * p * x.transpose();
 }
 
-Eigen::VectorXd bell(const Line& line, double deviation, double centre) {
+Eigen::VectorXd normal_averages(const Axis& axis, double deviation, double centre) {
   const auto cdf = [&](double x) {
     return 0.5 * std::erfc(-(x - centre) / (deviation * std::sqrt(2.0)));
   };
-  Eigen::VectorXd averages(line.cells());
-  for (int i = 0; i < line.cells(); ++i) averages(i) = cdf(line.face(i + 1)) - cdf(line.face(i));
-  return averages.cwiseQuotient(line.widths());
+  Eigen::VectorXd averages(axis.cells());
+  for (int i = 0; i < axis.cells(); ++i) averages(i) = cdf(axis.face(i + 1)) - cdf(axis.face(i));
+  return averages.cwiseQuotient(axis.widths());
 }
 
 }  // namespace
 
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
-  // Column i of the map holds the velocity cells at x1 cell i.
+  // Column i of the map is the velocity cells at x1 cell i.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
 }
@@ -72,7 +72,7 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integral(grid.x1, y, order,
-                    numerics::Polynomial(monomial_of_y).of_shifted(frame.origin, frame.sign()));
+                    numerics::Polynomial(monomial_of_y).compose_affine(frame.origin, frame.sign()));
   };
   result.y1 = of_y(y1);
   result.y2 = of_y(y2);
@@ -83,24 +83,24 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
 
 namespace {
 
-// What is missing of the moments n = 0 .. 4 for the end x of a line: int_0^inf |x + t|^n p e^(-s t) dt,
-// where p and s follow from how the logarithm of the marginal falls, and ever more steeply if it does,
-// from 0.6 to 0.2 of the way between its mean and the end, since cells next to the end miss part of
-// theirs. Under noise that is as much again; what impulses would have taken beyond the end is missing on
-// all the way back, where it would have a density of p V / v.
-std::array<double, 5> missing_moments(const Line& line, const Eigen::VectorXd& marginal, bool last,
-                                      double x, bool of_impulses) {
-  const double end = last ? line.faces().back() : line.faces().front();
-  const double mean = integral(line, marginal, 1, monomial(1)) / line.widths().dot(marginal);
+// Missing moments n = 0 .. 4 beyond the end x of an axis: int_0^inf |x + t|^n p e^(-s t) dt. The
+// decay of the logarithm of the marginal, and its increase in steepness, determine p and s. They
+// are taken from 0.6 to 0.2 of the distance between the end and the mean, since cells next to the
+// end miss part of their mass. Under noise the missing mass counts twice. A path that impulses
+// would have taken beyond the end is also missing on its whole way back, with a density of p V / v.
+std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
+                                               bool last, double x, bool of_impulses) {
+  const double end = last ? axis.faces().back() : axis.faces().front();
+  const double mean = integral(axis, marginal, 1, monomial(1)) / axis.widths().dot(marginal);
   struct Sample {
-    double distance, log;  // from the end, of the density
+    double distance, log;  // distance from the end; logarithm of the density
   };
   const auto sample = [&](double part) {
     const double at = end + part * (mean - end);
     int cell = 0;
-    while (cell + 1 < line.cells() && line.face(cell + 1) < at) ++cell;
+    while (cell + 1 < axis.cells() && axis.face(cell + 1) < at) ++cell;
     constexpr double kNothing = 1e-300;
-    return Sample{std::abs(line.centre(cell) - end),
+    return Sample{std::abs(axis.centre(cell) - end),
                   std::log(std::max(kNothing, std::abs(marginal(cell))))};
   };
   const Sample far = sample(0.6), middle = sample(0.4), near = sample(0.2);
@@ -128,25 +128,28 @@ std::array<double, 5> missing_moments(const Line& line, const Eigen::VectorXd& m
 
 }  // namespace
 
-transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
-                              const Eigen::VectorXd& averages, const transform::Moments& of_all) {
+transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
+                                       const Eigen::VectorXd& averages,
+                                       const transform::Moments& moments_in_box) {
   const auto [y, v] = marginals(grid, averages);
   transform::Moments beyond;
   for (const bool last : {false, true}) {
-    const auto of_v = missing_moments(grid.x2, v, last, grid.x2_max(), problem.impulses.present());
+    const auto of_v =
+        missing_marginal_moments(grid.x2, v, last, grid.x2_max(), problem.impulses.is_present());
     beyond.v1 += of_v[1];
     beyond.v2 += of_v[2];
     beyond.v4 += of_v[4];
   }
   for (const bool last : {false, true}) {
-    if ((last ? grid.x1.right() : grid.x1.left()) == Beyond::boundary) continue;
+    if ((last ? grid.x1.right() : grid.x1.left()) == EndCondition::boundary) continue;
     const double end = problem.frame.y(last ? grid.x1_max() : grid.x1_min());
-    const auto of_y = missing_moments(grid.x1, y, last, end, false);
-    // What is missing of v is missing of the displacements that it leads to.
-    const double second = beyond.v2 / of_all.v2 / 2, fourth = beyond.v4 / of_all.v4 / 2;
-    beyond.y1 += of_y[1] + second * std::abs(of_all.y1);
-    beyond.y2 += of_y[2] + second * of_all.y2;
-    beyond.y4 += of_y[4] + fourth * of_all.y4;
+    const auto of_y = missing_marginal_moments(grid.x1, y, last, end, false);
+    // Missing velocities imply missing displacements.
+    const double second = beyond.v2 / moments_in_box.v2 / 2,
+                 fourth = beyond.v4 / moments_in_box.v4 / 2;
+    beyond.y1 += of_y[1] + second * std::abs(moments_in_box.y1);
+    beyond.y2 += of_y[2] + second * moments_in_box.y2;
+    beyond.y4 += of_y[4] + fourth * moments_in_box.y4;
   }
   return beyond;
 }
@@ -154,7 +157,7 @@ transform::Moments beyond_box(const problem::Problem& problem, const Grid& grid,
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
                    int order) {
   const numerics::Polynomial y =
-      numerics::Polynomial({0, 1}).of_shifted(frame.origin, frame.sign());
+      numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.sign());
   return frame.sign() * joint_integral(grid, averages, order, y, monomial(1));
 }
 
@@ -169,16 +172,16 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order,
                    End end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   if (end == End::right) {
-    const Eigen::VectorXd wall = p * last_value(grid.x1, order).transpose();
+    const Eigen::VectorXd wall = p * last_face_value(grid.x1, order).transpose();
     const int outgoing = grid.nv() / 2;
-    const LineOperator weighted =
+    const AxisOperator weighted =
         weighted_averages(grid.x2, weighting_points(order), monomial(power), outgoing);
     return grid.x2.widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
   }
-  const Eigen::VectorXd wall = p * end_value(grid.x1, order).transpose();
+  const Eigen::VectorXd wall = p * first_face_value(grid.x1, order).transpose();
   const auto speed = monomial(power, power % 2 == 0 ? 1 : -1);  // |v|^power for v < 0
   const int half = grid.nv() / 2;
-  const LineOperator weighted = weighted_averages(grid.x2, weighting_points(order), speed, half);
+  const AxisOperator weighted = weighted_averages(grid.x2, weighting_points(order), speed, half);
   return grid.x2.widths().head(half).dot((weighted * wall).head(half));
 }
 
@@ -226,9 +229,10 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
-  if (!problem::of_the_paper(problem)) {
+  if (!problem::is_paper_oscillator(problem)) {
     for (int i = 0; i < grid.nx(); ++i) {
-      for_momentum.size_of_force += y[i] * grid.x1.width(i) * std::abs(force(grid.x1.centre(i)));
+      for_momentum.mean_absolute_force +=
+          y[i] * grid.x1.width(i) * std::abs(force(grid.x1.centre(i)));
     }
   }
   if (system.left() || system.right() || problem.impulses.rate_moment(1) != 0) {
@@ -252,16 +256,17 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
 
 WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
-  // Two half-plane Gaussians at the origin: 2 / (2 pi sigma_1 sigma_2).
+  // Peak of a Gaussian folded to the half-plane: 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
       1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));
 }
 
-Eigen::VectorXd averages_of(const Gaussian& gaussian, const Grid& grid) {
+Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {
   const Eigen::VectorXd y =
-      bell(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
-  const Eigen::VectorXd v = bell(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
+      normal_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
+  const Eigen::VectorXd v =
+      normal_averages(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
   Eigen::VectorXd averages(grid.size());
   Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
   return averages / grid.areas().dot(averages);
@@ -269,7 +274,7 @@ Eigen::VectorXd averages_of(const Gaussian& gaussian, const Grid& grid) {
 
 Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
                                 double velocity_deviation) {
-  return averages_of({displacement_deviation, velocity_deviation}, grid);
+  return cell_averages({displacement_deviation, velocity_deviation}, grid);
 }
 
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
@@ -278,11 +283,11 @@ Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem
 
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
                                const problem::Scales& scales) {
-  if (problem::of_the_paper(problem)) {
+  if (problem::is_paper_oscillator(problem)) {
     return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
   }
-  return averages_of({scales.displacement_deviation, scales.velocity_deviation, scales.centre},
-                     grid);
+  return cell_averages({scales.displacement_deviation, scales.velocity_deviation, scales.centre},
+                       grid);
 }
 
 }  // namespace fpkcheck::fd_fpk

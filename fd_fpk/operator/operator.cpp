@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "fd_fpk/line/impact_map.hpp"
+#include "fd_fpk/axis/impact_map.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// A acts on x1, B on x2; the index of a cell is i nv + j.
-SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
+// The Kronecker product A (x) B: A acts on x1, B on x2; cell (i, j) has index i nv + j.
+SparseColumns kronecker_product(const AxisOperator& a, const AxisOperator& b) {
   const SparseColumns a_columns(a), b_columns(b);
   SparseColumns product(a.rows() * b.rows(), a.cols() * b.cols());
   product.reserve(a.nonZeros() * b.nonZeros());
@@ -25,110 +25,113 @@ SparseColumns tensor(const LineOperator& a, const LineOperator& b) {
   return product;
 }
 
-LineOperator identity(int n) {
-  LineOperator matrix(n, n);
+AxisOperator identity(int n) {
+  AxisOperator matrix(n, n);
   matrix.setIdentity();
   return matrix;
 }
 
-// The single entry `value` at (row, column).
-LineOperator entry(int rows, int columns, int row, int column, double value) {
-  LineOperator matrix(rows, columns);
+// The matrix with the single nonzero `value` at (row, column).
+AxisOperator entry(int rows, int columns, int row, int column, double value) {
+  AxisOperator matrix(rows, columns);
   matrix.insert(row, column) = value;
   return matrix;
 }
 
-// Rows first .. first+count-1 of `matrix` in place, all others empty.
-LineOperator rows_only(const LineOperator& matrix, int first, int count) {
-  LineOperator mask(matrix.rows(), matrix.rows());
+// Rows first .. first+count-1 of `matrix`; all other rows are empty.
+AxisOperator keep_rows(const AxisOperator& matrix, int first, int count) {
+  AxisOperator mask(matrix.rows(), matrix.rows());
   for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
   return mask * matrix;
 }
 
 // -d/dx1 (x2 p) by fluxes through the inner faces of x1.
 SparseColumns streaming(const Grid& grid, int order, int weight_points) {
-  const Line& x1 = grid.x1;
-  const LineOperator minus_speed =
+  const Axis& x1 = grid.x1;
+  const AxisOperator minus_speed =
       weighted_averages(grid.x2, weight_points, numerics::Polynomial({0, -1}));
   const int half = grid.nv() / 2;
-  const LineOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
-  const LineOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
-  return tensor(rightwards, rows_only(minus_speed, half, half)) +
-         tensor(leftwards, rows_only(minus_speed, 0, half));
+  const AxisOperator rightwards = divergence(x1) * face_values(x1, order, Bias::left);
+  const AxisOperator leftwards = divergence(x1) * face_values(x1, order, Bias::right);
+  return kronecker_product(rightwards, keep_rows(minus_speed, half, half)) +
+         kronecker_product(leftwards, keep_rows(minus_speed, 0, half));
 }
 
-// The velocity cell of speed cell b of what moves to an end, and of what leaves it.
-int outgoing(const Grid& grid, End end, int b) {
+// The velocity cell of speed cell b for motion into the wall at an end, and for motion away from
+// it.
+int outgoing_cell(const Grid& grid, End end, int b) {
   const int half = grid.nv() / 2;
   return end == End::left ? half - 1 - b : half + b;
 }
-int returning(const Grid& grid, End end, int b) {
-  return outgoing(grid, end == End::left ? End::right : End::left, b);
+int returning_cell(const Grid& grid, End end, int b) {
+  return outgoing_cell(grid, end == End::left ? End::right : End::left, b);
 }
 
-// Outgoing probability leaves the column of cells at the wall, at x2 < 0 on the left, and returns
-// to it with the other sign of x2.
+// The probability flux into the wall leaves the column of cells at the wall (x2 < 0 at the left
+// end) and re-enters the column with the other sign of x2.
 SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const Grid& grid,
                                int order, End end) {
   const int half = grid.nv() / 2;
-  LineOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
+  AxisOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (int b = 0; b < half; ++b) entries.emplace_back(outgoing(grid, end, b), b, -1.0);
-    const LineOperator returned = impact_map(grid.speeds(), restitution, impact, order);
+    for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
+    const AxisOperator returned = impact_map(grid.speeds(), restitution, impact, order);
     for (int a = 0; a < half; ++a) {
-      for (LineOperator::InnerIterator e(returned, a); e; ++e) {
-        entries.emplace_back(returning(grid, end, a), e.col(), e.value());
+      for (AxisOperator::InnerIterator e(returned, a); e; ++e) {
+        entries.emplace_back(returning_cell(grid, end, a), e.col(), e.value());
       }
     }
     exchange.setFromTriplets(entries.begin(), entries.end());
   }
   const int column = end == End::left ? 0 : grid.nx() - 1;
-  const LineOperator into_column = entry(grid.nx(), 1, column, 0, 1 / grid.x1.width(column));
-  return tensor(into_column, exchange) * wall_flux(grid, order, end);
+  const AxisOperator into_column = entry(grid.nx(), 1, column, 0, 1 / grid.x1.width(column));
+  return kronecker_product(into_column, exchange) * wall_flux(grid, order, end);
 }
 
-// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, whose values of p these are.
-LineOperator divergence_of_power(const Line& x2, int power, const LineOperator& values) {
-  LineOperator factor(x2.cells() + 1, x2.cells() + 1);
+// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, from the face values `values` of p.
+AxisOperator divergence_of_power(const Axis& x2, int power, const AxisOperator& values) {
+  AxisOperator factor(x2.cells() + 1, x2.cells() + 1);
   for (int f = 0; f <= x2.cells(); ++f) factor.insert(f, f) = std::pow(x2.face(f), power);
-  return divergence(x2) * LineOperator(factor * values);
+  return divergence(x2) * AxisOperator(factor * values);
 }
 
 // d/dx2 [ (c x2 + g(x1)) p ] by fluxes through the inner faces of x2.
 SparseColumns damping_and_restoring_force(const problem::System& system, const Grid& grid,
                                           int order, int weight_points) {
-  const Line& x2 = grid.x2;
-  const LineOperator values = face_values(x2, centred_points(order), Bias::left);
+  const Axis& x2 = grid.x2;
+  const AxisOperator values = face_values(x2, centred_points(order), Bias::left);
   if (!system.damping_is_constant()) {
-    const LineOperator force = weighted_averages(grid.x1, weight_points, system.force());
-    const LineOperator damping =
+    const AxisOperator force = weighted_averages(grid.x1, weight_points, system.force());
+    const AxisOperator damping =
         weighted_averages(grid.x1, weight_points, system.damping_polynomial());
-    SparseColumns sum = tensor(damping, divergence_of_power(x2, 1, values)) +
-                        tensor(force, divergence(x2) * values);
+    SparseColumns sum = kronecker_product(damping, divergence_of_power(x2, 1, values)) +
+                        kronecker_product(force, divergence(x2) * values);
     if (system.rayleigh() != 0) {
-      sum += tensor(identity(grid.nx()), system.rayleigh() * divergence_of_power(x2, 3, values));
+      sum += kronecker_product(identity(grid.nx()),
+                               system.rayleigh() * divergence_of_power(x2, 3, values));
     }
     return sum;
   }
-  LineOperator velocity(grid.nv() + 1, grid.nv() + 1);
+  AxisOperator velocity(grid.nv() + 1, grid.nv() + 1);
   for (int f = 0; f <= grid.nv(); ++f) velocity.insert(f, f) = system.damping() * x2.face(f);
-  const LineOperator force = weighted_averages(grid.x1, weight_points, system.force());
-  const LineOperator damping = divergence(x2) * LineOperator(velocity * values);
-  return tensor(identity(grid.nx()), damping) + tensor(force, divergence(x2) * values);
+  const AxisOperator force = weighted_averages(grid.x1, weight_points, system.force());
+  const AxisOperator damping = divergence(x2) * AxisOperator(velocity * values);
+  return kronecker_product(identity(grid.nx()), damping) +
+         kronecker_product(force, divergence(x2) * values);
 }
 
-// What turns the centred x2 transport of an odd order into the upwind-biased one. With the velocity
-// a = -(c x2 + g(x1) + ..) the flux a p, p taken from upstream, is
+// The difference of the upwind-biased and the centred x2 transport for an odd order. With the
+// velocity a = -(c x2 + g(x1) + ..) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
-// and the first part is the centred flux of the next even order.
-SparseColumns upwinding(const problem::System& system, const Grid& grid, int order) {
-  const Line& x1 = grid.x1;
-  const Line& x2 = grid.x2;
-  const LineOperator columns = identity(grid.nx());
-  const LineOperator jump =
+// and its first term is the centred flux of the next even order.
+SparseColumns upwind_correction(const problem::System& system, const Grid& grid, int order) {
+  const Axis& x1 = grid.x1;
+  const Axis& x2 = grid.x2;
+  const AxisOperator columns = identity(grid.nx());
+  const AxisOperator jump =
       face_values(x2, order, Bias::left) - face_values(x2, order, Bias::right);
-  SparseColumns flux = tensor(columns, jump);
+  SparseColumns flux = kronecker_product(columns, jump);
   const int faces = grid.nv() + 1;
   const bool constant = system.damping_is_constant();
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
@@ -142,12 +145,12 @@ SparseColumns upwinding(const problem::System& system, const Grid& grid, int ord
       e.valueRef() *= -0.5 * std::abs(linear + system.force()(x1_at));
     }
   }
-  return tensor(columns, divergence(x2)) * flux;
+  return kronecker_product(columns, divergence(x2)) * flux;
 }
 
 }  // namespace
 
-SparseColumns shifted(double factor, const SparseColumns& a, double shift) {
+SparseColumns scale_and_shift(double factor, const SparseColumns& a, double shift) {
   SparseColumns unit(a.rows(), a.cols());
   unit.setIdentity();
   return factor * a + shift * unit;
@@ -156,13 +159,14 @@ SparseColumns shifted(double factor, const SparseColumns& a, double shift) {
 SparseColumns wall_flux(const Grid& grid, int order, End end) {
   const int half = grid.nv() / 2;
   const bool left = end == End::left;
-  // On the wall the density jumps at x2 = 0: stencils stay on the outgoing side.
-  const LineOperator speed = weighted_averages(grid.x2, weighting_points(order),
+  // The density on the wall jumps at x2 = 0: stencils contain one sign of x2 only.
+  const AxisOperator speed = weighted_averages(grid.x2, weighting_points(order),
                                                numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
-  LineOperator in_order(half, grid.nv());
-  for (int b = 0; b < half; ++b) in_order.insert(b, outgoing(grid, end, b)) = 1.0;
-  return tensor(left ? end_value(grid.x1, order) : last_value(grid.x1, order),
-                LineOperator(in_order * speed));
+  AxisOperator in_order(half, grid.nv());
+  for (int b = 0; b < half; ++b) in_order.insert(b, outgoing_cell(grid, end, b)) = 1.0;
+  return kronecker_product(
+      left ? first_face_value(grid.x1, order) : last_face_value(grid.x1, order),
+      AxisOperator(in_order * speed));
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
@@ -177,9 +181,9 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
     local += exchange_at_wall(system.right()->restitution, impact, grid, order, End::right);
   }
   local += damping_and_restoring_force(system, grid, order, weight_points);
-  local +=
-      tensor(identity(grid.nx()), local_excitation(grid.x2, excitation, centred_points(order)));
-  if (order % 2 == 1) local += upwinding(system, grid, order);
+  local += kronecker_product(identity(grid.nx()),
+                             local_excitation(grid.x2, excitation, centred_points(order)));
+  if (order % 2 == 1) local += upwind_correction(system, grid, order);
   local.prune(0.0);
   local.makeCompressed();
   return {std::move(local), excitation.exchange, grid.areas()};
@@ -197,11 +201,11 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
 
 SparseColumns FokkerPlanckOperator::assembled() const {
   if (exchange.size() == 0) return local;
-  // Jumps by whole cells leave rounding in what would otherwise be empty.
+  // Jumps by whole cells produce rounding errors in entries that are zero exactly.
   constexpr double kRounding = 1e-14;
   const int nx = static_cast<int>(areas.size() / exchange.rows());
-  return local +
-         tensor(identity(nx), exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
+  return local + kronecker_product(identity(nx),
+                                   exchange.sparseView(exchange.cwiseAbs().maxCoeff(), kRounding));
 }
 
 double FokkerPlanckOperator::leak() const {

@@ -8,9 +8,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The sides that are no impact walls: "-2 <= y <= 3, ", "y <= 3, ", "y >= -2, ", or nothing.
-std::string free_sides(const problem::Frame& frame, const Line& x1) {
-  bool low = x1.left() == Beyond::vacuum, high = x1.right() == Beyond::vacuum;
+// The sides without impact walls: "-2 <= y <= 3, ", "y <= 3, ", "y >= -2, ", or nothing.
+std::string free_sides(const problem::Frame& frame, const Axis& x1) {
+  bool low = x1.left() == EndCondition::vacuum, high = x1.right() == EndCondition::vacuum;
   double from = frame.y(x1.faces().front()), to = frame.y(x1.faces().back());
   if (frame.mirrored) {
     std::swap(low, high);
@@ -23,12 +23,13 @@ std::string free_sides(const problem::Frame& frame, const Line& x1) {
 
 }  // namespace
 
-std::string box_objection(const problem::Frame& frame, const Grid& grid, const WallDensity& wall,
-                          const std::string& when) {
-  if (wall.x1 <= kMostOnWall && wall.x2 <= kMostOnWall && wall.x1_low <= kMostOnWall) return "";
+std::string box_failure_reason(const problem::Frame& frame, const Grid& grid,
+                               const WallDensity& wall, const std::string& when) {
+  if (wall.x1 <= kMaxWallDensity && wall.x2 <= kMaxWallDensity && wall.x1_low <= kMaxWallDensity)
+    return "";
   return fmt::format(
-      "the box {}|y'| <= {:.3g} is too small: {}the density on its wall is {:.1e} of the peak (widen "
-      "it with y-max and v-max)",
+      "the box {}|y'| <= {:.3g} is too small: {}the density on its wall is {:.1e} of the peak; "
+      "increase y-max and v-max",
       free_sides(frame, grid.x1), grid.x2_max(), when, std::max({wall.x1, wall.x2, wall.x1_low}));
 }
 

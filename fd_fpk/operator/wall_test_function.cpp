@@ -10,9 +10,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, joined by cubics: their
-// derivatives follow from the equations. The cubics' error is step^4 / 384 times a fourth derivative,
-// below 1e-10.
+// Table of phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, with cubic Hermite
+// interpolation: the equations give the derivatives. The interpolation error is step^4 / 384 times
+// a fourth derivative, below 1e-10.
 class Profiles {
  public:
   static const Profiles& table() {
@@ -21,23 +21,23 @@ class Profiles {
   }
 
   double phi(double s) const {
-    if (std::abs(s) > kEnd) return far_.phi(s) + (s < 0 ? below_.phi : 0);
-    return between(s, &Node::phi, [](double, const Node& n) { return n.phi_slope; });
+    if (std::abs(s) > kEnd) return asymptotics_.phi(s) + (s < 0 ? limit_below_.phi : 0);
+    return interpolate(s, &Node::phi, [](double, const Node& n) { return n.phi_slope; });
   }
   double phi_slope(double s) const {
-    if (std::abs(s) > kEnd) return far_.phi_slope(s);
-    return between(s, &Node::phi_slope, phi_curvature);
+    if (std::abs(s) > kEnd) return asymptotics_.phi_slope(s);
+    return interpolate(s, &Node::phi_slope, phi_curvature);
   }
   double theta(double s) const {
-    if (std::abs(s) > kEnd) return far_.theta(s);
-    return between(s, &Node::theta, theta_slope);
+    if (std::abs(s) > kEnd) return asymptotics_.theta(s);
+    return interpolate(s, &Node::theta, theta_slope);
   }
   double chi_slope(double s) const {
-    if (std::abs(s) > kEnd) return far_.chi_slope(s) + (s < 0 ? below_.chi_slope : 0);
-    return between(s, &Node::chi_slope, chi_curvature);
+    if (std::abs(s) > kEnd) return asymptotics_.chi_slope(s) + (s < 0 ? limit_below_.chi_slope : 0);
+    return interpolate(s, &Node::chi_slope, chi_curvature);
   }
   /// chi' for s -> -inf.
-  double chi_slope_below() const { return below_.chi_slope; }
+  double chi_slope_below() const { return limit_below_.chi_slope; }
 
  private:
   static constexpr double kEnd = 14, kStep = 0.02;
@@ -52,16 +52,17 @@ class Profiles {
   static Node derivatives(double s, const Node& n) {
     return {n.phi_slope, phi_curvature(s, n), theta_slope(s, n), chi_curvature(s, n)};
   }
-  static Node moved(const Node& n, double h, const Node& d) {
+  static Node add_scaled(const Node& n, double h, const Node& d) {
     return {n.phi + h * d.phi, n.phi_slope + h * d.phi_slope, n.theta + h * d.theta,
             n.chi_slope + h * d.chi_slope};
   }
 
-  // For large |s| by powers of s^-3, whose coefficients the equations give one by one:
-  // phi' = sum a_n s^(-1-3n), theta = sum t_n s^(-2-3n). At kEnd what is left out is below 1e-11.
-  class Far {
+  // Asymptotic series for large |s| in powers of s^-3, with coefficients by recursion from the
+  // equations: phi' = sum a_n s^(-1-3n), theta = sum t_n s^(-2-3n). At kEnd the truncation error is
+  // below 1e-11.
+  class AsymptoticSeries {
    public:
-    Far() {
+    AsymptoticSeries() {
       a_[0] = 1;
       t_[0] = 3;
       for (int n = 0; n + 1 < kTerms; ++n) {
@@ -97,7 +98,7 @@ class Profiles {
   static double node(std::size_t k) { return -kEnd + kStep * static_cast<double>(k); }
 
   template <class Slope>
-  double between(double s, double Node::*value, const Slope& slope) const {
+  double interpolate(double s, double Node::*value, const Slope& slope) const {
     const double steps = (s + kEnd) / kStep;
     const auto k = static_cast<std::size_t>(std::clamp(std::floor(steps), 0.0, kLast - 1.0));
     const double x = steps - static_cast<double>(k), y = 1 - x;
@@ -107,8 +108,9 @@ class Profiles {
   }
 
   Profiles() : nodes_(kLast + 1) {
-    nodes_[kLast] = {far_.phi(kEnd), far_.phi_slope(kEnd), far_.theta(kEnd), far_.chi_slope(kEnd)};
-    // Downwards, because what solves the equations without a source decays that way: Runge-Kutta.
+    nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
+                     asymptotics_.chi_slope(kEnd)};
+    // Runge-Kutta steps towards smaller s: in this direction homogeneous solutions decay.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {
@@ -116,22 +118,22 @@ class Profiles {
       for (int part = 0; part < kParts; ++part) {
         const double s = node(k) + part * h;
         const Node k1 = derivatives(s, n);
-        const Node k2 = derivatives(s + h / 2, moved(n, h / 2, k1));
-        const Node k3 = derivatives(s + h / 2, moved(n, h / 2, k2));
-        const Node k4 = derivatives(s + h, moved(n, h, k3));
+        const Node k2 = derivatives(s + h / 2, add_scaled(n, h / 2, k1));
+        const Node k3 = derivatives(s + h / 2, add_scaled(n, h / 2, k2));
+        const Node k4 = derivatives(s + h, add_scaled(n, h, k3));
         for (const auto& [weight, d] : {std::pair(1, k1), {2, k2}, {2, k3}, {1, k4}}) {
-          n = moved(n, weight * h / 6, d);
+          n = add_scaled(n, weight * h / 6, d);
         }
       }
       nodes_[k - 1] = n;
     }
-    below_.phi = nodes_[0].phi - far_.phi(-kEnd);
-    below_.chi_slope = nodes_[0].chi_slope - far_.chi_slope(-kEnd);
+    limit_below_.phi = nodes_[0].phi - asymptotics_.phi(-kEnd);
+    limit_below_.chi_slope = nodes_[0].chi_slope - asymptotics_.chi_slope(-kEnd);
   }
 
-  Far far_;
+  AsymptoticSeries asymptotics_;
   std::vector<Node> nodes_;
-  Node below_;  ///< constants for s -> -inf
+  Node limit_below_;  ///< constants for s -> -inf
 };
 
 }  // namespace
@@ -139,28 +141,28 @@ class Profiles {
 WallTestFunction::WallTestFunction(double diffusion, double force, double restitution)
     : diffusion_(diffusion),
       force_(force),
-      share_of_v_(-Profiles::table().chi_slope_below() / (1 + restitution)) {}
+      v_coefficient_(-Profiles::table().chi_slope_below() / (1 + restitution)) {}
 
 double WallTestFunction::length(double y) const { return std::cbrt(diffusion_ * y); }
 
 double WallTestFunction::operator()(double y, double v) const {
   const auto& table = Profiles::table();
   const double l = length(y), s = v / l;
-  const double chi = table.theta(s) + s * (table.chi_slope(s) + share_of_v_);
+  const double chi = table.theta(s) + s * (table.chi_slope(s) + v_coefficient_);
   return std::log(y) / 3 + table.phi(s) + force_ / diffusion_ * l * chi;
 }
 
 double WallTestFunction::slope(double y, double v) const {
   const auto& table = Profiles::table();
   const double l = length(y), s = v / l;
-  return table.phi_slope(s) / l + force_ / diffusion_ * (table.chi_slope(s) + share_of_v_);
+  return table.phi_slope(s) / l + force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }
 
 double WallTestFunction::remainder(double y, double v, double force) const {
   const auto& table = Profiles::table();
   const double l = length(y), s = v / l;
   return (force - force_) * table.phi_slope(s) / l +
-         force * force_ / diffusion_ * (table.chi_slope(s) + share_of_v_);
+         force * force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -8,20 +8,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// To three digits, so that whoever gives what is printed gives enough.
-double rounded_up(double length) {
+// Rounded up to three digits, so that the printed length is sufficient.
+double round_up(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
 }
 
-// On every width of the cells: where they are wide the excitation may grow although it does not
-// where they are narrow.
+// Maximum over all cell widths: the excitation may be unstable on wide cells and stable on narrow
+// ones.
 Growth largest_growth(const problem::Problem& problem, const Options& options,
                       const Discretisation& on) {
-  const Line& x2 = on.grid.x2;
+  const Axis& x2 = on.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
-  if (options.equation == Equation::km4) {  // the Pade approximant never grows
+  if (options.equation == Equation::km4) {  // the Pade approximant is always stable
     as_used.regularisation_length = on.regularisation_length;
     widths = critical_widths(x2, problem.impulses.law(), on.regularisation_length);
   }
@@ -33,42 +33,43 @@ Growth largest_growth(const problem::Problem& problem, const Options& options,
   return largest;
 }
 
-// What a regularisation length must be on the cells of a line.
-std::string advice(const problem::ImpulseTrain& impulses, const Line& line, int points) {
+// Advice on the regularisation length for the cells of an axis.
+std::string advice(const problem::ImpulseTrain& impulses, const Axis& axis, int points) {
   constexpr double kNearly = 0.99;
   const auto& law = impulses.law();
-  const double by_default = default_regularisation_length(impulses, line, points);
+  const double by_default = default_regularisation_length(impulses, axis, points);
   const double of_law = shortest_regularisation_length(law);
   const double shortest =
-      shortest_regularisation_length(impulses, critical_widths(line, law, of_law), points, of_law);
+      shortest_regularisation_length(impulses, critical_widths(axis, law, of_law), points, of_law);
   if (shortest > kNearly * by_default) {
     return fmt::format(
-        "leave out the regularisation length: on such cells it is {:.3g}, and hardly a shorter one "
-        "will do",
+        "leave out the regularisation length: the default on these cells is {:.3g}, and a much "
+        "shorter length is ill-posed",
         by_default);
   }
   return fmt::format(
-      "use a regularisation length of at least {:.3g} on such cells; the default is {:.3g}",
-      rounded_up(shortest), by_default);
+      "use a regularisation length of at least {:.3g} on these cells; the default is {:.3g}",
+      round_up(shortest), by_default);
 }
 
 }  // namespace
 
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step) {
-  const auto [line, excitation] = unbounded_excitation(problem, options, step);
-  return largest_growth(line, excitation, centred_points(order_of(options)));
+  const auto [axis, excitation] = unbounded_excitation(problem, options, step);
+  return largest_growth(axis, excitation, centred_points(order_of(options)));
 }
 
-Posedness posedness(const problem::Problem& problem, const Options& options,
-                    const Discretisation& discretisation) {
+WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
+                                   const Discretisation& discretisation) {
   if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
   const auto& impulses = problem.impulses;
-  if (!impulses.present()) return {};
-  Posedness result{.growth = largest_growth(problem, options, discretisation), .objection = {}};
-  if (!grows(result.growth, impulses)) return result;
-  result.objection = fmt::format(
-      "the series cut after the fourth derivative grows at rate {:.3g} at wavenumber {:.3g} with "
-      "the fourth difference over {:.3g} ({})",
+  if (!impulses.is_present()) return {};
+  WellPosedness result{.growth = largest_growth(problem, options, discretisation),
+                       .ill_posed_reason = {}};
+  if (!is_unstable(result.growth, impulses)) return result;
+  result.ill_posed_reason = fmt::format(
+      "the series truncated after the fourth derivative is ill-posed: with a fourth difference of "
+      "step {2:.3g} waves grow at rate {0:.3g} at wavenumber {1:.3g}; {3}",
       result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,
       advice(impulses, discretisation.grid.x2, centred_points(order_of(options))));
   return result;

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "fd_fpk/characteristics/contact_plane.hpp"
+#include "fd_fpk/characteristics/characteristic_grid.hpp"
+#include "fd_fpk/characteristics/contact_grid.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
-#include "fd_fpk/characteristics/plane.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution.hpp"
-#include "fd_fpk/stationary/judgement.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
@@ -21,29 +21,29 @@ namespace {
 
 using transform::Status;
 
-// Of the transport there is no order: what is observed of cell averages takes parabolas.
+// The transport has no order. Functionals of cell averages use parabolas.
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
-struct Stationary {
+struct GridSolution {
   Grid grid;
   StationaryMasses found;
 };
 
-Stationary stationary_in(const problem::Problem& problem, const problem::Scales& scales,
-                         const Options& options, const Box& box, const Deadline& deadline) {
-  Grid grid = problem::of_the_paper(problem) ? characteristic_grid(problem, options, box)
-                                             : contact_grid(problem, scales, options, box);
+GridSolution solve_in_box(const problem::Problem& problem, const problem::Scales& scales,
+                          const Options& options, const Box& box, const Deadline& deadline) {
+  Grid grid = problem::is_paper_oscillator(problem) ? characteristic_grid(problem, options, box)
+                                                    : contact_grid(problem, scales, options, box);
   StationaryMasses found =
       stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
 // Masses by displacement and by speed.
-struct Sums {
+struct MarginalMasses {
   Eigen::VectorXd of_y, of_speed;
 };
-Sums sums(const Stationary& on) {
+MarginalMasses marginal_masses(const GridSolution& on) {
   const int nx = on.grid.nx(), nv = on.grid.nv();
   const Eigen::Map<const Eigen::MatrixXd> masses(on.found.masses->data(), nv, nx);
   const Eigen::VectorXd of_v = masses.rowwise().sum();
@@ -51,37 +51,39 @@ Sums sums(const Stationary& on) {
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
-// Of a box: what leaves it stays in the cells at its end.
-constexpr double kMostAtEnd = 1e-6;
-double at_end(const Stationary& on, const Sums& sums) {
-  const double in_y = on.grid.x1.right() == Beyond::vacuum ? sums.of_y(sums.of_y.size() - 1) : 0;
-  return std::max(in_y, sums.of_speed(sums.of_speed.size() - 1));
+// Limit for the mass in the cells at the ends of a box: mass that leaves the box accumulates there.
+constexpr double kMaxMassAtEnd = 1e-6;
+double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
+  const double in_y = on.grid.x1.right() == EndCondition::vacuum
+                          ? marginal_masses.of_y(marginal_masses.of_y.size() - 1)
+                          : 0;
+  return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
 }
 
-// The first face beyond which there is no more than `negligible`, of either sign: wide cells swing
-// about a steep tail. The last one where the cells at the end hold more.
-double end_of(const Line& line, const Eigen::VectorXd& masses, double negligible) {
+// The first face outside which the mass is at most `negligible`; in absolute value, since wide
+// cells oscillate about a steep tail. The last face where the cells at the end hold more.
+double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
-  int last = line.cells();
+  int last = axis.cells();
   while (last > 1) {
     beyond += std::abs(masses(last - 1));
     if (beyond > negligible) break;
     --last;
   }
-  return line.face(last);
+  return axis.face(last);
 }
 
-// A box that holds all but a negligible part, found on wide cells; after the deadline one that
-// holds all but kMostAtEnd, without which there would be no answer.
-Box box_of(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-           const Deadline& deadline) {
+// A box with all but a negligible part of the mass, determined on wide cells. At the deadline a box
+// with all but kMaxMassAtEnd suffices, above which there would be no solution.
+Box characteristics_box(const problem::Problem& problem, const problem::Scales& scales,
+                        const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
-  // Where a good part has arrived at the end of the box.
-  constexpr double kMuch = 1e-3, kMuchWider = 3;
-  constexpr double kSlower = 1.5;  // the wider box, about
+  // Faster widening where the mass at the end of the box is large.
+  constexpr double kLargeMass = 1e-3, kFastWidening = 3;
+  constexpr double kTimeRatio = 1.5;  // time ratio for the wider box, about
   constexpr int kMostTimes = 6;
-  Box box = problem::of_the_paper(problem) ? generous_box(problem, options)
-                                           : generous_contact_box(problem, scales, options);
+  Box box = problem::is_paper_oscillator(problem) ? initial_characteristic_box(problem, options)
+                                                  : initial_contact_box(problem, scales, options);
   const bool given_y = options.x1_max || problem.system.right(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
@@ -90,17 +92,19 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
     const Stopwatch stopwatch;
-    const Stationary on = stationary_in(problem, scales, coarse, box, deadline);
+    const GridSolution on = solve_in_box(problem, scales, coarse, box, deadline);
     if (!on.found.masses) return box;
-    const Sums masses = sums(on);
-    const double y = end_of(on.grid.x1, masses.of_y, kNegligible);
-    const double v = end_of(on.grid.speeds(), masses.of_speed, kNegligible);
+    const MarginalMasses masses = marginal_masses(on);
+    const double y = end_of_support(on.grid.x1, masses.of_y, kNegligible);
+    const double v = end_of_support(on.grid.speeds(), masses.of_speed, kNegligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
-    const double beyond = at_end(on, masses);
-    const bool will_do = beyond <= kMostAtEnd;
-    if (will_do && (wider_y || wider_v) && !deadline.allows(kSlower * stopwatch.seconds())) break;
-    const double wider = beyond > kMuch ? kMuchWider : kWider;
+    const double beyond = mass_at_end(on, masses);
+    const bool is_acceptable = beyond <= kMaxMassAtEnd;
+    if (is_acceptable && (wider_y || wider_v) &&
+        !deadline.has_time_for(kTimeRatio * stopwatch.seconds()))
+      break;
+    const double wider = beyond > kLargeMass ? kFastWidening : kWider;
     if (!given_y) box.x1_max = wider_y ? wider * box.x1_max : y;
     if (!given_v) box.x2_max = wider_v ? wider * box.x2_max : v;
     if (!wider_y && !wider_v) break;
@@ -108,17 +112,17 @@ Box box_of(const problem::Problem& problem, const problem::Scales& scales, const
   return box;
 }
 
-// What rests in contact, on the physical axis too.
-void add_atoms(const problem::Problem& problem, const Stationary& on,
+// Adds the atoms in contact to the solution; moments are those of the physical displacement.
+void add_atoms(const problem::Problem& problem, const GridSolution& on,
                transform::Solution& solution) {
   auto& moments = solution.moments;
   for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
-    const RestPlace& place = on.found.rest[k];
-    if (!place.contact) continue;
+    const RestPoint& point = on.found.rest[k];
+    if (!point.contact) continue;
     const double probability = on.found.at_rest[k];
     solution.atoms.push_back(
-        {.y = place.y, .probability = probability, .standard_error = {}, .stated_error = {}});
-    const double y = problem.frame.y(place.y);
+        {.y = point.y, .probability = probability, .standard_error = {}, .error_estimate = {}});
+    const double y = problem.frame.y(point.y);
     moments.y1 += probability * y;
     moments.y2 += probability * y * y;
     moments.y4 += probability * y * y * y * y;
@@ -126,8 +130,8 @@ void add_atoms(const problem::Problem& problem, const Stationary& on,
   }
 }
 
-void observe(const problem::Problem& problem, const problem::Scales& scales, const Stationary& on,
-             const Eigen::VectorXd& averages, Result& result) {
+void fill_in_results(const problem::Problem& problem, const problem::Scales& scales,
+                     const GridSolution& on, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
   const auto& [left, right] = on.found.impacts;
@@ -140,15 +144,15 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
   summary.impact_rate = rate * (left.number + right.number);
   double displacement_at_rest = 0;
   for (std::size_t k = 0; k < on.found.rest.size(); ++k) {
-    const RestPlace& place = on.found.rest[k];
+    const RestPoint& point = on.found.rest[k];
     const double mass = on.found.at_rest[k];
-    if (place.contact) {
-      displacement_at_rest += mass * place.y;
+    if (point.contact) {
+      displacement_at_rest += mass * point.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
     } else {
-      // In an equilibrium it turns on, and hits the wall without a speed.
+      // In an equilibrium small oscillations continue, with impacts of negligible speed.
       summary.rest_mass += mass;
-      summary.impact_rate += mass * place.impact_rate;
+      summary.impact_rate += mass * point.impact_rate;
     }
   }
   const auto in_frame = moments(on.grid, averages, kOrderOfObservables);
@@ -172,9 +176,9 @@ Result solve_along_characteristics(const problem::Problem& problem, const proble
                                    const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  const Box box = box_of(problem, scales, options, deadline);
+  const Box box = characteristics_box(problem, scales, options, deadline);
   const Stopwatch stopwatch;
-  const Stationary on = stationary_in(problem, scales, options, box, deadline);
+  const GridSolution on = solve_in_box(problem, scales, options, box, deadline);
   summary.nx = on.grid.nx();
   summary.nv = on.grid.nv();
   summary.x1_max = on.grid.x1_max();
@@ -190,18 +194,18 @@ Result solve_along_characteristics(const problem::Problem& problem, const proble
     return result;
   }
   summary.residual = on.found.residual * problem.impulses.arrival_rate() / scales.frequency;
-  observe(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
+  fill_in_results(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
   solution.status = Status::ok;
-  if (const double beyond = at_end(on, sums(on)); beyond > kMostAtEnd) {
+  if (const double beyond = mass_at_end(on, marginal_masses(on)); beyond > kMaxMassAtEnd) {
     solution.status = Status::failed;
     solution.reason = fmt::format(
-        "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the cells "
-        "at its end (widen it with y-max and v-max)",
+        "the box y <= {:.3g}, |y'| <= {:.3g} is too small: {:.1e} of the probability is in the "
+        "cells at its end; increase y-max and v-max",
         on.grid.x1_max(), on.grid.x2_max(), beyond);
     return result;
   }
-  judge_resolution(options, result);
-  if (!problem::of_the_paper(problem)) judge_balances(result);
+  check_resolution(options, result);
+  if (!problem::is_paper_oscillator(problem)) check_balances(result);
   return result;
 }
 

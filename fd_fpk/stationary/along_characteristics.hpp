@@ -8,11 +8,11 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The stationary density of `kf` with the exact impact on one grid, by the chain of the states
-/// right after impulses: along characteristics from one impulse to the next
-/// (characteristics/passage.hpp), then by the jump. Where impulses are rare, what is between them
-/// is all there is, and it is exact; the density may be unbounded at the origin. As solve_on_one_grid
-/// otherwise.
+/// The stationary density of `kf` with the exact impact on one grid, by the embedded chain of
+/// states after impulses: transport along characteristics between impulses
+/// (characteristics/transport_operator.hpp), then the jump. For rare impulses the transport
+/// dominates, and it is exact; the density may be unbounded at the origin. Otherwise as
+/// solve_on_one_grid.
 Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
                                    const Options& options, const Deadline& deadline);
 

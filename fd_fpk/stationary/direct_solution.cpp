@@ -11,22 +11,22 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Of the residual, by GMRES.
+// Required reduction of the residual by GMRES.
 constexpr double kLeastReduction = 1e-4;
 
-DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& scales,
-                        const Options& options, const Box& box, const Deadline& deadline) {
+DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Scales& scales,
+                             const Options& options, const Box& box, const Deadline& deadline) {
   Discretisation discretisation = discretise(problem, options, box);
-  if (!discretisation.refusal.empty()) {
-    std::string refusal = discretisation.refusal;
+  if (!discretisation.failure.empty()) {
+    std::string failure = discretisation.failure;
     return {.discretisation = std::move(discretisation),
             .scales = scales,
-            .failure = std::move(refusal)};
+            .failure = std::move(failure)};
   }
   const Grid& grid = discretisation.grid;
   FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
-  Preconditioner preconditioner(problem.system, scales.slowest_decay, discretisation.excitation,
-                                options.impact, grid, order_of(options));
+  Preconditioner preconditioner(problem.system, scales.slowest_decay_rate,
+                                discretisation.excitation, options.impact, grid, order_of(options));
   const Eigen::VectorXd start = gaussian_start(grid, problem, scales);
   auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, start, deadline);
@@ -44,22 +44,22 @@ DirectSolution solve_in(const problem::Problem& problem, const problem::Scales& 
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box` and moves the walls of it that the options leave free until they are empty, or,
-// when the time is over, until the box is not too small to be an answer.
+// Solves in `box` and moves the walls that the options leave free until the density on them is
+// negligible, or, at the deadline, until the box is acceptable.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::Scales& scales, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  constexpr double kSlower = 1.5;  // the wider box, about
+  constexpr double kTimeRatio = 1.5;  // time ratio for the wider box, about
   WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
-    DirectSolution direct = solve_in(problem, scales, options, box, deadline);
+    DirectSolution direct = solve_on_grid(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
-    // A wall whose density does not fall when it moves shows the grid's own error, not a tail.
+    // A wall density that does not fall when the wall moves is a discretisation error, not a tail.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
     const bool widen_x2 =
@@ -67,12 +67,12 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     const bool widen_x1_low =
         !options.x1_max && wall.x1_low > options.wall_density && wall.x1_low < last.x1_low / kFall;
     if (!widen_x1 && !widen_x2 && !widen_x1_low) return direct;
-    const bool will_do =
-        wall.x1 <= kMostOnWall && wall.x2 <= kMostOnWall && wall.x1_low <= kMostOnWall;
-    if (will_do && !deadline.allows(kSlower * stopwatch.seconds())) return direct;
+    const bool is_acceptable =
+        wall.x1 <= kMaxWallDensity && wall.x2 <= kMaxWallDensity && wall.x1_low <= kMaxWallDensity;
+    if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
     if (problem.system.left()) {
       if (widen_x1) box.x1_max *= kWidening;
-    } else {  // without a wall, from the middle
+    } else {  // without an impact wall: about the middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
       if (widen_x1) box.x1_max += by;
       if (widen_x1_low) box.x1_min -= by;
@@ -82,33 +82,33 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Beyond the paper's class deviations say little of how narrow a density is: in several wells and
-// on rings a grid made by them shows it too wide, and ripples at the walls of the box. So a grid
-// made by the lengths that it shows follows, until they stay.
+// Outside the paper's class standard deviations overestimate the length scales of a density. In
+// several wells and on rings a grid based on them smears the density and causes ripples at the
+// walls of the box. Grids based on the computed length scales follow, until these converge.
 void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
   constexpr double kSame = 0.9;
   const Box first = box;
   for (int time = 0; time < kMostTimes; ++time) {
-    const Lengths before = box.lengths;
+    const LengthScales before = box.lengths;
     box = first;
     box.lengths = before;
     const DirectSolution found = solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
     if (!found.averages || !found.converged) return;
-    box.lengths = lengths_of(found.discretisation.grid, *found.averages, scales);
+    box.lengths = fisher_length_scales(found.discretisation.grid, *found.averages, scales);
     if (box.lengths.x1 >= kSame * before.x1 && box.lengths.x2 >= kSame * before.x2) return;
     box.lengths = {std::min(box.lengths.x1, before.x1), std::min(box.lengths.x2, before.x2)};
   }
 }
 
-bool resolved(const problem::Problem& problem, const Options& options,
-              const DirectSolution& direct) {
+bool is_resolved(const problem::Problem& problem, const Options& options,
+                 const DirectSolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
   const double energy = energy_residual(problem, options.impact, direct.discretisation.grid,
                                         averages, order_of(options));
-  return kAutomaticGridBars.allow_density(averages.minCoeff() / averages.maxCoeff()) &&
-         kAutomaticGridBars.allow_imbalance(energy);
+  return kAutomaticGridLimits.is_density_accepted(averages.minCoeff() / averages.maxCoeff()) &&
+         kAutomaticGridLimits.is_imbalance_accepted(energy);
 }
 
 }  // namespace
@@ -122,14 +122,14 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
                    const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
-  const bool look_at_lengths = !problem::of_the_paper(problem);
-  if (!options.x1_max || !options.x2_max || look_at_lengths) {
+  const bool are_lengths_needed = !problem::is_paper_oscillator(problem);
+  if (!options.x1_max || !options.x2_max || are_lengths_needed) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
-    coarse.refinement = look_at_lengths ? kCoarse * kWidthOfHighOrder : kCoarse;
-    coarse.order = kHighOrder;  // lower ones smear tails on such a grid
+    coarse.refinement = are_lengths_needed ? kCoarse * kHighOrderWidthFactor : kCoarse;
+    coarse.order = kHighOrder;  // lower orders smear tails on such a grid
     coarse.origin_refinement = 1;
-    if (look_at_lengths) {
+    if (are_lengths_needed) {
       find_box_and_lengths(problem, scales, coarse, deadline, box);
     } else {
       solve_in_wide_enough_box(problem, scales, coarse, deadline, box);
@@ -138,30 +138,31 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
   return box;
 }
 
-DirectSolution solve_directly(const problem::Problem& problem, const Surroundings& surroundings,
+DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                               const Options& options, const Deadline& deadline) {
   constexpr int kRefinements = 2;
-  constexpr int kMostCellsRefined = 8000;  // of the first grid; finer ones take minutes
+  constexpr int kMostCellsRefined = 8000;  // limit for the first grid; finer grids take minutes
   constexpr double kRefinement = 1.5;
-  constexpr double kSlower = 5;  // a grid so much finer, about
-  const problem::Scales& scales = surroundings.scales;
+  constexpr double kTimeRatio = 5;  // time ratio for the refined grid, about
+  const problem::Scales& scales = scales_and_box.scales;
   Box box =
-      surroundings.box ? *surroundings.box : stationary_box(problem, scales, options, deadline);
+      scales_and_box.box ? *scales_and_box.box : stationary_box(problem, scales, options, deadline);
   Options on_grid = options;
   std::optional<DirectSolution> coarser;
   for (int refinement = 0;; ++refinement) {
     const Stopwatch stopwatch;
     DirectSolution direct = solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
-    if (coarser && !direct.averages && deadline.is_over()) return std::move(*coarser);
+    if (coarser && !direct.averages && deadline.has_passed()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
-        !deadline.allows(kSlower * stopwatch.seconds()) || resolved(problem, options, direct)) {
+        !deadline.has_time_for(kTimeRatio * stopwatch.seconds()) ||
+        is_resolved(problem, options, direct)) {
       return direct;
     }
-    // What is not resolved of a spike is the spike.
-    if (unbounded_at_origin(problem) && direct.origin_refinement < kRefinedOrigin) {
-      on_grid.origin_refinement = kRefinedOrigin;
+    // If the grid does not resolve the density, refine the spike first.
+    if (is_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
+      on_grid.origin_refinement = kOriginRefinement;
     } else {
       on_grid.refinement *= kRefinement;
     }

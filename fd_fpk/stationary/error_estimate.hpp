@@ -9,45 +9,46 @@
 namespace fpkcheck::fd_fpk {
 
 /// The discretisation error of the last of three solutions on grids refined by
-/// transform::kLevelRatio, by transform::richardson; neighbours are compared on the cells of the
-/// finer one. An estimate and no bound: it has been low by up to a factor of 2.5.
+/// transform::kRefinementRatio, by transform::richardson; neighbouring levels are compared on the cells
+/// of the finer grid. An estimate, not a bound: it has been low by up to a factor of 2.5.
 /// @param order of the scheme
-/// @pre all three have a density
+/// @pre all three solutions have a density
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
 
-/// Solves one problem with given options on one grid.
+/// Solves a fixed problem with the given options on a single grid.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
-/// The solution on the grid of the options, with its error estimated from grids of cells wider by
-/// transform::kLevelRatio and its square (direct solves). The solution carries its extrapolation
-/// where transform::has_limit says so of the observed order.
+/// The solution on the grid of the options with an error estimate from two grids with cells wider
+/// by transform::kRefinementRatio and its square (direct solves). The solution includes its
+/// extrapolation where transform::has_limit accepts the observed order.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
-/// The error in L1 that the automatic grid is made for where it can be had in time.
-inline constexpr double kUsualAccuracy = 1e-4;
+/// Target of the automatic grid for the error in L1, where time permits.
+inline constexpr double kTargetAccuracy = 1e-4;
 
-/// What solve_within() goes on for.
-struct Aim {
-  double accuracy = kUsualAccuracy;
-  bool until_ok = false;  ///< finer grids also where the error is small and the status not `ok`
+/// Goal of refine_until_deadline().
+struct RefinementGoal {
+  double accuracy = kTargetAccuracy;
+  bool until_ok = false;  ///< refine also where the error is small and the status not `ok`
 };
 
-/// As above, and on finer grids as long as the estimate is larger than the accuracy of the aim and
-/// either that many cells usually take but a part of the time, or the solution is not `ok` yet. One
-/// that is not there at the deadline is given up.
-Result solve_within(const SolveOnOneGrid& solve, const Options& options, const Deadline& deadline,
-                    const Aim& aim);
+/// As solve_with_error_estimate, with finer grids while the estimate exceeds the accuracy of the
+/// goal. A finer grid needs an expected time of at most a fraction of the limit, or a solution that
+/// is not yet `ok`. A solve that exceeds the deadline is aborted.
+Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
+                             const Deadline& deadline, const RefinementGoal& goal);
 
-/// Whether the one is ok and the other is not, or has an error estimate, or the smaller one.
-bool better(const Result& one, const Result& other);
+/// True if the first result is preferable: `ok` before not `ok`, with before without an error
+/// estimate, with before without a density, then by the smaller estimate.
+bool is_better(const Result& first, const Result& second);
 
 /// The solution on the first of a sequence of grids, each with cells narrower by
-/// transform::kLevelRatio, whose error estimate meets options.tolerance: L1 of both marginals, and
-/// the second moments relative. When the differences fall more slowly than with the order of the
-/// scheme, cells are graded towards the origin. Status `not_converged` when the largest grid that
-/// the deadline or the number of cells allows does not meet it. The solution carries its
-/// extrapolation as above.
+/// transform::kRefinementRatio, whose error estimate is below options.tolerance: L1 of both marginals,
+/// and the second moments relative. If the differences fall more slowly than the order of the
+/// scheme predicts, cells are graded towards the origin. Status `not_converged` when the largest
+/// grid permitted by the deadline or the number of cells misses the tolerance. The solution
+/// includes its extrapolation as above.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline);
 

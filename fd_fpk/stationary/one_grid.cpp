@@ -10,8 +10,8 @@
 #include "fd_fpk/operator/resolution.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
-#include "fd_fpk/stationary/judgement.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -19,7 +19,7 @@ namespace {
 
 using transform::Status;
 
-// The density by the chosen stepper; empty when there is none. Fills in the status.
+// The density by the stepper of the options; empty when there is none. Sets the status.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
                                                   const Options& options, const Deadline& deadline,
@@ -31,15 +31,16 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // CVODE takes its steps by the same linear solver, each of which may take as long.
+  // CVODE solves linear systems with the same solver; each step may take as long as the direct
+  // solve.
   constexpr double kStepsInFull = 20;
   std::optional<March> march;
   if (options.stepper == Stepper::cvode && direct.converged &&
-      deadline.allows(kStepsInFull * direct.krylov_seconds)) {
+      deadline.has_time_for(kStepsInFull * direct.krylov_seconds)) {
     march = march_to_stationarity(
         direct.op, *direct.preconditioner,
         gaussian_start(direct.discretisation.grid, problem, direct.scales),
-        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay, deadline);
+        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay_rate, deadline);
   }
   std::optional<Eigen::VectorXd> averages;
   if (!march || march->out_of_time) {
@@ -65,17 +66,18 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     solution.status = Status::not_converged;
     if (solution.reason.empty()) {
       solution.reason = fmt::format(
-          "residual {:.1e} after {} steps and {} factorisations, {:.1e} was asked for",
+          "residual {:.1e} after {} steps and {} factorisations, requested {:.1e}",
           summary.residual, summary.steps, summary.factorisations, options.residual_tolerance);
     }
   }
   return averages;
 }
 
-void observe(const problem::Problem& problem, const problem::Scales& scales, const Options& options,
-             const DirectSolution& direct, const Eigen::VectorXd& averages, Result& result) {
+void fill_in_results(const problem::Problem& problem, const problem::Scales& scales,
+                     const Options& options, const DirectSolution& direct,
+                     const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
-  const auto& [grid, excitation, length, refusal, cells] = direct.discretisation;
+  const auto& [grid, excitation, length, failure, cells] = direct.discretisation;
   const int order = order_of(options);
   solution.density = grid_density(grid, averages);
   solution.moments = physical_moments(problem.frame, grid, averages, order);
@@ -89,18 +91,20 @@ void observe(const problem::Problem& problem, const problem::Scales& scales, con
                                        momentum_at_walls(problem.system, grid, averages, order));
 }
 
-// Half as far again where a wall has a density that may matter: what rare impulses do beyond a wall
-// with 1e-6 of the peak, 8 deviations out, is 4e-4 of E[y^4].
-std::optional<Extent> wider_extent(const problem::Problem& problem, const Options& options,
-                                   const Grid& grid, const WallDensity& wall) {
-  constexpr double kFurther = 1.5, kNegligible = 1e-9;
-  const double in_x1 = wall.x1 > kNegligible ? kFurther : 1;
-  const double in_x2 = wall.x2 > kNegligible ? kFurther : 1;
+// A box enlarged by half in each direction with a significant wall density; empty where both are
+// negligible. Rare impulses behind a wall with 1e-6 of the peak, 8 standard deviations out,
+// contribute 4e-4 of E[y^4].
+std::optional<BoxExtension> make_enlarged_box(const problem::Problem& problem,
+                                              const Options& options, const Grid& grid,
+                                              const WallDensity& wall) {
+  constexpr double kMinLevelRatio = 1.5, kNegligible = 1e-9;
+  const double in_x1 = wall.x1 > kNegligible ? kMinLevelRatio : 1;
+  const double in_x2 = wall.x2 > kNegligible ? kMinLevelRatio : 1;
   if (in_x1 == 1 && in_x2 == 1) return std::nullopt;
-  return beyond(problem, options, grid, in_x1, in_x2);
+  return extend_box(problem, options, grid, in_x1, in_x2);
 }
 
-void describe(const Discretisation& discretisation, Summary& summary) {
+void fill_in_grid(const Discretisation& discretisation, Summary& summary) {
   const Grid& grid = discretisation.grid;
   summary.nx = grid.nx();
   summary.nv = grid.nv();
@@ -111,20 +115,20 @@ void describe(const Discretisation& discretisation, Summary& summary) {
 
 }  // namespace
 
-Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
+Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                          const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  // Growth depends on the velocity step alone, so it is judged before anything is solved.
+  // Growth rates depend on the velocity step alone, so they are checked before any solve.
   const auto first =
-      discretise(problem, options, initial_box(problem, surroundings.scales, options));
-  describe(first, summary);
-  if (!first.refusal.empty()) {
+      discretise(problem, options, initial_box(problem, scales_and_box.scales, options));
+  fill_in_grid(first, summary);
+  if (!first.failure.empty()) {
     solution.status = Status::failed;
-    solution.reason = first.refusal;
+    solution.reason = first.failure;
     return result;
   }
-  const auto [growth, ill_posed] = posedness(problem, options, first);
+  const auto [growth, ill_posed] = check_well_posedness(problem, options, first);
   summary.growth_rate = growth.rate;
   summary.growth_wavenumber = growth.wavenumber;
   if (!ill_posed.empty()) {
@@ -133,8 +137,8 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
     return result;
   }
 
-  DirectSolution direct = solve_directly(problem, surroundings, options, deadline);
-  describe(direct.discretisation, summary);
+  DirectSolution direct = solve_directly(problem, scales_and_box, options, deadline);
+  fill_in_grid(direct.discretisation, summary);
   summary.order = order_of(options);
   summary.refinement = direct.refinement;
   summary.origin_refinement = direct.origin_refinement;
@@ -146,15 +150,15 @@ Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& su
   const auto density = stationary_density(direct, problem, options, deadline, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
-    observe(problem, surroundings.scales, options, direct, *density, result);
-    if (problem::of_the_paper(problem)) {
-      summary.wider = wider_extent(problem, options, grid, summary.wall);
+    fill_in_results(problem, scales_and_box.scales, options, direct, *density, result);
+    if (problem::is_paper_oscillator(problem)) {
+      summary.enlarged_box = make_enlarged_box(problem, options, grid, summary.wall);
     } else {
-      summary.beyond_box = beyond_box(problem, grid, *density, solution.moments);
+      summary.moments_outside_box = moments_outside_box(problem, grid, *density, solution.moments);
     }
-    judge_box(problem.frame, grid, result);
-    judge_resolution(options, result);
-    if (!problem::of_the_paper(problem)) judge_balances(result);
+    check_box(problem.frame, grid, result);
+    check_resolution(options, result);
+    if (!problem::is_paper_oscillator(problem)) check_balances(result);
   }
   return result;
 }

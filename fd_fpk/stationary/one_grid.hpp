@@ -8,10 +8,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The stationary density on the grid and in the box that the options come to, and whether it can
-/// be believed; Options::error_estimate and tolerance are for who calls this on several grids. Its
-/// identity is left to them too. The statuses are those of solve().
-Result solve_on_one_grid(const problem::Problem& problem, const Surroundings& surroundings,
+/// The stationary density on the grid and in the box of the options, with its status as in solve().
+/// Options::error_estimate and tolerance are ignored: callers use them over several grids. The
+/// caller sets the identity.
+Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                          const Options& options, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,25 +13,27 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
                             const Eigen::VectorXd& start, double tolerance, double decay_time,
                             const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
-  // Decay times. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the bound.
+  // In decay times. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the
+  // upper limit.
   constexpr double kFirstStep = 10, kLongestStep = 500;
-  // Local errors are no aim here: a step may change the density by many times itself.
-  constexpr double kRelativeTolerance = 1, kOfThePeak = 1000;
-  const double absolute_tolerance = kOfThePeak * start.maxCoeff();
-  // Errors count by their mass. Narrow cells at a singularity hold next to none, and would shorten
-  // the steps by what their density does on the way: white noise at r = 0.6 took 860 iterations of
-  // GMRES for 372.
+  // Local errors are not controlled here: a step may change the density by many times itself.
+  constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
+  const double absolute_tolerance = kPeakMultiple * start.maxCoeff();
+  // Tolerances are in terms of mass. Narrow cells at a singularity hold negligible mass, and would
+  // shorten the steps because their density varies: for white noise at r = 0.6 GMRES took 860
+  // iterations instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
-  // What GMRES leaves of a step's linear system, by the peak, is gamma times what it adds to L P: a
-  // hundredth of what the step leaves of it, about 1/gamma of that before in decay times. What the
-  // last one leaves is in the answer.
-  constexpr double kPart = 1e-2, kOfTheLast = 1e-11;
+  // The residual of GMRES in a step, relative to the peak, is gamma times its contribution to L P.
+  // The tolerance is a hundredth of the residual expected from the step, about 1/gamma of the
+  // preceding residual in decay times. The residual of the last step remains in the solution.
+  constexpr double kPart = 1e-2, kLastStepTolerance = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const bool is_last = residual <= kLongestStep * tolerance;
-    const double part =
-        is_last ? kOfTheLast : std::clamp(kPart * residual * decay_time, kOfTheLast, kPart);
-    return part / kOfThePeak;
+    const double part = is_last
+                            ? kLastStepTolerance
+                            : std::clamp(kPart * residual * decay_time, kLastStepTolerance, kPart);
+    return part / kPeakMultiple;
   };
   constexpr double kStepGrowth = 100;
 
@@ -39,14 +41,14 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   const double factored_before = preconditioner.factor_seconds();
   March march;
   march.residual = op.residual(start);
-  LinearCvode cvode(within(deadline, linear_system(op, preconditioner)), start,
+  LinearCvode cvode(with_deadline(deadline, linear_system(op, preconditioner)), start,
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,
                      .linear_tolerance = linear_tolerance(march.residual),
                      .absolute_tolerances = absolute_tolerances,
                      .first_step = kFirstStep * decay_time,
-                     .longest_step = kLongestStep * decay_time,
+                     .max_step = kLongestStep * decay_time,
                      .step_growth = kStepGrowth});
   while (march.residual > tolerance && march.steps < kMaxSteps) {
     const Stopwatch of_step;
@@ -54,18 +56,18 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
     int flag = 0;
     try {
       flag = cvode.step().flag;
-    } catch (const OutOfTime&) {
+    } catch (const DeadlineExceeded&) {
       march.out_of_time = true;
       break;
     }
     march.steps = cvode.steps();
     if (flag < 0) {
       march.reason =
-          fmt::format("CVODE stopped at step {} (flag {}): {}", march.steps, flag, cvode.message());
+          fmt::format("CVODE failed at step {} (flag {}): {}", march.steps, flag, cvode.message());
       break;
     }
     march.residual = op.residual(cvode.averages());
-    if (march.residual > tolerance && !deadline.allows(of_step.seconds())) {
+    if (march.residual > tolerance && !deadline.has_time_for(of_step.seconds())) {
       march.out_of_time = true;
       break;
     }
@@ -73,7 +75,7 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   march.rhs_evaluations = cvode.rhs_evaluations();
   march.krylov_iterations = cvode.krylov_iterations();
   march.krylov_seconds = stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
-  // Of mass 1, of which GMRES loses as much as it leaves of a step.
+  // Normalised to mass 1: the residual of GMRES changes the mass.
   march.averages = cvode.averages() / op.mass(cvode.averages());
   return march;
 }

@@ -9,26 +9,27 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// How the march to stationarity went.
+/// Result of the march to stationarity.
 struct March {
-  Eigen::VectorXd averages;    ///< the last density reached
-  std::string reason;          ///< why CVODE stopped, in its own words; empty when it did not
-  bool out_of_time = false;    ///< the next step would have ended after the deadline
+  Eigen::VectorXd averages;    ///< the last density
+  std::string reason;          ///< error message of CVODE; empty when it did not stop
+  bool out_of_time = false;    ///< true if the next step would have ended after the deadline
   double residual = 0;         ///< FokkerPlanckOperator::residual of `averages`
-  long steps = 0;              ///< CVODE's internal steps
-  long rhs_evaluations = 0;    ///< products L P asked for by CVODE
-  long krylov_iterations = 0;  ///< of GMRES, in all
-  double krylov_seconds = 0;   ///< but for factorisations: in GMRES, but for a small rest
+  long steps = 0;              ///< internal steps of CVODE
+  long rhs_evaluations = 0;    ///< products L P evaluated for CVODE
+  long krylov_iterations = 0;  ///< total iterations of GMRES
+  double krylov_seconds = 0;   ///< time without factorisations, nearly all of it in GMRES
 };
 
-/// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE: BDF of
-/// order 1 (L-stable: the eigenvalues of the turning oscillator lie close to the imaginary axis,
-/// where higher orders creep), steps of 10 to 500 decay times that no local error shortens: each is
-/// one of inverse iteration, and leaves 1/(1 + step/decay time) of the residual. The linear systems
-/// are solved by GMRES with L itself as far as the residual that a step may reach asks for,
-/// preconditioned by KLU: by the factors of the stationary operator where they are at hand. Only the
-/// residual is judged, never CVODE's step size. No step begins that would end after the deadline if
-/// it took as long as the one before; one that does not end by then is given up.
+/// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE. BDF of
+/// order 1 is L-stable; higher orders damp slowly near the imaginary axis, where the eigenvalues of
+/// the rotating oscillator lie. Steps of 10 to 500 decay times are not limited by local errors:
+/// each is a step of inverse iteration and leaves 1/(1 + step/decay time) of the residual. GMRES
+/// solves the linear systems with L itself, to the residual attainable in the step. KLU
+/// preconditions it, with the factors of the stationary operator where available. The residual
+/// alone is the stopping criterion, never the step size of CVODE. A step does not start if it would
+/// exceed the deadline with the duration of the preceding step; a step that exceeds the deadline is
+/// aborted.
 ///
 /// @param tolerance on the residual, per unit time
 /// @param decay_time the longest of the problem

@@ -7,45 +7,45 @@
 
 namespace fpkcheck::mcs {
 
-/// What the samples and impacts of one stream put on a DepositGrid, as sums. With N samples an
-/// interval apart, for any h = sum c_ij B_i(y) B_j(v),
+/// Sums over the samples and impacts of one stream, deposited on a DepositGrid. With N samples at
+/// equal intervals, for any h = sum c_ij B_i(y) B_j(v),
 ///
 ///     sum c_ij (flow[i][j] + sum_q lattice[i][q] (K B_j)(v_q)) / N
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
-///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ],
+///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ].
 ///
-/// (with DepositGrid::shifts the lattice stays empty and the flow has all of it), where y'' is the
-/// second derivative of the flight's own polynomial, y- and v- are where that polynomial was at the
-/// impact, and v+ is the velocity that the motion went on with.
+/// With DepositGrid::shifts the lattice stays empty and `flow` includes its terms. y'' is the
+/// second derivative of the flight's polynomial, (y-, v-) is the state of this polynomial at the
+/// impact, and v+ is the velocity after the impact.
 struct Deposit {
   int flow_pitch = 0, lattice_pitch = 0;
-  std::vector<double> flow;     ///< shape (y functions, flow_pitch), the v functions first
-  std::vector<double> lattice;  ///< shape (y functions, lattice_pitch), the points first
-  std::vector<double> y_bins;   ///< smooth bin b at [b + kFrame]
+  std::vector<double> flow;     ///< shape (y functions, flow_pitch); rows are padded
+  std::vector<double> lattice;  ///< shape (y functions, lattice_pitch); rows are padded
+  std::vector<double> y_bins;   ///< smooth bin b at [b + kBinOffset]
   std::vector<double> v_bins;   ///< likewise
-  /// y'' y'^0, y'' y, y'' y' of the flights' polynomials.
+  /// Sums of y'', y'' y and y'' y' of the flights' polynomials over samples.
   std::array<double, 3> acceleration{};
-  /// Sums over impacts: of -v-, of v+, of |y-|.
+  /// Sums of -v-, v+ and |y-| over impacts.
   std::array<double, 3> impacts{};
-  /// Of the impulses as they were drawn: 1, Y, Y^2.
+  /// Sums of 1, Y and Y^2 over the drawn impulses.
   std::array<double, 3> impulses{};
 
-  static constexpr int kFrame = 2;
+  static constexpr int kBinOffset = 2;
 
   Deposit() = default;
   explicit Deposit(const DepositGrid& grid)
-      : flow_pitch(grid.v_functions() + kOverhang),
+      : flow_pitch(grid.v_functions() + kPadding),
         lattice_pitch(grid.lattice_points),
         flow(static_cast<std::size_t>(grid.y_functions() * flow_pitch)),
         lattice(static_cast<std::size_t>(grid.y_functions() * lattice_pitch)),
-        y_bins(static_cast<std::size_t>(grid.y_bins.count + 2 * kFrame + kOverhang)),
-        v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kFrame + kOverhang)) {}
+        y_bins(static_cast<std::size_t>(grid.y_bins.count + 2 * kBinOffset + kPadding)),
+        v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 
  private:
-  static constexpr int kOverhang = SplinePieces::kWidth;  // eight numbers are added at a time
+  static constexpr int kPadding = SplinePieces::kWidth;  // sums are updated eight at a time
 };
 
-/// Shows every sum of a deposit to `visit`.
+/// Calls `visit` with every sum of a deposit.
 template <class Sums, class Visit>
 void for_each_deposit_sum(Sums& deposit, Visit visit) {
   visit(deposit.flow);

@@ -15,17 +15,17 @@ constexpr int kDegree = DepositGrid::kDegree;
 constexpr int kEight = SplinePieces::kWidth;
 constexpr double kMostCells = 1e5;
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw InputError("mcs.deposit: " + what);
+void require(bool holds, const std::string& message) {
+  if (!holds) throw InputError("mcs.deposit: " + message);
 }
 
-std::vector<double> breaks_of(const std::vector<double>& knots) {
+std::vector<double> distinct_knots(const std::vector<double>& knots) {
   std::vector<double> breaks(knots);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
 
-double shortest(const std::vector<double>& breaks) {
+double shortest_span(const std::vector<double>& breaks) {
   double least = breaks[1] - breaks[0];
   for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
     least = std::min(least, breaks[k + 1] - breaks[k]);
@@ -35,32 +35,34 @@ double shortest(const std::vector<double>& breaks) {
 
 void require_knots(const std::string& name, const std::vector<double>& knots) {
   const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
-  require(
-      knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
-          std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
-          knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
-          repeated(knots.back()) == kDegree + 1,
-      fmt::format("{} with {} knots (must not decrease, with six-fold ends)", name, knots.size()));
-  const std::vector<double> breaks = breaks_of(knots);
+  require(knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
+              std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
+              knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
+              repeated(knots.back()) == kDegree + 1,
+          fmt::format("{1} knots of {0}: must be sorted, with ends of multiplicity six", name,
+                      knots.size()));
+  const std::vector<double> breaks = distinct_knots(knots);
   for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
     require(repeated(breaks[k]) <= kDegree,
-            fmt::format("{}: an inner knot is repeated more than five times", name));
+            fmt::format("knots of {}: an inner knot has a multiplicity above five", name));
   }
-  require(shortest(breaks) * kMostCells > breaks.back() - breaks.front(),
-          fmt::format("{}: knots that lie too close together", name));
+  require(shortest_span(breaks) * kMostCells > breaks.back() - breaks.front(),
+          fmt::format("knots of {}: too close together", name));
 }
 
 void require_bins(const std::string& name, const SmoothBins& bins) {
   require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
               std::isfinite(bins.spacing),
-          fmt::format("{} smooth bins of {} with the spacing {}", bins.count, name, bins.spacing));
+          fmt::format("{} smooth bins of {} with spacing {}: both must be positive", bins.count,
+                      name, bins.spacing));
 }
 
-using Power = std::vector<double>;  // coefficients of 1, t, ..
+using Coefficients = std::vector<double>;  // coefficients of 1, t, t^2, ..
 
 /// a p + (b + c t) q
-Power combined(double a, const Power& p, double b, double c, const Power& q) {
-  Power sum(std::max(p.size(), q.size() + 1), 0.0);
+Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
+                                 const Coefficients& q) {
+  Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
   for (std::size_t n = 0; n < p.size(); ++n) sum[n] += a * p[n];
   for (std::size_t n = 0; n < q.size(); ++n) {
     sum[n] += b * q[n];
@@ -69,30 +71,30 @@ Power combined(double a, const Power& p, double b, double c, const Power& q) {
   return sum;
 }
 
-/// The functions of a span, from its sixth-last knot on, by the recursion of Cox and de Boor in
-/// t = (x - begin)/width, shape (6, 6).
-/// @param last_knot of the span's beginning
-std::vector<Power> functions_of(const std::vector<double>& knots, std::size_t last_knot) {
+/// The six splines of a span as polynomials of t = (x - begin)/width, by the recursion of Cox and
+/// de Boor, shape (6, 6).
+/// @param last_knot index of the last knot at the beginning of the span
+std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::size_t last_knot) {
   const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
-  std::vector<Power> functions{{1.0}};
+  std::vector<Coefficients> functions{{1.0}};
   for (int p = 1; p <= kDegree; ++p) {
-    std::vector<Power> next(functions.size() + 1, Power{0.0});
+    std::vector<Coefficients> next(functions.size() + 1, Coefficients{0.0});
     for (std::size_t l = 0; l < functions.size(); ++l) {
-      // Of degree p - 1, on the knots i .. i + p.
+      // Degree p - 1, on the knots i .. i + p.
       const std::size_t i = last_knot - static_cast<std::size_t>(p - 1) + l;
       const double low = knots[i], length = knots[i + static_cast<std::size_t>(p)] - low;
       const double at = (begin - low) / length, slope = width / length;
-      next[l + 1] = combined(1, next[l + 1], at, slope, functions[l]);
-      next[l] = combined(1, next[l], 1 - at, -slope, functions[l]);
+      next[l + 1] = combine_polynomials(1, next[l + 1], at, slope, functions[l]);
+      next[l] = combine_polynomials(1, next[l], 1 - at, -slope, functions[l]);
     }
     functions = std::move(next);
   }
-  for (Power& f : functions) f.resize(kDegree + 1);
+  for (Coefficients& f : functions) f.resize(kDegree + 1);
   return functions;
 }
 
-/// Highest power first, by powers and then by functions.
-void append(std::vector<double>& table, const std::vector<Power>& functions, int highest) {
+/// Appends the coefficients, highest power first, all polynomials of a power together.
+void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {
       const bool there = l < static_cast<int>(functions.size());
@@ -102,16 +104,16 @@ void append(std::vector<double>& table, const std::vector<Power>& functions, int
   }
 }
 
-Power multiplied(const Power& p, double constant, double slope) {
-  return combined(0, {}, constant, slope, p);
+Coefficients multiply_by_linear(const Coefficients& p, double constant, double slope) {
+  return combine_polynomials(0, {}, constant, slope, p);
 }
 
 std::vector<double> lagrange_polynomials() {
-  std::vector<Power> polynomials;
+  std::vector<Coefficients> polynomials;
   for (int q = -3; q <= 4; ++q) {
-    Power polynomial{1.0};
+    Coefficients polynomial{1.0};
     for (int p = -3; p <= 4; ++p) {
-      if (p != q) polynomial = multiplied(polynomial, -p / double(q - p), 1.0 / (q - p));
+      if (p != q) polynomial = multiply_by_linear(polynomial, -p / double(q - p), 1.0 / (q - p));
     }
     polynomials.push_back(std::move(polynomial));
   }
@@ -121,7 +123,7 @@ std::vector<double> lagrange_polynomials() {
 }
 
 std::vector<double> cubic_pieces() {
-  // M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  // The cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
   std::vector<double> table;
   append(table,
          {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
@@ -140,8 +142,8 @@ void require_grid(const DepositGrid& grid) {
   require(grid.y_knots.front() == 0, "the knots of y must begin at 0");
   require(grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
               std::isfinite(grid.lattice_begin),
-          fmt::format("{} points of the lattice (at least {})", grid.lattice_points,
-                      DepositGrid::kStencil));
+          fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
+                      grid.lattice_points, DepositGrid::kStencil));
   require_bins("y", grid.y_bins);
   require_bins("v", grid.v_bins);
 }
@@ -150,11 +152,11 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     : begin_(knots.front()), end_(knots.back()) {
   for (std::size_t k = kDegree; k + kDegree + 1 < knots.size(); ++k) {
     if (knots[k] == knots[k + 1]) continue;
-    const auto functions = functions_of(knots, k);
+    const auto functions = span_splines(knots, k);
     const double width = knots[k + 1] - knots[k];
-    std::vector<Power> slopes;
-    for (const Power& f : functions) {
-      Power slope;
+    std::vector<Coefficients> slopes;
+    for (const Coefficients& f : functions) {
+      Coefficients slope;
       for (int n = 1; n <= kDegree; ++n)
         slope.push_back(n * f[static_cast<std::size_t>(n)] / width);
       slopes.push_back(slope);
@@ -162,14 +164,14 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     std::vector<double> table;
     append(table, functions, kDegree);
     append(table, slopes, kDegree - 1);
-    // Alike but for rounding.
+    // Spans with the same coefficients, but for rounding, share one table.
     int place = 0;
-    const auto alike = [&](int from) {
+    const auto has_same_coefficients = [&](int from) {
       return std::equal(table.begin(), table.end(), coefficients_.begin() + from,
                         [&](double a, double b) { return std::abs(a - b) <= 1e-12 / width; });
     };
     const int stored = static_cast<int>(coefficients_.size());
-    while (place < stored && !alike(place)) place += static_cast<int>(table.size());
+    while (place < stored && !has_same_coefficients(place)) place += static_cast<int>(table.size());
     if (place == stored) coefficients_.insert(coefficients_.end(), table.begin(), table.end());
     first_.push_back(static_cast<int>(k) - kDegree);
     place_.push_back(place);
@@ -177,7 +179,7 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     per_length_.push_back(1 / width);
   }
   breaks_.push_back(end_);
-  const auto cells = static_cast<int>(std::ceil((end_ - begin_) / shortest(breaks_)));
+  const auto cells = static_cast<int>(std::ceil((end_ - begin_) / shortest_span(breaks_)));
   cells_per_length_ = cells / (end_ - begin_);
   for (int cell = 0, span = 0; cell < cells; ++cell) {
     const double from = begin_ + cell / cells_per_length_;

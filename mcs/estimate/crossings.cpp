@@ -5,18 +5,18 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kEvery = 10;  // edges
+constexpr std::size_t kEdgesPerLevel = 10;  // bin edges per crossing level
 
-double above(const std::vector<double>& sums, std::size_t edge) {
+double sum_above(const std::vector<double>& sums, std::size_t edge) {
   return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
 }
 
 template <class Of>
-std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& weights,
-                             std::size_t first, Of of) {
+std::vector<LevelRate> level_rates(const Simulation& simulation, const StreamWeights& weights,
+                                   std::size_t first, Of of) {
   const auto& edges = simulation.plan().y_bins.edges();
   std::vector<LevelRate> found;
-  for (std::size_t k = first; k < edges.size(); k += kEvery) {
+  for (std::size_t k = first; k < edges.size(); k += kEdgesPerLevel) {
     const auto values = each(simulation.streams(), [&](const StreamRecord& record) {
       return of(record, k) / simulation.stream_time();
     });
@@ -29,14 +29,16 @@ std::vector<LevelRate> rates(const Simulation& simulation, const StreamWeights& 
 
 std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
                                           const StreamWeights& weights) {
-  return rates(simulation, weights, kEvery, [](const StreamRecord& record, std::size_t k) {
-    return above(record.peaks, k) - above(record.troughs, k);
-  });
+  return level_rates(simulation, weights, kEdgesPerLevel,
+                     [](const StreamRecord& record, std::size_t k) {
+                       return sum_above(record.peaks, k) - sum_above(record.troughs, k);
+                     });
 }
 
 std::vector<LevelRate> estimate_peaks(const Simulation& simulation, const StreamWeights& weights) {
-  return rates(simulation, weights, 0,
-               [](const StreamRecord& record, std::size_t k) { return above(record.peaks, k); });
+  return level_rates(simulation, weights, 0, [](const StreamRecord& record, std::size_t k) {
+    return sum_above(record.peaks, k);
+  });
 }
 
 }  // namespace fpkcheck::mcs

@@ -7,14 +7,15 @@
 
 namespace fpkcheck::mcs {
 
-/// Upward crossings of levels of y per unit time: maxima above the level less minima above it
-/// (between two crossings upwards there is one maximum more than minima, and all minima at the wall
-/// lie below). The levels are every tenth edge of the bins of y, from the first one above the wall.
+/// Rates of upward crossings of levels of y: maxima above the level less minima above the level,
+/// per unit time. Between two upward crossings there is one maximum more than minima, and all
+/// minima at the wall are below the level. The levels are every tenth bin edge of y, from the first
+/// above the wall.
 std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
                                           const StreamWeights& weights);
 
-/// Maxima of y per unit time above the same levels, and above 0 first: their ratios are the
-/// exceedance probabilities of a peak.
+/// Rates of maxima of y above 0 and above the same levels. Their ratios are the exceedance
+/// probabilities of a peak.
 std::vector<LevelRate> estimate_peaks(const Simulation& simulation, const StreamWeights& weights);
 
 }  // namespace fpkcheck::mcs

@@ -11,9 +11,9 @@
 namespace fpkcheck::mcs {
 namespace {
 
-std::vector<std::vector<double>> sums_of(const Simulation& simulation,
-                                         transform::Variable variable) {
-  std::vector<std::vector<double>> sums;  // with the outer bins, shape (streams, n + 2)
+std::vector<std::vector<double>> bin_sums(const Simulation& simulation,
+                                          transform::Variable variable) {
+  std::vector<std::vector<double>> sums;  // shape (streams, n + 2), with the outer bins
   for (const Stream& stream : simulation.streams()) {
     const Histogram& histogram = stream.record.histogram;
     sums.push_back(variable == transform::Variable::y ? histogram.row_sums()
@@ -26,10 +26,11 @@ struct Interval {
   double lower, upper;
 };
 
-/// The densities d with |d - mean| <= t s(d), where the variance s^2 is in proportion to the density,
-/// s^2(d) = error^2 d / mean: a bin is visited like a Poisson process (the score interval: Wilson, J.
-/// Am. Stat. Assoc. 22 (1927) 209, in the limit of rare events). Where visits are few the truth is
-/// more often above their mean than below, and mean +- t error misses it.
+/// Densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance is
+/// proportional to the density, since the visits to a bin are nearly a Poisson process. This is the
+/// score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) in the limit of rare events. For
+/// few visits the density is more often above the mean than below; mean +- t error then misses the
+/// density.
 Interval score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
@@ -47,12 +48,12 @@ double expected_l1(const BinErrors& errors) {
   return sum;
 }
 
-// Multiplier bootstrap: what the streams added to the errors, each with a normal random factor, is
-// as likely to have been the error as the one that was made.
+// Multiplier bootstrap: multiplies the error contribution of each stream by a random normal factor.
+// The replicates have the distribution of the sampling error.
 SamplingL1 sampling_l1(const BinErrors& errors) {
   constexpr int kReplicates = 400;
-  constexpr std::uint64_t kSeed = 20240501;  // any; the same run reports the same number
-  SamplingL1 result{.expected = expected_l1(errors), .in_99 = 0};
+  constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: a run is reproducible
+  SamplingL1 result{.expected = expected_l1(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
   boost::random::mt19937_64 engine(kSeed);
   boost::random::normal_distribution<double> normal;
@@ -67,13 +68,13 @@ SamplingL1 sampling_l1(const BinErrors& errors) {
   }
   const auto nth = distances.begin() + kReplicates * 99 / 100;
   std::ranges::nth_element(distances, nth);
-  result.in_99 = *nth;
+  result.quantile_99 = *nth;
   return result;
 }
 
-std::vector<std::vector<double>> cumulative(const Simulation& simulation,
-                                            transform::Variable variable) {
-  auto sums = sums_of(simulation, variable);
+std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
+                                                          transform::Variable variable) {
+  auto sums = bin_sums(simulation, variable);
   for (auto& stream : sums) {
     double below = 0;
     for (double& sum : stream) sum = below += sum / simulation.stream_samples();
@@ -85,7 +86,7 @@ std::vector<std::vector<double>> cumulative(const Simulation& simulation,
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::Variable variable, double effective_samples) {
   const auto& edges = simulation.plan().bins(variable).edges();
-  const auto sums = sums_of(simulation, variable);
+  const auto sums = bin_sums(simulation, variable);
   MarginalEstimate result;
   auto& [marginal, errors] = result;
   marginal.edges = edges;
@@ -97,7 +98,8 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
     const double density = std::max(mean, 0.0);  // see estimate_joint_density
-    // Nothing seen in n independent draws: less than 3/n with 95 % confidence ("rule of three").
+    // No visit in n independent draws: the probability is below 3/n at 95 % confidence ("rule of
+    // three").
     const Interval interval = density > 0
                                   ? score_interval(density, error, weights.interval_factor())
                                   : Interval{0, 3 / (effective_samples * width)};
@@ -124,8 +126,8 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
         return stream.record.histogram(i + 1, j + 1) * unit;
       });
       const auto [mean, error] = weights.estimate(values);
-      // In short runs a cell in the far tails may have been visited by a stream of negative weight
-      // only.
+      // In short runs a stream of negative weight may be the only one to visit a cell of the far
+      // tails.
       density.averages.push_back(std::max(mean, 0.0));
       joint.standard_errors.push_back(error);
     }

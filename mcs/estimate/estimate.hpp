@@ -2,7 +2,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Half the width of a 95 % interval of a normal variable, in standard errors.
+/// Half-width of the 95 % interval of a normal variable, in standard errors.
 inline constexpr double kNormal95 = 1.959964;
 
 /// A mean and its standard error.
@@ -11,14 +11,14 @@ struct Estimate {
   double standard_error = 0;
 };
 
-/// Where the probability below reaches a given one.
+/// Quantile: `value` with the given probability below.
 struct Quantile {
   double probability;
   double value;
   double lower, upper;  ///< ends of the 95 % interval
 };
 
-/// A rate of passing a level of y, per unit time.
+/// Rate of crossings of `level`, or of peaks above `level`, per unit time.
 struct LevelRate {
   double level;
   Estimate rate;

@@ -14,17 +14,17 @@ namespace {
 constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
                                     0.75, 0.95, 0.99, 0.999, 0.9999};
 
-/// A distribution function that increases between edges.
-class Distribution {
+/// A distribution function, monotone at the edges.
+class DistributionFunction {
  public:
-  Distribution(const std::vector<double>& edges, std::vector<double> below)
+  DistributionFunction(const std::vector<double>& edges, std::vector<double> below)
       : edges_(edges), below_(std::move(below)) {
     for (std::size_t k = 1; k < below_.size(); ++k) below_[k] = std::max(below_[k], below_[k - 1]);
   }
 
-  bool reaches(double p) const { return p > below_.front() && p < below_.back(); }
+  bool is_in_range(double p) const { return p > below_.front() && p < below_.back(); }
 
-  /// The inverse of the cubic through four edges, kept between the two in the middle.
+  /// Inverse of the cubic through four edges, restricted to the two middle edges.
   double inverse(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());
@@ -57,15 +57,15 @@ class Distribution {
   std::vector<double> below_;
 };
 
-/// Mirrored, what is below lies above.
-std::vector<Quantile> on_the_physical_axis(const problem::Frame& frame,
-                                           transform::Variable variable,
-                                           std::vector<Quantile> quantiles) {
-  const auto seen = [&](double x) {
+/// Maps quantiles to physical coordinates. A mirrored axis exchanges lower and upper tails.
+std::vector<Quantile> to_physical_coordinates(const problem::Frame& frame,
+                                              transform::Variable variable,
+                                              std::vector<Quantile> quantiles) {
+  const auto to_physical = [&](double x) {
     return variable == transform::Variable::y ? frame.y(x) : frame.v(x);
   };
   for (Quantile& q : quantiles) {
-    q = {q.probability, seen(q.value), seen(q.lower), seen(q.upper)};
+    q = {q.probability, to_physical(q.value), to_physical(q.lower), to_physical(q.upper)};
     if (!frame.mirrored) continue;
     q.probability = 1 - q.probability;
     std::swap(q.lower, q.upper);
@@ -79,7 +79,7 @@ std::vector<Quantile> on_the_physical_axis(const problem::Frame& frame,
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
                                          transform::Variable variable) {
   const auto& edges = simulation.plan().bins(variable).edges();
-  const auto streams = cumulative(simulation, variable);
+  const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
     std::ranges::transform(streams, values.begin(), [&](const auto& below) { return below[k]; });
@@ -87,22 +87,22 @@ std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const Str
     mean.push_back(estimate.mean);
     error.push_back(estimate.standard_error);
   }
-  const Distribution distribution(edges, mean);
+  const DistributionFunction distribution(edges, mean);
   std::vector<Quantile> quantiles;
   for (const double p : kProbabilities) {
-    if (!distribution.reaches(p)) continue;
+    if (!distribution.is_in_range(p)) continue;
     const double value = distribution.inverse(p);
     const auto k =
         std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, value) - edges.begin(), 1,
                                    static_cast<std::ptrdiff_t>(edges.size()) - 1);
     const double share = (value - edges[k - 1]) / (edges[k] - edges[k - 1]);
     const double half = weights.interval_factor() * ((1 - share) * error[k - 1] + share * error[k]);
-    if (!distribution.reaches(p - half) || !distribution.reaches(p + half)) continue;
+    if (!distribution.is_in_range(p - half) || !distribution.is_in_range(p + half)) continue;
     quantiles.push_back({p, value, distribution.inverse(p - half), distribution.inverse(p + half)});
   }
   const problem::Frame& frame = simulation.plan().frame;
   return frame.is_identity() ? quantiles
-                             : on_the_physical_axis(frame, variable, std::move(quantiles));
+                             : to_physical_coordinates(frame, variable, std::move(quantiles));
 }
 
 }  // namespace fpkcheck::mcs

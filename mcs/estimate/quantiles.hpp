@@ -8,9 +8,9 @@
 
 namespace fpkcheck::mcs {
 
-/// Quantiles of y or y' from the histogram's distribution function F, cubic between its edges. The
-/// interval holds the values whose F differs from the probability by no more than chance explains
-/// (Woodruff, JASA 47, 1952). Those that lie outside of the bins are left out.
+/// Quantiles of y or y' from the distribution function F of the histogram, cubic between its edges.
+/// The 95 % interval holds the values whose F agrees with the probability within the sampling error
+/// (Woodruff, JASA 47, 1952). Quantiles outside the bins are omitted.
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
                                          transform::Variable variable);
 

@@ -9,8 +9,8 @@
 namespace fpkcheck::mcs {
 
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
-  const auto place = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
-  return record.powers[static_cast<std::size_t>(place)] / simulation.stream_samples();
+  const auto index = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
+  return record.powers[static_cast<std::size_t>(index)] / simulation.stream_samples();
 }
 
 namespace {
@@ -37,8 +37,8 @@ double physical_moment(const Simulation& simulation, const StreamRecord& record,
   return sum;
 }
 
-double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const numerics::Polynomial& g) {
+double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
+                       const numerics::Polynomial& g) {
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
     if (g.coefficient(n) == 0) continue;
@@ -54,9 +54,9 @@ std::vector<double> moments(const Simulation& simulation, int p, int q) {
 }
 
 std::vector<double> excess_powers(const Simulation& simulation) {
-  // Impulses come independently of the motion before them, so that their work, Excitation::work,
-  // has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt; and E[v] = 0, since int v dt is the
-  // change of y, which impacts leave alone.
+  // Impulses are independent of the motion before them. Their work (Excitation::work) has the
+  // expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is the change of y
+  // and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
   return each(simulation.streams(), [&](const StreamRecord& record) {
     return record.work / simulation.stream_time() - expected;

@@ -7,24 +7,25 @@
 
 namespace fpkcheck::mcs {
 
-/// The mean of y^p y'^q in one stream, p and q among kPowers.
+/// Mean of y^p y'^q in one stream, (p, q) among kPowers, in wall coordinates.
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
 
-/// The mean of a polynomial of y in one stream. @pre its degree is kHighestPower or less, or
-/// 6 or less where the record has general sums
-double mean_of(const Simulation& simulation, const StreamRecord& record,
-               const numerics::Polynomial& g);
+/// Mean of a polynomial of y in one stream, in wall coordinates.
+/// @pre the degree is at most kHighestPower, or at most 6 where the record has GeneralSums
+double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
+                       const numerics::Polynomial& g);
 
-/// The same with the physical y and y' of the problem's frame.
+/// Mean of y^p y'^q in one stream, in physical coordinates.
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
 
-/// E[y^p y'^q] of every stream, p and q among kPowers, as physical_moment().
+/// Mean of y^p y'^q in every stream, (p, q) among kPowers, in physical coordinates.
 std::vector<double> moments(const Simulation& simulation, int p, int q);
 
-/// Power that the impulses of each stream happened to bring beyond its expectation.
+/// Excess power of every stream: power of its drawn impulses less the expectation.
 std::vector<double> excess_powers(const Simulation& simulation);
 
-/// Var(x) / SE^2 of x = y^p y'^q: how many independent draws tell as much of its mean.
+/// Effective samples Var(x) / SE^2 of x = y^p y'^q: the number of independent draws with the same
+/// standard error of the mean.
 double effective_samples(const Simulation& simulation, int p, int q);
 
 }  // namespace fpkcheck::mcs

@@ -12,16 +12,16 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double square_about(double centre, std::span<const double> values) {
+double sum_of_squares_about(double centre, std::span<const double> values) {
   double sum = 0;
   for (const double x : values) sum += (x - centre) * (x - centre);
   return sum;
 }
 
-// All the same but for rounding: there is nothing to control by.
-bool negligible(double square_about_mean, std::span<const double> values) {
+// The control variate is constant but for rounding: no regression is possible.
+bool is_negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
-  return square_about_mean <= square_about(0, values) * kRounding * kRounding;
+  return square_about_mean <= sum_of_squares_about(0, values) * kRounding * kRounding;
 }
 
 }  // namespace
@@ -33,8 +33,8 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
   const auto second = excess_powers.subspan(first.size());
   const auto correct = [&](std::span<const double> half, std::span<const double> other,
                            std::span<double> weights) {
-    const double half_mean = mean(half), square = square_about(half_mean, half);
-    if (negligible(square, half)) return;
+    const double half_mean = mean(half), square = sum_of_squares_about(half_mean, half);
+    if (is_negligible(square, half)) return;
     const double scale = static_cast<double>(other.size()) / n * mean(other) / square;
     for (std::size_t s = 0; s < half.size(); ++s) weights[s] -= scale * (half[s] - half_mean);
   };
@@ -44,8 +44,8 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
 
   const double b_bar = mean(excess_powers);
   for (const double b : excess_powers) controls_.push_back(b - b_bar);
-  control_square_ = square_about(b_bar, excess_powers);
-  if (negligible(control_square_, excess_powers)) control_square_ = 0;
+  control_square_ = sum_of_squares_about(b_bar, excess_powers);
+  if (is_negligible(control_square_, excess_powers)) control_square_ = 0;
 }
 
 int StreamWeights::degrees_of_freedom() const {
@@ -56,7 +56,7 @@ Estimate StreamWeights::estimate(std::span<const double> values) const {
   const double x_bar = mean(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
-    // As a correction to the plain mean: no loss of digits where all values are nearly the same.
+    // A correction of the plain mean loses no digits where all values are nearly equal.
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;
@@ -87,7 +87,7 @@ double StreamWeights::interval_factor() const {
 Estimate plain_estimate(std::span<const double> values) {
   const double x_bar = mean(values);
   const auto n = static_cast<double>(values.size());
-  return {x_bar, std::sqrt(square_about(x_bar, values) / (n - 1) / n)};
+  return {x_bar, std::sqrt(sum_of_squares_about(x_bar, values) / (n - 1) / n)};
 }
 
 }  // namespace fpkcheck::mcs

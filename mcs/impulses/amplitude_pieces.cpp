@@ -11,10 +11,11 @@ namespace {
 
 using Piece = AmplitudePieces::Piece;
 
-constexpr int kOctaves = 43;  // of u below 1/2, down to 2^-44
-constexpr int kParts = 4;     // of an octave
+constexpr int kOctaves = 43;  // octaves of u below 1/2, down to 2^-44
+constexpr int kParts = 4;     // pieces per octave
 
-// Newton's divided differences at Chebyshev's points of [0, 1], multiplied out.
+// Interpolation by Newton's divided differences at the Chebyshev points of [0, 1], expanded in
+// powers.
 std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
   constexpr std::size_t kPoints = std::tuple_size_v<decltype(Piece::powers)>;
   std::array<double, kPoints> t{}, difference{}, powers{};
@@ -38,10 +39,10 @@ std::array<double, 8> polynomial(const std::function<double(double)>& of_t) {
 
 double AmplitudePieces::operator()(double u) const {
   const auto piece = std::upper_bound(pieces_.begin(), pieces_.end() - 1, u,
-                                      [](double x, const Piece& p) { return x < p.until; });
-  const double from = piece == pieces_.begin() ? 0 : (piece - 1)->until;
-  const double t = (u - from) / (piece->until - from);
-  // t (f + g) = 2 f s + (g - f) s^2, f and g the densities, by the root that does not cancel
+                                      [](double x, const Piece& p) { return x < p.upper_end; });
+  const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
+  const double t = (u - from) / (piece->upper_end - from);
+  // t (f + g) = 2 f s + (g - f) s^2 with the densities f and g; the root without cancellation
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -53,7 +54,7 @@ std::uint64_t AmplitudePieces::checksum() const {
   std::uint64_t sum = 0xcbf29ce484222325;  // FNV-1a, by words
   const auto add = [&](double x) { sum = (sum ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
   for (const Piece& piece : pieces_) {
-    add(piece.until);
+    add(piece.upper_end);
     for (const double power : piece.powers) add(power);
     add(piece.first_density);
     add(piece.last_density);
@@ -61,22 +62,23 @@ std::uint64_t AmplitudePieces::checksum() const {
   return sum;
 }
 
-AmplitudePieces in_ranges(const std::vector<AmplitudeRange>& ranges) {
+AmplitudePieces pieces_from_ranges(const std::vector<AmplitudeRange>& ranges) {
   std::vector<Piece> pieces;
   double below = 0;
   for (const AmplitudeRange& range : ranges) {
     below += range.probability;
-    if (below <= (pieces.empty() ? 0 : pieces.back().until)) continue;  // no number falls there
-    pieces.push_back({.until = below,
+    if (below <= (pieces.empty() ? 0 : pieces.back().upper_end))
+      continue;  // an empty interval of u
+    pieces.push_back({.upper_end = below,
                       .powers = {range.from, range.to - range.from},
                       .first_density = range.first_density,
                       .last_density = range.last_density});
   }
-  pieces.back().until = 1;
+  pieces.back().upper_end = 1;
   return AmplitudePieces(std::move(pieces));
 }
 
-AmplitudePieces interpolated(const std::function<double(double, double)>& quantile) {
+AmplitudePieces pieces_from_quantile(const std::function<double(double, double)>& quantile) {
   std::vector<double> ends;  // increasing, up to 1/2
   for (int octave = kOctaves; octave > 0; --octave) {
     for (int part = 0; part < kParts; ++part) {
@@ -84,7 +86,7 @@ AmplitudePieces interpolated(const std::function<double(double, double)>& quanti
     }
   }
   ends.push_back(0.5);
-  // No number falls below the first end or beyond the last one.
+  // No random number is below the first end or above the last: a constant suffices there.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

@@ -7,21 +7,20 @@
 
 namespace fpkcheck::mcs {
 
-/// Impulses that follow one another: how long after the one before each comes, and its amplitude.
-struct Block {
-  std::array<double, kBlock> waiting{}, amplitude{};
+/// Consecutive impulses: waiting times and amplitudes.
+struct ImpulseBlock {
+  std::array<double, kBlockSize> waiting{}, amplitude{};
 };
 
-// A block of impulses made of random numbers: the same function, compiled for different
-// instructions.
+// Makes a block of impulses from random numbers. One function, compiled for three instruction sets.
 namespace baseline {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 namespace avx2 {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 namespace avx512 {
-Block make_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
 }
 
 }  // namespace fpkcheck::mcs

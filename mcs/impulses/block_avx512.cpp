@@ -1,9 +1,9 @@
-#include "mcs/impulses/block_lanes.hpp"
+#include "mcs/impulses/block_simd.hpp"
 
 namespace fpkcheck::mcs {
 
-Block avx512::make_block(const Excitation& excitation, const Uniforms& uniforms) {
-  return make_block_in_lanes(excitation, uniforms);
+ImpulseBlock avx512::make_impulse_block(const Excitation& excitation, const Uniforms& uniforms) {
+  return make_impulse_block_in_lanes(excitation, uniforms);
 }
 
 }  // namespace fpkcheck::mcs

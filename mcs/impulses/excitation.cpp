@@ -16,16 +16,16 @@ std::variant<Laws...> one_of(LawList<Laws...>);
 static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw::Kind>,
               "a law without a StandardAmplitude, or in another order");
 
-int place_of(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
+int law_index(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
 
-// The atoms of a law, and the pieces on which its density is linear.
+// The atoms of a law, and the intervals on which its density is linear.
 template <class Law>
-std::vector<AmplitudeRange> ranges_of(const Law& law) {
+std::vector<AmplitudeRange> amplitude_ranges(const Law& law) {
   std::vector<AmplitudeRange> ranges;
   for (const auto& [amplitude, probability] : law.atoms()) {
     ranges.push_back({.from = amplitude, .to = amplitude, .probability = probability});
   }
-  const auto ends = law.smooth_pieces();
+  const auto ends = law.density_breakpoints();
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double first = law.density(ends[k]), last = law.density(ends[k + 1]);
     ranges.push_back({.from = ends[k],
@@ -37,17 +37,17 @@ std::vector<AmplitudeRange> ranges_of(const Law& law) {
   return ranges;
 }
 
-// Of a law of problem:: whose StandardAmplitude is DrawnFromPieces.
-std::shared_ptr<const AmplitudePieces> pieces_of(const problem::ImpulseLaw::Kind& law) {
+// Pieces of a law of problem:: whose StandardAmplitude is DrawnFromPieces; null for other laws.
+std::shared_ptr<const AmplitudePieces> make_pieces(const problem::ImpulseLaw::Kind& law) {
   return std::visit(
       []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {
         if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
           if constexpr (requires { kind.standardised_quantile(0.5, 0.5); }) {
-            return std::make_shared<const AmplitudePieces>(
-                interpolated([&](double p, double q) { return kind.standardised_quantile(p, q); }));
+            return std::make_shared<const AmplitudePieces>(pieces_from_quantile(
+                [&](double p, double q) { return kind.standardised_quantile(p, q); }));
           } else {
             return std::make_shared<const AmplitudePieces>(
-                in_ranges(ranges_of(kind.standardised())));
+                pieces_from_ranges(amplitude_ranges(kind.standardised())));
           }
         } else {
           return {};
@@ -56,10 +56,11 @@ std::shared_ptr<const AmplitudePieces> pieces_of(const problem::ImpulseLaw::Kind
       law);
 }
 
-Excitation even_gaussian(double interval, double mean, double variance, double power) {
+Excitation periodic_gaussian_excitation(double interval, double mean, double variance,
+                                        double power) {
   return {.arrivals = Excitation::Arrivals::even,
           .interval = interval,
-          .law = place_of(problem::GaussianLaw{}),
+          .law = law_index(problem::GaussianLaw{}),
           .mean = mean,
           .width = std::sqrt(variance),
           .power = power,
@@ -73,20 +74,20 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
   const auto& law = impulses.law().kind();
   return {.arrivals = Excitation::Arrivals::poisson,
           .interval = 1 / impulses.arrival_rate(),
-          .law = place_of(law),
+          .law = law_index(law),
           .mean = impulses.law().mean(),
           .width = std::visit([](const auto& kind) { return kind.width(); }, law),
           .power = impulses.intensity() / 2,
           .shift = 0,
           .work = impulses.intensity() / 2,
-          .pieces = pieces_of(law)};
+          .pieces = make_pieces(law)};
 }
 
 Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {
-  return even_gaussian(interval, impulses.rate_moment(1) * interval,
-                       impulses.intensity() * interval, impulses.intensity() / 2);
+  return periodic_gaussian_excitation(interval, impulses.rate_moment(1) * interval,
+                                      impulses.intensity() * interval, impulses.intensity() / 2);
 }
 
-Excitation standard_normal_excitation() { return even_gaussian(1, 0, 1, 0.5); }
+Excitation standard_normal_excitation() { return periodic_gaussian_excitation(1, 0, 1, 0.5); }
 
 }  // namespace fpkcheck::mcs

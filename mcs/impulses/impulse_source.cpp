@@ -4,10 +4,10 @@
 
 namespace fpkcheck::mcs {
 
-void ImpulseSource::make_block() {
-  static const auto make =
-      simd::compiled_for(simd::available_lanes().back().instructions, baseline::make_block,
-                         avx2::make_block, avx512::make_block);
+void ImpulseSource::make_impulse_block() {
+  static const auto make = simd::select_variant(
+      simd::available_variants().back().instructions, baseline::make_impulse_block,
+      avx2::make_impulse_block, avx512::make_impulse_block);
   const Uniforms u = uniforms(seed_, stream_, Purpose::impulses, number_);
   block_ = make(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
@@ -16,14 +16,15 @@ void ImpulseSource::make_block() {
 }
 
 void ImpulseSource::continue_from(std::uint64_t number) {
-  number_ = number - number % kBlock;
-  if (number_ < number) make_block();
+  number_ = number - number % kBlockSize;
+  if (number_ < number) make_impulse_block();
   number_ = number;
 }
 
 std::array<double, 2> ImpulseSource::standard_normals() const {
   static const Excitation normal = standard_normal_excitation();
-  const Block block = baseline::make_block(normal, uniforms(seed_, stream_, Purpose::start, 0));
+  const ImpulseBlock block =
+      baseline::make_impulse_block(normal, uniforms(seed_, stream_, Purpose::start, 0));
   return {block.amplitude[0], block.amplitude[1]};
 }
 

@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// A term of paper (3): how long after the one before it comes, and its amplitude Y.
+/// One term of paper (3): waiting time after the previous impulse, and amplitude Y.
 struct Impulse {
   double waiting;
   double amplitude;
 };
 
-/// The impulses of one stream: impulse n is a function of (seed, stream, n) alone. Made in blocks,
-/// in lanes.
+/// Impulses of one stream. Impulse n is a function of (seed, stream, n) alone. SIMD lanes make them
+/// in blocks.
 class ImpulseSource {
  public:
   ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream)
@@ -24,28 +24,28 @@ class ImpulseSource {
       : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
 
   Impulse next() {
-    const auto place = static_cast<std::size_t>(number_ % kBlock);
-    if (place == 0) make_block();
+    const auto index = static_cast<std::size_t>(number_ % kBlockSize);
+    if (index == 0) make_impulse_block();
     ++number_;
-    return {block_.waiting[place], block_.amplitude[place]};
+    return {block_.waiting[index], block_.amplitude[index]};
   }
 
-  /// How many have been given out.
+  /// Number of impulses drawn.
   std::uint64_t number() const { return number_; }
-  /// Continues as if `number` had been given out.
+  /// Sets the number of impulses drawn.
   void continue_from(std::uint64_t number);
 
-  /// Two independent standard normal numbers, for the initial state: always the same ones.
+  /// Two independent standard normal numbers for the initial state, the same at every call.
   std::array<double, 2> standard_normals() const;
 
  private:
-  void make_block();
+  void make_impulse_block();
 
   Excitation excitation_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t number_ = 0;
-  Block block_{};
+  ImpulseBlock block_{};
 };
 
 }  // namespace fpkcheck::mcs

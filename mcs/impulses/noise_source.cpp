@@ -4,17 +4,17 @@
 
 namespace fpkcheck::mcs {
 
-void NoiseSource::make_block() {
-  static const auto make =
-      simd::compiled_for(simd::available_lanes().back().instructions, baseline::make_block,
-                         avx2::make_block, avx512::make_block);
+void NoiseSource::make_impulse_block() {
+  static const auto make = simd::select_variant(
+      simd::available_variants().back().instructions, baseline::make_impulse_block,
+      avx2::make_impulse_block, avx512::make_impulse_block);
   static const Excitation normal = standard_normal_excitation();
   block_ = make(normal, uniforms(seed_, stream_, Purpose::noise, number_));
 }
 
 void NoiseSource::continue_from(std::uint64_t number) {
-  number_ = number - number % kBlock;
-  if (number_ < number) make_block();
+  number_ = number - number % kBlockSize;
+  if (number_ < number) make_impulse_block();
   number_ = number;
 }
 

@@ -14,15 +14,15 @@ struct UniformLaw;
 
 namespace fpkcheck::mcs {
 
-/// How an amplitude of the law is drawn that has mean 0 and width() 1: `of` two independent numbers
-/// of (0, 1), u with more digits than w (Uniforms). A further law of problem::ImpulseLaw is drawn
-/// by one more of these, in its place of DrawnLaws: a formula, or DrawnFromPieces. (The laws
-/// themselves, with all that they include, are kept out of what is compiled for several
-/// instructions.)
+/// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers of
+/// (0, 1); u has more digits than w (Uniforms). Each law of problem::ImpulseLaw has one
+/// specialisation, a formula or DrawnFromPieces, and an entry in DrawnLaws. The laws themselves are
+/// only declared: their headers must not be compiled for several instruction sets.
 template <class Law>
 struct StandardAmplitude;
 
-/// Box and Muller: the cosine of a random angle is the sine of one within a quarter turn.
+/// Box-Muller transform: the cosine of a uniform angle has the law of the sine of an angle within a
+/// quarter turn.
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
@@ -45,8 +45,8 @@ template <>
 struct StandardAmplitude<problem::TwoPointLaw> {
   template <class Real>
   FPKCHECK_INLINE static Real of(const Real&, const Real& w) {
-    return simd::select(2.0 * w - 1.0 < 0.0, simd::all_lanes<Real>(-1.0),
-                        simd::all_lanes<Real>(1.0));
+    return simd::select(2.0 * w - 1.0 < 0.0, simd::broadcast<Real>(-1.0),
+                        simd::broadcast<Real>(1.0));
   }
 };
 
@@ -66,8 +66,7 @@ struct StandardAmplitude<problem::ExponentialLaw> {
   }
 };
 
-/// Of a law that says its standardised_quantile instead, or has atoms or a density linear in
-/// pieces.
+/// For laws with a standardised_quantile, atoms or a piecewise linear density instead of a formula.
 struct DrawnFromPieces {};
 template <>
 struct StandardAmplitude<problem::GammaLaw> : DrawnFromPieces {};
@@ -77,7 +76,7 @@ struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromPieces {};
 template <class... Laws>
 struct LawList {};
 
-/// The laws in the order of problem::ImpulseLaw::Kind.
+/// The laws, in the order of problem::ImpulseLaw::Kind.
 using DrawnLaws =
     LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
             problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;

@@ -18,7 +18,7 @@ std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t strea
 
 Uniforms uniforms(std::uint64_t seed, std::uint32_t stream, Purpose purpose, std::uint64_t from) {
   Uniforms u;
-  for (std::uint64_t k = 0; k < kBlock; ++k) {
+  for (std::uint64_t k = 0; k < kBlockSize; ++k) {
     const auto bits = random_bits(seed, stream, purpose, from + k);
     const std::uint64_t word = std::uint64_t{bits[0]} << 32 | bits[1];
     const std::uint64_t rest = std::uint64_t{bits[2]} << 11 | (word & 0x7ff);

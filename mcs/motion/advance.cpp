@@ -1,16 +1,17 @@
 #include "mcs/motion/advance.hpp"
 
-#include "mcs/motion/side_by_side.hpp"
+#include "mcs/motion/simd_dispatch.hpp"
 
 namespace fpkcheck::mcs {
 
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
-             const simd::LaneSet& lanes) {
+             const simd::CodeVariant& lanes) {
   for (Stream* stream : streams) {
     stream->branch.remaining = time;
     if (motion.splitting && motion.records) motion.splitting->begin(*stream);
   }
-  move_side_by_side<Motion>(motion, streams, lanes, baseline::move, avx2::move, avx512::move);
+  advance_in_simd_groups<Motion>(motion, streams, lanes, baseline::advance_streams,
+                                 avx2::advance_streams, avx512::advance_streams);
 }
 
 }  // namespace fpkcheck::mcs

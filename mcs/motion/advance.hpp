@@ -9,39 +9,39 @@
 
 namespace fpkcheck::mcs {
 
-/// What is the same for all streams.
+/// Parameters that all streams share.
 struct Motion {
   Oscillator oscillator;
-  double step;               ///< longest flight, in radians (BasicFlight::reach)
+  double step;               ///< step limit in radians (BasicFlight::max_step)
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
-  const Splitting* splitting = nullptr;  ///< none: every stream is one branch
-  bool records = true;                   ///< false: for the burn-in
+  const Splitting* splitting = nullptr;  ///< null: every stream is one branch
+  bool records = true;                   ///< false during the burn-in
   double shift = 0;                      ///< Excitation::shift
-  const DepositPlan* deposit = nullptr;  ///< none: samples are counted only
+  const DepositPlan* deposit = nullptr;  ///< null: no deposition
 };
 
-/// Moves streams on by a time, event by event: paper (1)-(2) itself, flights ending exactly at
-/// impacts, at impulses and at the end of the time. Each lane has its own time; a lane whose time
-/// is over waits for the others.
+/// Advances streams by a time, event by event, paper (1)-(2): flights end exactly at impacts, at
+/// impulses and at the end of the time. Each SIMD lane has its own time; a lane at its end waits
+/// for the others.
 ///
-/// What a stream does depends on nothing but the stream: not on its neighbours, their number or the
-/// instructions used.
-/// @param streams any number; as many as there are lanes go side by side
+/// The result of a stream depends on this stream alone: not on the other streams, their number or
+/// the instruction set.
+/// @param streams any number; one per SIMD lane at a time
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
-             const simd::LaneSet& lanes);
+             const simd::CodeVariant& lanes);
 
-// As many streams as `width`, whose remaining time is set: the same function, compiled for
-// different instructions.
+// Advances `width` streams by their remaining time. One function, compiled for three instruction
+// sets.
 namespace baseline {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 namespace avx2 {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 namespace avx512 {
-void move(const Motion& motion, Stream* const* streams, int width);
+void advance_streams(const Motion& motion, Stream* const* streams, int width);
 }
 
 }  // namespace fpkcheck::mcs

@@ -1,9 +1,9 @@
-#include "mcs/motion/advance_lanes.hpp"
+#include "mcs/motion/advance_simd.hpp"
 
 namespace fpkcheck::mcs {
 
-void avx2::move(const Motion& motion, Stream* const* streams, int width) {
-  move_any_of<4>(motion, streams, width);
+void avx2::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+  advance_with_width<4>(motion, streams, width);
 }
 
 }  // namespace fpkcheck::mcs

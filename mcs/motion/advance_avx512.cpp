@@ -1,9 +1,9 @@
-#include "mcs/motion/advance_lanes.hpp"
+#include "mcs/motion/advance_simd.hpp"
 
 namespace fpkcheck::mcs {
 
-void avx512::move(const Motion& motion, Stream* const* streams, int width) {
-  move_any_of<8>(motion, streams, width);
+void avx512::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+  advance_with_width<8>(motion, streams, width);
 }
 
 }  // namespace fpkcheck::mcs

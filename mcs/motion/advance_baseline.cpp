@@ -1,9 +1,9 @@
-#include "mcs/motion/advance_lanes.hpp"
+#include "mcs/motion/advance_simd.hpp"
 
 namespace fpkcheck::mcs {
 
-void baseline::move(const Motion& motion, Stream* const* streams, int width) {
-  move_any_of<1, 2, 8>(motion, streams, width);
+void baseline::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+  advance_with_width<1, 2, 8>(motion, streams, width);
 }
 
 }  // namespace fpkcheck::mcs

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::mcs {
 
-/// The motion from one event to the next: the Taylor polynomial, about a given state, of the
-/// solution of paper (1) without impulses. It is trusted over a fraction of the shortest period
-/// that the energy at the start allows; see reach().
+/// The motion between two events: the Taylor polynomial, about an initial state, of the solution of
+/// paper (1) without impulses. max_step() limits its use to a fraction of the shortest period at
+/// the initial energy.
 template <class Real>
 class BasicFlight {
  public:
@@ -20,40 +20,41 @@ class BasicFlight {
       : oscillator_(oscillator), frequency_bound_(frequency_bound(oscillator, start.y, start.v)) {
     a_[0] = start.y;
     a_[1] = start.v;
-    continue_series(oscillator, a_);
+    compute_taylor_coefficients(oscillator, a_);
   }
   BasicFlight(Oscillator&&, const BasicState<Real>&) = delete;
 
-  /// How long the polynomial is used: `phase` radians of the fastest motion possible from here.
+  /// Longest time for which the polynomial is used: `phase` radians of the highest possible
+  /// frequency.
   ///
-  /// For phase < pi there is at most one impact within that time, and none if the flight starts at
-  /// the wall with v >= 0: by Sturm's comparison theorem zeros of a solution of
-  /// y'' + c y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So the sign of y at the
-  /// end tells whether there was an impact, and impacts cannot accumulate.
-  FPKCHECK_INLINE Real reach(double phase) const { return phase / frequency_bound_; }
+  /// For phase < pi this time contains at most one impact, and none if the flight starts at the
+  /// wall with v >= 0. By Sturm's comparison theorem, zeros of a solution of
+  /// y'' + c y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So an impact occurs
+  /// exactly if y < 0 at the end, and impacts cannot accumulate.
+  FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
-  /// The state s after the start.
+  /// State at the time s after the start.
   FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
 
-  /// The second derivative of the polynomial itself at s.
-  FPKCHECK_INLINE Real own_acceleration(const Real& s) const {
+  /// Second derivative of the polynomial at s.
+  FPKCHECK_INLINE Real polynomial_acceleration(const Real& s) const {
     return acceleration_at<kOrder>(a_, s);
   }
 
-  /// y'' at a state, by paper (1).
+  /// Acceleration y'' at a state by paper (1).
   FPKCHECK_INLINE Real acceleration(const BasicState<Real>& state) const {
     return -(oscillator_.damping * state.v + restoring_force(oscillator_, state.y));
   }
 
-  /// The zero of y(s) in [0, end], to rounding, in the lanes where y(0) > 0 > y(end) and `wanted`;
-  /// in the others something finite.
+  /// Zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 > y(end).
+  /// Other lanes return a finite number.
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& end, const BasicState<Real>& at_end,
                                    const Mask& wanted) const {
     Real above{}, below = end;
     Real s = first_guess(end, at_end);
     Mask open = wanted;
-    // Halley's steps triple the number of digits: two of them as a rule.
+    // Halley's method triples the number of correct digits per step; two steps usually suffice.
     for (int iteration = 0; iteration < kMostIterations && simd::any(open); ++iteration) {
       const BasicState<Real> state = at(s);
       const Mask beyond = state.y < 0.0;
@@ -63,16 +64,16 @@ class BasicFlight {
           s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
       const Mask inside = (halley >= above) & (halley <= below);
       const Real next = simd::select(inside, halley, 0.5 * (above + below));
-      const Real moved = simd::larger(next - s, s - next);
+      const Real moved = simd::lanewise_max(next - s, s - next);
       s = simd::select(open, next, s);
-      // A correction of 1e-6 by a step of third order leaves an error of rounding.
+      // After a third-order correction of 1e-6 the error is rounding.
       open = open & (moved > 1e-6 * end);
     }
     return s;
   }
 
-  /// The time in [0, end] where v(s) = 0, in the lanes where v(0) > 0 > v(end): to about 1e-5,
-  /// which leaves about 1e-10 in y, whose maximum it is.
+  /// Time in [0, end] with v(s) = 0, in the lanes where v(0) > 0 > v(end). An error of about 1e-5
+  /// leaves about 1e-10 in the maximum y.
   FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
     const BasicState<Real> state = at(chord);
@@ -85,8 +86,8 @@ class BasicFlight {
  private:
   static constexpr int kMostIterations = 60;
 
-  /// Where the cubic s(y) with the slopes 1/v at both ends has y = 0; the chord's zero where that
-  /// leads nowhere.
+  /// Zero of the inverse cubic s(y) with the slopes 1/v at both ends; the zero of the chord where
+  /// the cubic leaves the interval.
   FPKCHECK_INLINE Real first_guess(const Real& end, const BasicState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // > 0
     const Real u = a_[0] / drop;
@@ -99,7 +100,7 @@ class BasicFlight {
 
   const Oscillator& oscillator_;
   Real frequency_bound_;
-  Series<Real> a_;
+  TaylorCoefficients<Real> a_;
 };
 
 using Flight = BasicFlight<double>;

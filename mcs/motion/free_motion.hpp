@@ -6,18 +6,18 @@
 #include "numerics/simd/elementary.hpp"
 #include "numerics/simd/simd.hpp"
 
-/// The free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >= 0. Each function has the
-/// paper's spring, g(y) = k y + mu y^3, by formulas of its own, and any other one by loops over its
-/// powers (few come here, and everybody waits for the compiler).
+/// The free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >= 0. Each function has
+/// closed formulas for the paper's spring, g(y) = k y + mu y^3. Other springs use loops over the
+/// powers, which keeps the compile time short.
 namespace fpkcheck::mcs {
 
 inline constexpr int kSeriesOrder = 12;
 
-/// y(s) = sum_n a_n s^n.
+/// Coefficients a_n of y(s) = sum_n a_n s^n.
 template <class Real>
-using Series = std::array<Real, kSeriesOrder + 1>;
+using TaylorCoefficients = std::array<Real, kSeriesOrder + 1>;
 
-/// sum_n p_n y^n by Horner's rule, n up to `degree`.
+/// Polynomial sum_n p_n y^n by Horner's rule, n up to `degree`.
 template <class Real>
 FPKCHECK_INLINE Real horner(const numerics::Polynomial& p, int degree, const Real& y) {
   Real sum{};
@@ -25,7 +25,7 @@ FPKCHECK_INLINE Real horner(const numerics::Polynomial& p, int degree, const Rea
   return sum;
 }
 
-/// g(y)
+/// Spring force g(y).
 template <class Real>
 FPKCHECK_INLINE Real restoring_force(const Oscillator& oscillator, const Real& y) {
   if (oscillator.is_duffing) return y * (oscillator.stiffness + oscillator.cubic * (y * y));
@@ -33,10 +33,11 @@ FPKCHECK_INLINE Real restoring_force(const Oscillator& oscillator, const Real& y
 }
 
 template <class Real>
-FPKCHECK_INLINE void continue_duffing_series(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_duffing_coefficients(const Oscillator& oscillator,
+                                                  TaylorCoefficients<Real>& a) {
   const double c = oscillator.damping, k = oscillator.stiffness, mu = oscillator.cubic;
   std::array<Real, kSeriesOrder - 1> square;  // [y^2]_n
-  // The newest coefficients enter each sum last: the recursion waits for them only.
+  // Each sum takes the newest coefficients last: the dependency chain stays short.
 #pragma GCC unroll 16
   for (int n = 0; n + 2 <= kSeriesOrder; ++n) {
     Real pairs{};
@@ -53,7 +54,8 @@ FPKCHECK_INLINE void continue_duffing_series(const Oscillator& oscillator, Serie
 }
 
 template <class Real>
-FPKCHECK_INLINE void continue_series_of_powers(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_polynomial_force_coefficients(const Oscillator& oscillator,
+                                                           TaylorCoefficients<Real>& a) {
   const auto g = [&](int d) { return oscillator.force.coefficient(static_cast<std::size_t>(d)); };
   Real powers[Oscillator::kHighestDegree + 1][kSeriesOrder + 1];  // [y^d]_n
   powers[1][0] = a[0];
@@ -73,23 +75,24 @@ FPKCHECK_INLINE void continue_series_of_powers(const Oscillator& oscillator, Ser
   for (int n = 2; n <= kSeriesOrder; ++n) a[n] = powers[1][n];
 }
 
-/// Sets a_2, a_3, .. from a_0 and a_1,
+/// Computes a_2, a_3, .. from a_0 and a_1,
 ///
-///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + sum_d g_d [y^d]_n),
+///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + sum_d g_d [y^d]_n).
 ///
-/// the coefficients [y^d]_n of the powers, as far as the spring has them, by Cauchy products.
+/// Cauchy products give the coefficients [y^d]_n of the powers in the spring force.
 template <class Real>
-FPKCHECK_INLINE void continue_series(const Oscillator& oscillator, Series<Real>& a) {
+FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& oscillator,
+                                                 TaylorCoefficients<Real>& a) {
   if (oscillator.is_duffing) {
-    continue_duffing_series(oscillator, a);
+    compute_duffing_coefficients(oscillator, a);
   } else {
-    continue_series_of_powers(oscillator, a);
+    compute_polynomial_force_coefficients(oscillator, a);
   }
 }
 
-/// The root of the largest slope of the spring within the reach of the energy
-/// E = y'^2/2 + U(y), which does not grow, and c. (The series of a hardening oscillator converges
-/// only up to a pole, which this keeps away.)
+/// Upper bound of the frequency: root of the largest slope of the spring at the energy
+/// E = y'^2/2 + U(y), plus c. The energy does not grow. The bound keeps the step below the
+/// pole that limits the convergence of the series of a hardening spring.
 template <class Real>
 FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const Real& v) {
   if (o.is_duffing) {
@@ -99,11 +102,12 @@ FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const R
     const Real energy = 0.5 * (v * v) + y2 * (k / 2 + (mu / 4) * y2);
     return simd::square_root(k + 6.0 * simd::square_root(mu * energy)) + o.damping;
   }
-  constexpr double kSmallest = 1e-290;  // with a logarithm
+  constexpr double kSmallest = 1e-290;  // smallest argument of the logarithm
   const Real energy = 0.5 * (v * v) + horner(o.potential, o.degree + 1, y);
-  const Real power = simd::larger(energy / o.least_potential, simd::all_lanes<Real>(kSmallest));
+  const Real power =
+      simd::lanewise_max(energy / o.potential_bound, simd::broadcast<Real>(kSmallest));
   const Real largest_y = simd::exponential(simd::logarithm(power) / (o.degree + 1.0));
-  return simd::square_root(horner(o.steepest, o.degree - 1, largest_y)) + o.damping;
+  return simd::square_root(horner(o.slope_bound, o.degree - 1, largest_y)) + o.damping;
 }
 
 }  // namespace fpkcheck::mcs

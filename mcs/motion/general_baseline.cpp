@@ -1,9 +1,10 @@
-#include "mcs/motion/general_lanes.hpp"
+#include "mcs/motion/general_simd.hpp"
 
 namespace fpkcheck::mcs {
 
-void baseline::move_general(const GeneralMotion& motion, Stream* const* streams, int width) {
-  move_general_any_of<1, 2, 8>(motion, streams, width);
+void baseline::advance_general_streams(const GeneralMotion& motion, Stream* const* streams,
+                                       int width) {
+  advance_any_oscillator<1, 2, 8>(motion, streams, width);
 }
 
 }  // namespace fpkcheck::mcs

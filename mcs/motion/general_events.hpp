@@ -3,53 +3,55 @@
 #include "mcs/motion/general_motion.hpp"
 #include "numerics/simd/elementary.hpp"
 
-// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// What the stream's branch counts.
-inline double weight_of(const GeneralMotion& motion, const Stream& stream) {
+/// Weight of the current branch of a stream.
+inline double branch_weight(const GeneralMotion& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->weight(stream.branch) : 1.0;
 }
 
-/// A change of the velocity from without: what it does to the maxima and minima of y.
-inline void note_turn(const GeneralMotion& motion, Stream& stream, double before, double after) {
+/// Adds a jump of the velocity to the maxima or minima of y, if the velocity changes its sign.
+inline void count_turning_point(const GeneralMotion& motion, Stream& stream, double before,
+                                double after) {
   if (!motion.records) return;
-  const double y = stream.branch.y, counted = weight_of(motion, stream);
-  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted;
-  const bool at_wall = motion.oscillator.left.stands && !(y > 0);
-  if (before < 0 && after > 0 && !at_wall) stream.record.troughs[(*motion.y_bins)(y)] += counted;
+  const double y = stream.branch.y, counted_weight = branch_weight(motion, stream);
+  if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted_weight;
+  const bool at_wall = motion.oscillator.left.exists && !(y > 0);
+  if (before < 0 && after > 0 && !at_wall)
+    stream.record.troughs[(*motion.y_bins)(y)] += counted_weight;
 }
 
-/// Paper (3): one impulse, and the next one drawn.
-inline void receive_general_impulse(const GeneralMotion& motion, Stream& stream) {
+/// Applies one impulse, paper (3), and draws the next one.
+inline void apply_general_impulse(const GeneralMotion& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
   b.v += b.amplitude;
-  stream.general.bouncing = -1;
-  note_turn(motion, stream, before, b.v);
+  stream.general.time_to_rest = -1;
+  count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    ++(stream.whole() ? stream.record.impulses : stream.record.branch_impulses);
+    ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
     stream.record.work +=
-        weight_of(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
+        branch_weight(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
   }
   const Impulse next = stream.source.next();
   b.until_impulse = next.waiting;
   b.amplitude = next.amplitude;
-  if (motion.records && motion.splitting) motion.splitting->after_impulse(stream);
+  if (motion.records && motion.splitting) motion.splitting->update_after_impulse(stream);
 }
 
-/// The Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for the latter half of the interval before
-/// and the former half of the one after.
-inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
+/// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
+/// the kick and half of the interval after it.
+inline void apply_kick(const GeneralMotion& motion, Stream& stream) {
   Branch& b = stream.branch;
   GeneralBranch& g = stream.general;
   const GeneralKicks& kicks = motion.kicks;
   const double next = kick_interval(motion, b.y, b.v);
   const double time = (g.kick_interval + next) / 2;
   const double x = kicks.damping * time;
-  const double decay = simd::exponential(simd::larger(simd::smaller(-x, 300.0), -300.0));
-  // 2 D time (1 - exp(-2x)) / (2x), by the series where the difference loses digits
+  const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
+  // 2 D time (1 - exp(-2x)) / (2x), by its series where the difference loses digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
@@ -57,11 +59,11 @@ inline void receive_kick(const GeneralMotion& motion, Stream& stream) {
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;
-  g.bouncing = -1;
-  note_turn(motion, stream, before, b.v);
+  g.time_to_rest = -1;
+  count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     stream.record.general->kicks += 1;
-    // Of expectation 0, whatever the motion.
+    // This work has expectation 0 for any motion.
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }

@@ -3,11 +3,11 @@
 #include "mcs/motion/general_series.hpp"
 #include "mcs/motion/taylor_polynomial.hpp"
 
-// Included by the files that are compiled for different instructions, as motion/advance_lanes.hpp.
+// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// The motion of a GeneralOscillator from one event to the next, as a Taylor polynomial.
+/// The motion of a GeneralOscillator between two events, as a Taylor polynomial.
 template <class Real, int kOrder>
 class GeneralFlight {
  public:
@@ -16,45 +16,46 @@ class GeneralFlight {
       : oscillator_(oscillator) {
     a_[0] = start.y;
     a_[1] = start.v;
-    continue_general_series<kOrder, Real>(oscillator, a_);
+    compute_general_coefficients<kOrder, Real>(oscillator, a_);
   }
 
-  /// Stays where it is, in these lanes.
+  /// Keeps the initial position in the given lanes.
   template <class Mask>
-  FPKCHECK_INLINE void hold(const Mask& held) {
+  FPKCHECK_INLINE void keep_position(const Mask& in_contact) {
 #pragma GCC unroll 16
-    for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(held, Real{}, a_[n]);
+    for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
 
-  /// How long the polynomial is used: `phase` radians of a frequency w with |d^n y/ds^n| <= A w^n for
-  /// its last coefficients, A the extent of the motion, and w^2 no less than the tangent stiffness.
-  /// The energy may grow, so that none bounds the motion beforehand.
+  /// Longest time for which the polynomial is used: `phase` radians of a frequency w. It satisfies
+  /// |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A of the motion, and w^2 is
+  /// at least the tangent stiffness. The energy may grow, so it gives no bound in advance.
   ///
-  /// The velocity of a flight obeys a linear equation with the coefficient g'(y): within less than
+  /// The velocity of a flight obeys a linear equation with the coefficient g'(y). Within less than
   /// half a period (phase < pi) it changes its sign at most once (Sturm).
-  FPKCHECK_INLINE Real reach(double phase) const {
-    const Real extent = oscillator_.length + simd::larger(a_[0], -a_[0]);
+  FPKCHECK_INLINE Real max_step(double phase) const {
+    const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
-    Real logarithm_of_frequency = simd::all_lanes<Real>(-1e3);
+    Real logarithm_of_frequency = simd::broadcast<Real>(-1e3);
     double factorial = 1;
 #pragma GCC unroll 16
     for (int n = 2; n <= kOrder; ++n) {
       factorial *= n;
-      if (n <= kOrder - kLooked) continue;
-      const Real size = factorial * simd::larger(a_[n], -a_[n]) * over + 1e-290;
+      if (n <= kOrder - kTestedOrders) continue;
+      const Real size = factorial * simd::lanewise_max(a_[n], -a_[n]) * over + 1e-290;
       logarithm_of_frequency =
-          simd::larger(logarithm_of_frequency, simd::logarithm(size) * (1.0 / n));
+          simd::lanewise_max(logarithm_of_frequency, simd::logarithm(size) * (1.0 / n));
     }
     const double longest = 1e-2 * oscillator_.frequency;
-    Real frequency =
-        simd::exponential(simd::larger(logarithm_of_frequency, simd::all_lanes<Real>(-600.0))) +
-        longest;
+    Real frequency = simd::exponential(simd::lanewise_max(logarithm_of_frequency,
+                                                          simd::broadcast<Real>(-600.0))) +
+                     longest;
     const Real slope = general_stiffness(oscillator_, a_[0]);
-    const Real stiffness = simd::larger(slope, -slope);
+    const Real stiffness = simd::lanewise_max(slope, -slope);
     const Real c = oscillator_.damping[0] +
                    a_[0] * (oscillator_.damping[1] + a_[0] * oscillator_.damping[2]) +
                    (3 * oscillator_.rayleigh) * (a_[1] * a_[1]);
-    frequency = simd::larger(frequency, simd::square_root(stiffness) + simd::larger(c, -c));
+    frequency =
+        simd::lanewise_max(frequency, simd::square_root(stiffness) + simd::lanewise_max(c, -c));
     return phase / frequency;
   }
 
@@ -62,8 +63,8 @@ class GeneralFlight {
 
   FPKCHECK_INLINE Real acceleration(const Real& s) const { return acceleration_at<kOrder>(a_, s); }
 
-  /// The zero of v in [0, end], in the lanes where v(0) and v(end) are of different signs: to 1e-6 of
-  /// the time from there to either end, which leaves 1e-12 in y.
+  /// Zero of v in [0, end], in the lanes where v(0) and v(end) have different signs. The error is
+  /// 1e-6 of the time to either end, which leaves 1e-12 in y.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
                                     const Mask& wanted) const {
@@ -78,15 +79,15 @@ class GeneralFlight {
       const Real newton = s - v / acceleration(s);
       const Mask inside = (newton >= low) & (newton <= high);
       const Real next = simd::select(inside, newton, 0.5 * (low + high));
-      const Real moved = simd::larger(next - s, s - next);
+      const Real moved = simd::lanewise_max(next - s, s - next);
       s = simd::select(open, next, s);
       open = open & (moved > 1e-4 * s);
     }
     return s;
   }
 
-  /// The zero of y(s) - wall in [low, high], to rounding, in the lanes `wanted`, where y - wall changes
-  /// its sign from `inside` to the other one.
+  /// Zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
+  /// `inside` * (y - wall) changes from positive to negative.
   /// @param guess within [low, high]
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, Real low, Real high,
@@ -103,9 +104,9 @@ class GeneralFlight {
           s - distance * speed / (speed * speed - 0.5 * (distance * (inside * acceleration(s))));
       const Mask fine = (halley >= low) & (halley <= high);
       const Real next = simd::select(fine, halley, 0.5 * (low + high));
-      const Real moved = simd::larger(next - s, s - next);
+      const Real moved = simd::lanewise_max(next - s, s - next);
       s = simd::select(open, next, s);
-      // A correction of 1e-6 by a step of third order leaves an error of rounding.
+      // After a third-order correction of 1e-6 the error is rounding.
       open = open & (moved > 1e-6 * s);
     }
     return s;
@@ -113,10 +114,11 @@ class GeneralFlight {
 
  private:
   static constexpr int kMostIterations = 60;
-  static constexpr int kLooked = 6;  // y'' = -y^5 has every sixth coefficient from y = 0
+  // The coefficients of y'' = -y^5 from y = 0 vanish but for every sixth.
+  static constexpr int kTestedOrders = 6;
 
   const GeneralOscillator& oscillator_;
-  GeneralSeries<Real, kOrder> a_;
+  GeneralTaylorCoefficients<Real, kOrder> a_;
 };
 
 }  // namespace

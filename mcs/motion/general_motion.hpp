@@ -9,42 +9,43 @@
 
 namespace fpkcheck::mcs {
 
-/// What is the same for all streams of an oscillator that is not the paper's.
+/// Parameters that all streams share, for an oscillator outside the paper's class.
 struct GeneralMotion {
   GeneralOscillator oscillator;
   GeneralKicks kicks;
-  double step;               ///< longest flight, in radians
+  double step;               ///< step limit in radians
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
-  bool records = true;                   ///< false: for the burn-in
-  const Splitting* splitting = nullptr;  ///< none: every stream is one branch
+  bool records = true;                   ///< false during the burn-in
+  const Splitting* splitting = nullptr;  ///< null: every stream is one branch
 };
 
-/// Moves streams on by a time, event by event, as advance() of the paper's oscillator does. Where the
-/// force presses on a wall, infinitely many bounces end in finite time: below GeneralWall::slow they
-/// are summed up as the geometric series that they are, and the mass is at rest until the next impulse.
+/// Advances streams by a time, event by event, as advance() for the paper's class. Where the force
+/// presses the mass on a wall, infinitely many bounces end in finite time. Below
+/// GeneralWall::rest_speed their geometric series is summed, and the mass then rests until the next
+/// impulse.
 ///
-/// What a stream does depends on nothing but the stream: not on its neighbours, their number or the
-/// instructions used.
+/// The result of a stream depends on this stream alone: not on the other streams, their number or
+/// the instruction set.
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
-             const simd::LaneSet& lanes);
+             const simd::CodeVariant& lanes);
 
-/// The time to the kick after the one at (y, v). Next to a wall that takes energy it is a part of the
-/// time in which noise alone changes the motion, v^2/D or (distance^2/D)^(1/3): else kicks would
-/// decide how near to rest the oscillator comes.
+/// Time from a kick at (y, v) to the next kick. Next to a wall with impact losses it is a fraction
+/// of the time in which noise alone changes the motion, v^2/D or (distance^2/D)^(1/3). Otherwise
+/// the kicks would determine how near to rest the oscillator comes.
 double kick_interval(const GeneralMotion& motion, double y, double v);
 
-// As many streams as `width`, whose remaining time is set: the same function, compiled for
-// different instructions.
+// Advances `width` streams by their remaining time. One function, compiled for three instruction
+// sets.
 namespace baseline {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 namespace avx2 {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 namespace avx512 {
-void move_general(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
 }
 
 }  // namespace fpkcheck::mcs

@@ -9,9 +9,9 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Speeds below which bounces are summed up, as if the force were that at the wall: what this
-// neglects is of the second order, 1e-6 of E[y'^2] and of the time.
-constexpr double kSlow = 1e-3;
+// Fraction of the velocity scale below which bounces are summed with the force at the wall. The
+// neglected change of the force is of second order, 1e-6 of E[y'^2] and of the time.
+constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::Scales& scales) {
   const auto& c = system.damping_polynomial();
@@ -32,7 +32,7 @@ GeneralOscillator general_oscillator(const problem::Problem& problem, const prob
   GeneralOscillator o;
   for (std::size_t n = 0; n < o.force.size(); ++n) o.force[n] = system.force().coefficient(n);
   o.force[0] -= mean_force;
-  // Where f = c y' it belongs to the kicks.
+  // Constant damping f = c y' is part of the kicks.
   if (!(kicked && system.damping_is_constant())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);
@@ -48,16 +48,17 @@ GeneralOscillator general_oscillator(const problem::Problem& problem, const prob
   o.length = scales.displacement_deviation;
   o.frequency = scales.frequency;
   const double rate = scales.frequency + largest_damping(system, scales);
-  const auto wall_of = [&](const problem::Wall& wall, double inwards) {
-    GeneralWall w{.stands = true, .position = wall.position, .restitution = wall.restitution};
-    w.pressing = inwards * (system.force()(wall.position) - mean_force);
-    if (w.pressing > 0) {
-      w.slow = kSlow * std::min(scales.velocity_deviation, w.pressing / rate);
+  const auto make_wall = [&](const problem::Wall& wall, double inwards) {
+    GeneralWall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
+    w.contact_force = inwards * (system.force()(wall.position) - mean_force);
+    if (w.contact_force > 0) {
+      w.rest_speed =
+          kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
     }
     return w;
   };
-  if (system.left()) o.left = wall_of(*system.left(), 1);
-  if (system.right()) o.right = wall_of(*system.right(), -1);
+  if (system.left()) o.left = make_wall(*system.left(), 1);
+  if (system.right()) o.right = make_wall(*system.right(), -1);
   return o;
 }
 
@@ -67,11 +68,13 @@ GeneralKicks general_kicks(const problem::Problem& problem, const problem::Scale
   const problem::System& system = problem.system;
   GeneralKicks kicks{.diffusion = diffusion};
   if (system.damping_is_constant()) kicks.damping = system.damping();
-  kicks.longest = step / (scales.frequency + 2 * largest_damping(system, scales));
+  kicks.longest_interval = step / (scales.frequency + 2 * largest_damping(system, scales));
   constexpr double kGrading = 1e-5;
-  kicks.shortest = kGrading * kicks.longest;
-  const auto takes = [](const std::optional<problem::Wall>& w) { return w && w->restitution < 1; };
-  kicks.graded = takes(system.left()) || takes(system.right());
+  kicks.shortest_interval = kGrading * kicks.longest_interval;
+  const auto has_losses = [](const std::optional<problem::Wall>& w) {
+    return w && w->restitution < 1;
+  };
+  kicks.has_lossy_wall = has_losses(system.left()) || has_losses(system.right());
   return kicks;
 }
 

@@ -9,56 +9,58 @@ struct Scales;
 
 namespace fpkcheck::mcs {
 
-/// A wall as flights take it. What presses on it is the force at rest there.
+/// Wall parameters for flights. The contact force presses the mass at rest on the wall.
 struct GeneralWall {
-  bool stands = false;
+  bool exists = false;
   double position = 0;
   double restitution = 1;
-  double pressing = 0;  ///< what the force presses by; 0 or less: it lifts the mass off
-  /// An impact slower than this is followed by bounces that are summed up: the mass stays where it is.
-  double slow = 0;
+  double contact_force = 0;  ///< towards the wall; 0 or negative: the mass lifts off
+  /// Below this impact speed the series of bounces is summed, and the mass stays at the wall.
+  double rest_speed = 0;
 };
 
-/// Any oscillator of problem::System in its frame, as flights take it,
+/// Any oscillator of problem::System in wall coordinates, with precomputed coefficients,
 ///
 ///     y'' = -(g(y) + y' (c(y) + c_vv y'^2)),    0 <= y with a wall, y <= b with a second one.
 ///
-/// Under Gaussian noise f = c y' belongs to the kicks (GeneralKicks) and is no part of the flights.
+/// Under Gaussian noise the damping f = c y' is part of the kicks (GeneralKicks), not of the
+/// flights.
 struct GeneralOscillator {
   static constexpr int kHighestDegree = 5;
-  /// Which terms there are: each has those before.
+  /// Terms of the equation; each kind includes the terms of the kinds before.
   enum class Kind { linear, cubic, full };
 
   std::array<double, kHighestDegree + 1> force{};  ///< g
-  std::array<double, 3> damping{};                 ///< c; 0 where it belongs to the kicks
+  std::array<double, 3> damping{};                 ///< c; 0 where the kicks include it
   double rayleigh = 0;                             ///< c_vv
   Kind kind = Kind::linear;
   GeneralWall left{}, right{};
-  double length = 1;     ///< of the motion, which errors of the flights are relative to
-  double frequency = 1;  ///< no flight is longer than for a hundredth of it
+  double length = 1;     ///< length scale of the motion, for relative errors of the flights
+  double frequency = 1;  ///< frequency scale; a flight uses at least a hundredth of it
 };
 
-/// Gaussian white noise by Strang's splitting: at times h apart, y' goes on as an
-/// Ornstein-Uhlenbeck process with the damping c for a time h; between, the motion goes on without
-/// noise and without c y'. Where walls take nothing and there are no impulses, both keep
-/// exp(-c (v^2/2 + U)/D): there is no error in h. Elsewhere it is of the second order. Any other
-/// damping than c y' stays with the flights.
+/// Gaussian white noise by Strang splitting with the interval h. At a kick y' follows the
+/// Ornstein-Uhlenbeck process with damping c for a time h. Between kicks the motion has neither
+/// noise nor damping c y'. Both steps preserve exp(-c (v^2/2 + U)/D): without impact losses and
+/// impulses h causes no error. Otherwise the error is of second order. Damping other than c y' is
+/// part of the flights.
 struct GeneralKicks {
-  double diffusion = 0;  ///< D; 0: there are none
-  double damping = 0;    ///< c, where f = c y'
-  double longest = 0;    ///< h
-  double shortest = 0;   ///< of h next to a wall that takes energy; see kick_interval
-  bool graded = false;   ///< there is such a wall
+  double diffusion = 0;          ///< D; 0 without kicks
+  double damping = 0;            ///< c, where f = c y'
+  double longest_interval = 0;   ///< h
+  double shortest_interval = 0;  ///< lower limit of h next to a wall with losses; see kick_interval
+  bool has_lossy_wall = false;   ///< a wall has impact losses
 
-  bool present() const { return diffusion > 0; }
+  bool is_present() const { return diffusion > 0; }
 };
 
-/// @param mean_force of what stands for the impulses where they are simulated as noise
+/// @param mean_force mean of the impulses where noise replaces them, else 0
+/// @param kicked Gaussian noise is is_present
 GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
                                      double mean_force, bool kicked);
 
-/// @param diffusion D > 0, or 0 for none
-/// @param step radians between kicks
+/// @param diffusion D > 0, or 0 without noise
+/// @param step h in radians
 GeneralKicks general_kicks(const problem::Problem& problem, const problem::Scales& scales,
                            double diffusion, double step);
 

@@ -12,7 +12,7 @@ namespace {
 
 using numerics::Polynomial;
 
-Polynomial steepest_of(const Polynomial& force) {
+Polynomial make_slope_bound(const Polynomial& force) {
   Polynomial::Coefficients magnitudes{};
   for (std::size_t n = 0; n < magnitudes.size(); ++n) {
     magnitudes[n] = std::abs(force.coefficient(n));
@@ -20,8 +20,8 @@ Polynomial steepest_of(const Polynomial& force) {
   return Polynomial(magnitudes).derivative();
 }
 
-/// U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m, m the degree of U.
-Polynomial over_its_last_term(const Polynomial& potential) {
+/// The ratio U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m, m the degree of U.
+Polynomial ratio_to_last_term(const Polynomial& potential) {
   const std::size_t m = potential.degree();
   Polynomial::Coefficients r{};
   for (std::size_t j = 0; j <= m; ++j) {
@@ -37,9 +37,9 @@ Polynomial terms(const Polynomial& p, double sign) {
   return Polynomial(part);
 }
 
-/// From here on the last term of `ratio`, a positive one, is larger than the negative ones
+/// Value of w above which the last term of `ratio`, a positive one, exceeds all negative terms
 /// together.
-double far_out(const Polynomial& ratio) {
+double dominance_threshold(const Polynomial& ratio) {
   const std::size_t last = ratio.degree();
   double w = 0;
   for (std::size_t j = 0; j < last; ++j) {
@@ -50,33 +50,34 @@ double far_out(const Polynomial& ratio) {
   return w;
 }
 
-/// No more than U(y) / (u_m y^m) is for any y > 0, and hardly less than the smallest: 1 where no
-/// term is negative, and not positive where the energy bounds nothing.
-double least_ratio(const Polynomial& potential) {
+/// Tight lower bound of U(y) / (u_m y^m) over y > 0: 1 without negative terms; not positive where
+/// the energy does not bound the motion.
+double ratio_lower_bound(const Polynomial& potential) {
   constexpr double kFineness = 1.001, kNegligible = 1e-3;
-  const Polynomial ratio = over_its_last_term(potential);
+  const Polynomial ratio = ratio_to_last_term(potential);
   const Polynomial positive = terms(ratio, 1), negative = terms(ratio, -1);
   if (negative.degree() == 0) return 1;
   if (ratio.coefficient(ratio.degree()) < 0) return 0;
-  // Both parts grow with w: between a and b the sum is no less than the positive part at a less the
-  // negative one at b. Near w = 0 the positive part is 1.
+  // Both parts increase with w: on [a, b] the sum is at least positive(a) - negative(b). Near w = 0
+  // the positive part is 1.
   double least = 1 - kNegligible;
-  for (double b = far_out(ratio); negative(b) > kNegligible && least > 0; b /= kFineness) {
+  for (double b = dominance_threshold(ratio); negative(b) > kNegligible && least > 0;
+       b /= kFineness) {
     least = std::min(least, positive(b / kFineness) - negative(b));
   }
   return least;
 }
 
-void require_energy_to_bound_the_motion(const Oscillator& oscillator) {
+void require_bounded_motion(const Oscillator& oscillator) {
   if (oscillator.force.coefficient(0) != 0) {
     throw InputError(
-        "the spring pushes or pulls at the wall (impacts may then accumulate, and the simulation "
-        "takes one after the other) use a force that is 0 at y = 0, or another method");
+        "spring force not 0 at the wall: impacts may accumulate; use a force that is 0 at y = 0, "
+        "or another method");
   }
-  if (!(oscillator.least_potential > 0)) {
+  if (!(oscillator.potential_bound > 0)) {
     throw InputError(
-        "the spring's potential is not positive for all y > 0 (the steps of the simulation are "
-        "bounded by the energy) use other coefficients, or another method");
+        "spring potential not positive for all y > 0: no energy bounds the motion; change the "
+        "coefficients, or use another method");
   }
 }
 
@@ -94,9 +95,9 @@ Oscillator::Oscillator(double c, double r, const Polynomial& spring)
       is_duffing(force.coefficient(0) == 0 && force.coefficient(2) == 0 && degree <= 3),
       stiffness(force.coefficient(1)),
       cubic(force.coefficient(3)),
-      steepest(steepest_of(force)),
-      least_potential(potential.coefficient(potential.degree()) * least_ratio(potential)) {
-  require_energy_to_bound_the_motion(*this);
+      slope_bound(make_slope_bound(force)),
+      potential_bound(potential.coefficient(potential.degree()) * ratio_lower_bound(potential)) {
+  require_bounded_motion(*this);
 }
 
 }  // namespace fpkcheck::mcs

@@ -8,13 +8,13 @@ class System;
 
 namespace fpkcheck::mcs {
 
-/// The oscillator of paper (1)-(2) as the flights take it, with what they need of its spring g(y)
-/// made once.
+/// The oscillator of paper (1)-(2), with precomputed properties of its spring force g(y) for
+/// flights.
 struct Oscillator {
   static constexpr int kHighestDegree = 5;
 
-  /// @throws InputError when no energy bounds the motion, or g(0) is not 0: the length of the
-  ///         flights rests on both
+  /// @throws InputError where no energy bounds the motion, or g(0) is not 0: the step limit needs
+  ///        both
   explicit Oscillator(const problem::System& system);
   /// @param spring g, of degree 1 .. kHighestDegree
   Oscillator(double c, double r, const numerics::Polynomial& spring);
@@ -24,15 +24,15 @@ struct Oscillator {
   numerics::Polynomial force, potential;
   int degree;  ///< of the force
 
-  /// g(y) = k y + mu y^3, the paper's spring: it has formulas of its own.
+  /// g(y) = k y + mu y^3, the paper's spring, which has closed formulas.
   bool is_duffing;
   double stiffness, cubic;  ///< k, mu
 
-  /// sum_n n |g_n| y^(n-1): no tangent and no secant of the spring is steeper, from 0 to y.
-  numerics::Polynomial steepest;
-  /// How far out an energy E reaches: y <= (E / least_potential)^(1/(degree + 1)), as
-  /// U(y) >= least_potential y^(degree + 1).
-  double least_potential;
+  /// sum_n n |g_n| y^(n-1), an upper bound of the tangent and secant slopes of g between 0 and y.
+  numerics::Polynomial slope_bound;
+  /// Coefficient of a lower bound: U(y) >= potential_bound y^(degree + 1). An energy E therefore
+  /// bounds the displacement, y <= (E / potential_bound)^(1/(degree + 1)).
+  double potential_bound;
 };
 
 }  // namespace fpkcheck::mcs

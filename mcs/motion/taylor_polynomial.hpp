@@ -6,7 +6,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Position y and velocity y' of the oscillator, of one or in lanes.
+/// Position y and velocity y' of the oscillator, as numbers or in SIMD lanes.
 template <class Real>
 struct BasicState {
   Real y;
@@ -14,8 +14,8 @@ struct BasicState {
 };
 using State = BasicState<double>;
 
-/// y(s) and y'(s) of y(s) = sum_n a_n s^n. (Horner's rule in s^2 for even and odd powers apart:
-/// half as long a chain of operations that wait for one another.)
+/// y(s) and y'(s) of y(s) = sum_n a_n s^n. Horner's rule in s^2 for even and odd powers separately
+/// halves the dependency chain.
 template <int kOrder, class Real>
 FPKCHECK_INLINE BasicState<Real> state_at(const std::array<Real, kOrder + 1>& a, const Real& s) {
   static_assert(kOrder % 2 == 0);
@@ -32,7 +32,7 @@ FPKCHECK_INLINE BasicState<Real> state_at(const std::array<Real, kOrder + 1>& a,
   return {y_even + s * y_odd, v_even + s * v_odd};
 }
 
-/// y''(s) of the same.
+/// y''(s) of the same polynomial.
 template <int kOrder, class Real>
 FPKCHECK_INLINE Real acceleration_at(const std::array<Real, kOrder + 1>& a, const Real& s) {
   Real sum = double{kOrder * (kOrder - 1)} * a[kOrder];

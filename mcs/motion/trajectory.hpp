@@ -7,19 +7,20 @@
 
 namespace fpkcheck::mcs {
 
-/// A witness that looks away: for the burn-in. Any witness has these members.
-struct NoWitness {
-  void flight(const Flight&, double /*duration*/) {}  ///< free motion over this duration
-  void impact(double /*velocity before*/) {}          ///< paper (2)
-  void impulse(double /*velocity before*/, double /*amplitude*/) {}  ///< one term of paper (3)
+/// Observer of the events of a trajectory that ignores all events, for the burn-in. Other observers
+/// have the same members.
+struct NullObserver {
+  void flight(const Flight&, double /*duration*/) {}  ///< free motion of this duration
+  void impact(double /*velocity before*/) {}          ///< impact, paper (2)
+  void impulse(double /*velocity before*/, double /*amplitude*/) {}  ///< impulse, paper (3)
 };
 
-/// One realisation of paper (1)-(2) itself, on y >= 0 and event by event: flights end exactly at
-/// impacts, at impulses and at the end of the time asked for. What advance() does in lanes, written
-/// plainly, for ensembles and for the tests.
+/// One realisation of paper (1)-(2) on y >= 0, event by event: flights end exactly at impacts, at
+/// impulses and at the end of the time. A scalar implementation of advance(), for ensembles and
+/// tests.
 class Trajectory {
  public:
-  /// @param step longest flight, in radians of the local frequency, below pi (Flight::reach)
+  /// @param step longest flight, in radians of the local frequency, below pi (Flight::max_step)
   Trajectory(const Oscillator& oscillator, ImpulseSource source, const State& start, double step)
       : oscillator_(oscillator),
         source_(source),
@@ -29,41 +30,40 @@ class Trajectory {
 
   const State& state() const { return state_; }
 
-  /// Follows the motion for a time and shows every event to the witness.
-  template <class Witness>
-  void advance(double duration, Witness& witness) {
-    // Every turn of the loop either moves on in time or brings y to 0; at y = 0 the velocity has
-    // been made >= 0, so that the turn after moves on. At rest (y = v = 0) time runs on to the next
-    // impulse.
+  /// Advances by a time and passes every event to the observer.
+  template <class Observer>
+  void advance(double duration, Observer& observer) {
+    // Every iteration advances the time or ends at y = 0. There the impact makes v >= 0, so the
+    // next iteration advances the time. At rest (y = v = 0) the time advances to the next impulse.
     while (duration > 0) {
-      if (state_.y <= 0 && state_.v < 0) rebound(witness);
+      if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
-      double span = std::min({flight.reach(step_), next_.waiting, duration});
+      double span = std::min({flight.max_step(step_), next_.waiting, duration});
       State end = flight.at(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
         span = flight.impact_time(span, end, true);
         end = {0, flight.at(span).v};
       }
-      witness.flight(flight, span);
+      observer.flight(flight, span);
       duration -= span;
       next_.waiting -= span;
       state_ = {std::max(end.y, 0.0), end.v};
-      if (next_.waiting <= 0) receive_impulse(witness);
+      if (next_.waiting <= 0) apply_impulse(observer);
     }
   }
 
  private:
-  /// Paper (2), also for an impulse that pushes a resting oscillator into the wall.
-  template <class Witness>
-  void rebound(Witness& witness) {
-    witness.impact(state_.v);
+  /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
+  template <class Observer>
+  void apply_impact(Observer& observer) {
+    observer.impact(state_.v);
     state_ = {0, -oscillator_.restitution * state_.v};
   }
 
-  template <class Witness>
-  void receive_impulse(Witness& witness) {
-    witness.impulse(state_.v, next_.amplitude);
+  template <class Observer>
+  void apply_impulse(Observer& observer) {
+    observer.impulse(state_.v, next_.amplitude);
     state_.v += next_.amplitude;
     next_ = source_.next();
   }
@@ -71,7 +71,7 @@ class Trajectory {
   Oscillator oscillator_;
   ImpulseSource source_;
   State state_;
-  Impulse next_;  // and how long until then
+  Impulse next_;  // with the remaining time to it
   double step_;
 };
 

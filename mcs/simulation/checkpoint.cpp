@@ -12,57 +12,58 @@
 #include <string_view>
 #include <utility>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/files/pending_files.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
-#include "base/text/shown.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-// Of any version, and of this one.
-constexpr std::string_view kEveryFirstLine = "fpkcheck mcs checkpoint ";
-constexpr std::string_view kFirstLine = "fpkcheck mcs checkpoint 4\n";
+// First line of checkpoints of any version, and of this version.
+constexpr std::string_view kFormatPrefix = "fpkcheck mcs checkpoint ";
+constexpr std::string_view kFormatLine = "fpkcheck mcs checkpoint 4\n";
 
-/// FNV-1a.
+/// FNV-1a hash.
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
   return sum;
 }
 
-std::string unwritten(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {} ({})", base::shown(path), why);
+std::string write_failure_message(const std::string& path, const std::string& why) {
+  return fmt::format("cannot write the checkpoint {}: {}", base::sanitise(path), why);
 }
 
-constexpr const char* kNoPlace = "is there such a directory, writable and with space?";
+constexpr const char* kUnwritableReason =
+    "the directory is missing, write-protected or full; check it";
 
-/// @return why the checkpoint could not be written; empty when it is
+/// @return why the checkpoint was not written; empty after success
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
                              const Simulation& simulation) {
   std::ostringstream contents;
-  contents << kFirstLine << fingerprint << '\n';
+  contents << kFormatLine << fingerprint << '\n';
   simulation.save(contents);
   std::string text = std::move(contents).str();
   const std::uint64_t sum = checksum(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
-    const base::FilesInHand in_hand;
+    const base::WriteGuard in_hand;
     base::write_file(path, text);
     return "";
   } catch (const std::runtime_error&) {
-    return unwritten(path, kNoPlace);
+    return write_failure_message(path, kUnwritableReason);
   }
 }
 
 bool is_checkpoint(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string start(kEveryFirstLine.size(), '\0');
+  std::string start(kFormatPrefix.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == kEveryFirstLine;
+  return start == kFormatPrefix;
 }
 
 }  // namespace
@@ -89,13 +90,13 @@ std::string fingerprint(const problem::Problem& problem, const Plan& plan,
       text += fmt::format(" {:a} {:a}", by, probability);
   }
   if (plan.general) {
-    const auto& [scales, o, kicks, power, rests, wells] = *plan.general;
+    const auto& [scales, o, kicks, power, has_contact_atoms, wells] = *plan.general;
     text += fmt::format("; of {:a} {:a} {:a}", fmt::join(o.force, " "),
                         fmt::join(s.damping_polynomial().coefficients(), " "), o.rayleigh);
     for (const auto& w : {o.left, o.right}) {
-      text += fmt::format("; wall {} {:a} {:a}", w.stands, w.position, w.restitution);
+      text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
     }
-    text += fmt::format("; kicks {:a} {:a}", kicks.diffusion, kicks.longest);
+    text += fmt::format("; kicks {:a} {:a}", kicks.diffusion, kicks.longest_interval);
   }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;
@@ -107,23 +108,24 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   namespace fs = std::filesystem;
   std::error_code ignored;
   const auto there = fs::status(path_, ignored);
-  if (fs::is_directory(there)) throw InputError(unwritten(path_, "it is a directory"));
-  // Neither a case file that was named by mistake nor a device.
+  if (fs::is_directory(there))
+    throw InputError(write_failure_message(path_, "it is a directory; name a file"));
+  // Refuse to overwrite a case file named by mistake, or a device.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
-    throw InputError(
-        unwritten(path_, "something else is there, which would be lost: name another file"));
+    throw InputError(write_failure_message(
+        path_, "the file is no checkpoint and would be lost; name another file"));
   }
   try {
-    const base::FilesInHand in_hand;
-    const fs::path probe = base::partial_beside(path_);
-    base::write_new(probe, kFirstLine);
+    const base::WriteGuard in_hand;
+    const fs::path probe = base::partial_path(path_);
+    base::write_new_file(probe, kFormatLine);
     fs::remove(probe);
   } catch (const std::system_error&) {
-    throw InputError(unwritten(path_, kNoPlace));
+    throw InputError(write_failure_message(path_, kUnwritableReason));
   }
 }
 
-void CheckpointWriter::attempt(const std::string& fingerprint, const Simulation& simulation) {
+void CheckpointWriter::try_write(const std::string& fingerprint, const Simulation& simulation) {
   written_ = Clock::now();
   failure_ = write_checkpoint(path_, fingerprint, simulation);
 }
@@ -131,9 +133,9 @@ void CheckpointWriter::attempt(const std::string& fingerprint, const Simulation&
 void CheckpointWriter::write(const std::string& fingerprint, const Simulation& simulation) {
   if (path_.empty()) return;
   const bool failed_before = !failure_.empty();
-  attempt(fingerprint, simulation);
+  try_write(fingerprint, simulation);
   if (!failure_.empty() && !failed_before) {
-    warn_(failure_ + " the simulation goes on and tries again every half minute");
+    warn_(failure_ + ". The simulation continues and retries every half minute");
   }
 }
 
@@ -145,53 +147,53 @@ void CheckpointWriter::write_when_due(const std::string& fingerprint,
 
 void CheckpointWriter::write_last(const std::string& fingerprint, const Simulation& simulation) {
   if (path_.empty()) return;
-  attempt(fingerprint, simulation);
+  try_write(fingerprint, simulation);
   if (!failure_.empty()) {
-    warn_(failure_ + " the result stands, but no run can go on from the end of this one");
+    warn_(failure_ + ". The result is valid, but no run can resume from its end");
   }
 }
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  // The largest have all streams, deposits on the finest grids and the finest bins.
+  // Upper limit of the size with all streams, deposits on the finest grids and the finest bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
   const auto read = base::read_input_file(path, kMostBytes);
-  const std::string name = base::shown(path);
+  const std::string name = base::sanitise(path);
   if (!read) {
     throw InputError(
-        fmt::format("cannot read the checkpoint {} (there is no such file) name one that "
-                    "--checkpoint has written",
+        fmt::format("cannot read the checkpoint {}: no such file; name a file that --checkpoint "
+                    "wrote",
                     name));
   }
   const std::string& text = *read;
-  if (!text.starts_with(kFirstLine)) {
+  if (!text.starts_with(kFormatLine)) {
     throw InputError(fmt::format(
-        "{} is no checkpoint of this version of fpkcheck mcs (start again without --resume)",
+        "{} is no checkpoint of this version of fpkcheck mcs: its first line differs; start "
+        "without --resume",
         name));
   }
   std::uint64_t sum = 0;
   const std::size_t size = text.size() - sizeof sum;
-  if (text.size() > kFirstLine.size() + sizeof sum) std::memcpy(&sum, &text[size], sizeof sum);
+  if (text.size() > kFormatLine.size() + sizeof sum) std::memcpy(&sum, &text[size], sizeof sum);
   const std::string_view contents(text.data(), size);
   if (sum != checksum(contents)) {
-    throw InputError(fmt::format(
-        "the checkpoint {} is damaged (its checksum is wrong): start again without --resume",
-        name));
+    throw InputError(
+        fmt::format("the checkpoint {} is damaged: wrong checksum; start without --resume", name));
   }
-  const std::string_view rest = contents.substr(kFirstLine.size());
+  const std::string_view rest = contents.substr(kFormatLine.size());
   const std::size_t end = rest.find('\n');
   if (rest.substr(0, end) != fingerprint) {
     throw InputError(
-        fmt::format("the checkpoint {} belongs to another simulation (give the case, "
-                    "seed and options that it was made with)",
+        fmt::format("the checkpoint {} belongs to another simulation: case, seed or options "
+                    "differ; use those of the checkpoint",
                     name));
   }
   std::istringstream in{std::string(rest.substr(end + 1))};
   try {
     simulation.load(in);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("the checkpoint {} is damaged ({}): start again without --resume",
-                                 name, error.what()));
+    throw InputError(fmt::format("the checkpoint {} is damaged: {}; start without --resume", name,
+                                 error.what()));
   }
 }
 

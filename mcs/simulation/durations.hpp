@@ -4,37 +4,38 @@
 
 namespace fpkcheck::mcs {
 
-/// How fast a problem forgets and how much there is to compute, per unit time.
-struct Pace {
-  double decay;     ///< of the slowest deviation
-  double impulses;  ///< or the kicks of white noise in their place
-  double flights;   ///< and kicks of noise beside impulses
+/// Decay rate and event rates of a problem, per unit time.
+struct EventRates {
+  double decay;     ///< rate of the slowest mode
+  double impulses;  ///< impulses, or the kicks of white noise that replace them
+  double flights;   ///< flights, and the kicks of noise besides impulses
   bool any_oscillator = false;
   int wells = 1;
 
   double events() const { return impulses + flights; }
 };
 
-/// Why a burn-in is below 5 decay times.
+/// Cause of a burn-in below 5 decay times.
 enum class BurnInLimit {
-  none,      ///< it is not: exp(-5) of the start is left, or less
+  none,      ///< the burn-in leaves exp(-5) of the initial deviation, or less
   impulses,  ///< frequent impulses
-  wells,     ///< that are rarely left
-  decay      ///< little damping
+  wells,     ///< rare transitions between wells
+  decay      ///< weak damping
 };
 
 struct Durations {
-  double automatic;  ///< simulated time over all streams where nobody asks for another
-  double time;       ///< what is simulated at most
-  double burn_in;    ///< of each stream
+  double automatic;  ///< default simulated time over all streams
+  double time;       ///< upper limit of the simulated time
+  double burn_in;    ///< per stream
   BurnInLimit burn_in_limit;
 };
 
-/// The automatic time is 1.6e6 decay times (L1 errors of p(y) and p(y') by chance about 6e-4), shared
-/// as Options::time says, where the simulation then takes some seconds (beyond the paper's class) or a
-/// minute (in the class). Elsewhere it is the time for those seconds, or the longer time that
-/// Options::accuracy needs, for a minute at most. Wells that are rarely left get the seconds alone: a
-/// minute would not find their masses.
-Durations durations_of(const Options& options, const Pace& pace);
+/// Chooses the simulated time and the burn-in. The full time is 1.6e6 decay times, reduced as in
+/// Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. It is the default
+/// if it takes at most a minute in the paper's class, or some seconds outside that class. Otherwise
+/// the default time takes these seconds, or up to a minute where Options::accuracy needs more. With
+/// several wells and rare transitions it takes the seconds only, since a minute would not determine
+/// the masses of the wells.
+Durations choose_durations(const Options& options, const EventRates& rates);
 
 }  // namespace fpkcheck::mcs

@@ -5,34 +5,35 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "mcs/offered.hpp"
+#include "mcs/applicability.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-// In radians. The more a wall takes, the nearer to it decides what the noise does there, and between
-// two kicks it does nothing.
+// In radians. At strong impact losses the noise near the wall determines the motion, and the kicks
+// must resolve the noise there (docs/simulation.md has the measurements).
 constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
 constexpr double kStrongLosses = 0.6;
 
 double automatic_kick_step(const problem::System& system) {
-  const auto takes_much = [](const std::optional<problem::Wall>& wall) {
+  const auto has_strong_losses = [](const std::optional<problem::Wall>& wall) {
     return wall && wall->restitution < kStrongLosses;
   };
-  return takes_much(system.left()) || takes_much(system.right()) ? kKickStepWithStrongLosses
-                                                                 : kAutomaticKickStep;
+  return has_strong_losses(system.left()) || has_strong_losses(system.right())
+             ? kKickStepWithStrongLosses
+             : kAutomaticKickStep;
 }
 
 }  // namespace
 
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options) {
   if (options.deposit) {
-    throw InputError("mcs.deposit with an oscillator that is not the paper's (leave it)");
+    throw InputError("mcs.deposit outside the paper's class: not supported; omit mcs.deposit");
   }
   if (options.tails) {
-    if (const std::string why = splitting_objection(problem, options); !why.empty()) {
-      throw InputError(fmt::format("mcs.tails ({}) leave it", why));
+    if (const std::string why = unsupported_splitting_reason(problem, options); !why.empty()) {
+      throw InputError(fmt::format("mcs.tails: {}; omit mcs.tails", why));
     }
   }
   const bool white = options.equation == Equation::white;
@@ -46,7 +47,7 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
           .kicks = general_kicks(problem, scales, diffusion,
                                  options.white_step.value_or(automatic_kick_step(problem.system))),
           .power = problem::total_intensity(problem) / 2,
-          .rests = features.rests_in_contact && diffusion == 0,
+          .has_contact_atoms = features.rests_in_contact && diffusion == 0,
           .wells = features.wells};
 }
 

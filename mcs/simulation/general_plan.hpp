@@ -8,17 +8,17 @@
 
 namespace fpkcheck::mcs {
 
-/// What the plan has besides of an oscillator that is not the paper's.
+/// Further parts of the plan for an oscillator outside the paper's class.
 struct GeneralPlan {
   problem::Scales scales;
   GeneralOscillator oscillator;
   GeneralKicks kicks;
-  double power;  ///< D + lambda E[Y^2]/2, what noise and impulses bring
-  bool rests;    ///< the law has atoms of rest in contact
-  int wells;     ///< Features::wells
+  double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
+  bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
+  int wells;               ///< Features::wells
 };
 
-/// @throws InputError where the options ask for what such an oscillator does not have
+/// @throws InputError for options without support outside the paper's class
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

@@ -8,24 +8,25 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "mcs/simulation/workers.hpp"
+#include "mcs/simulation/parallel_for.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kMostSamples = 1e15;  // of a stream
+constexpr double kMostSamples = 1e15;  // per stream
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;        // standard deviations
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
-constexpr double kSamplesPerPeriod = 25;  // with 50 the bins are a seventh less noisy, and dearer
-// Progress and interruptions come by rounds: a fortieth of the automatic time, a tenth of a second
-// or so, or an eighth of what was asked for if that is less.
+// 50 samples per period reduce the noise of the bins by a seventh, at higher cost.
+constexpr double kSamplesPerPeriod = 25;
+// Progress and interruptions occur between rounds. A round takes a fortieth of the default time,
+// about a tenth of a second, or an eighth of the requested time, whichever is least.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-constexpr double kMostEvents = 2e7;  // impulses and flights of a round, in all streams
+constexpr double kMostEvents = 2e7;  // impulses and flights per round in all streams
 
 std::vector<double> evenly_spaced(double from, double to) {
   std::vector<double> edges;
@@ -44,55 +45,57 @@ struct Rounds {
 };
 
 /// @param events impulses, kicks and flights per unit time
-Rounds rounds_of(const Options& options, const Durations& durations, double interval,
-                 double events) {
+Rounds choose_rounds(const Options& options, const Durations& durations, double interval,
+                     double events) {
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
-  // Of a length that does not depend on the time asked for, unless that is short: so a longer
-  // simulation can go on from the checkpoint of a shorter one.
+  // The length of a round is independent of the requested time, unless this is short. A longer
+  // simulation can therefore resume from the checkpoint of a shorter one.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
     throw InputError(fmt::format(
-        "mcs.time = {} (each of {} streams would take {:.0e} samples; at most {:.0e}) use less",
+        "mcs.time = {}: each of {} streams would have {:.0e} samples, at most {:.0e} are "
+        "possible; reduce the time",
         time, options.streams, samples * rounds, kMostSamples));
   }
   return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
 }
 
-/// Edges may begin anywhere where there is no wall.
-void validate_of_any_domain(const Options& options) {
+/// Checks options where the domain is not y >= 0: edges may begin anywhere.
+void validate_for_any_domain(const Options& options) {
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   Options others = options;
   others.y_edges.clear();
   validate(others);
 }
 
-Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options& options) {
-  validate_of_any_domain(options);
+Plan make_plan_for_any_oscillator(const problem::Problem& problem, const Options& options) {
+  validate_for_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
-  // The frequency is that of the motion's mean energy: where rest is the rule, of bounces that are
-  // hardly there.
+  // The frequency belongs to the mean energy. If the mass is mostly at rest in contact, this is
+  // the frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
   constexpr double kSamplesPerRest = 50;
-  const double least = general.rests ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double least =
+      general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
   const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
   const double step = options.step.value_or(kAutomaticStep);
-  const double kicks = general.kicks.present() ? 1 / general.kicks.longest : 0;
+  const double kicks = general.kicks.is_present() ? 1 / general.kicks.longest_interval : 0;
   const bool white = options.equation == Equation::white;
   const double impulses = white ? 0 : problem.impulses.arrival_rate();
-  const Pace pace{.decay = s.slowest_decay,
-                  .impulses = impulses,
-                  .flights = kicks + s.frequency / step,
-                  .any_oscillator = true,
-                  .wells = general.wells};
-  const Durations durations = durations_of(options, pace);
-  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
+  const EventRates rates{.decay = s.slowest_decay_rate,
+                         .impulses = impulses,
+                         .flights = kicks + s.frequency / step,
+                         .any_oscillator = true,
+                         .wells = general.wells};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.events());
   Excitation excitation = poisson_excitation(problem.impulses);
   if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
   excitation.power = general.power;
-  // What is expected of the kicks' own is 0; see receive_kick().
+  // The expected work of the kicks alone is 0; see apply_kick().
   if (impulses == 0) excitation.work = 0;
   return {.streams = options.streams,
           .threads = std::min(number_of_threads(options.threads), options.streams),
@@ -116,10 +119,10 @@ Plan make_plan_of_any_oscillator(const problem::Problem& problem, const Options&
 }  // namespace
 
 Plan make_plan(const problem::Problem& problem, const Options& options) {
-  if (!problem::of_the_paper(problem)) return make_plan_of_any_oscillator(problem, options);
+  if (!problem::is_paper_oscillator(problem)) return make_plan_for_any_oscillator(problem, options);
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
-  const double decay = problem::slowest_decay(linear);
+  const double decay = problem::slowest_decay_rate(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double frequency = std::sqrt(linear.stiffness);
   const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
@@ -129,9 +132,10 @@ Plan make_plan(const problem::Problem& problem, const Options& options) {
                              options.white_step.value_or(kAutomaticWhiteStep) / frequency)
           : poisson_excitation(problem.impulses);
   const double step = options.step.value_or(kAutomaticStep);
-  const Pace pace{.decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
-  const Durations durations = durations_of(options, pace);
-  const auto [samples, rounds] = rounds_of(options, durations, interval, pace.events());
+  const EventRates rates{
+      .decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.events());
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);

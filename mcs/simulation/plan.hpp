@@ -16,33 +16,33 @@ struct Problem;
 
 namespace fpkcheck::mcs {
 
-/// Radians of the longest flights where nothing else is asked for: errors below those of the
-/// classical Runge-Kutta method with step 0.05.
+/// Default step limit in radians. The errors are below those of the classical Runge-Kutta method
+/// with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// The options with everything automatic filled in.
+/// A simulation with all default values computed.
 struct Plan {
   int streams;
   int threads;
   std::uint64_t seed;
-  problem::Frame frame;  ///< moments are stated by it
+  problem::Frame frame;  ///< maps the results to physical coordinates
   double step;
   double burn_in;
   BurnInLimit burn_in_limit;
   double sampling_interval;
-  /// The simulation goes on in rounds of as many samples of each stream.
+  /// Samples of each stream per round.
   std::uint64_t samples_per_round;
-  std::uint64_t rounds;           ///< at most
-  double displacement_deviation;  ///< sigma_1 of the Gaussian to start from
+  std::uint64_t rounds;           ///< upper limit
+  double displacement_deviation;  ///< sigma_1 of the initial Gaussian
   double velocity_deviation;      ///< sigma_2
   Excitation excitation;
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
-  /// Of an oscillator that is not the paper's: it is moved by GeneralMotion.
+  /// For oscillators outside the paper's class, which GeneralMotion describes.
   std::optional<GeneralPlan> general{};
 
-  /// Measured time of one stream in a round.
+  /// Simulated time of one stream per round.
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
 
   const BinFinder& bins(transform::Variable variable) const {

@@ -8,20 +8,20 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "mcs/motion/start.hpp"
-#include "mcs/simulation/general_start.hpp"
-#include "mcs/simulation/saved_numbers.hpp"
-#include "mcs/simulation/workers.hpp"
+#include "mcs/motion/initial_state.hpp"
+#include "mcs/simulation/binary_io.hpp"
+#include "mcs/simulation/initial_state_sampler.hpp"
+#include "mcs/simulation/parallel_for.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kGroup = 8;  // streams that a thread takes at a time
+constexpr std::size_t kGroup = 8;  // streams per task of a thread
 
-// A checksum is soon repaired: what goes on from impossible numbers may never end.
-void require_possible(bool holds) {
-  if (!holds) throw InputError("its numbers are impossible");
+// A forged checksum is no protection, and a simulation from impossible numbers may never end.
+void require_valid_state(bool holds) {
+  if (!holds) throw InputError("impossible numbers in the saved state");
 }
 
 bool is_finite(double number) { return std::isfinite(number); }
@@ -35,23 +35,24 @@ bool is_between_walls(double y, double farthest, const Plan& plan) {
   if (!plan.general) return y >= 0 && y <= farthest;
   const GeneralOscillator& o = plan.general->oscillator;
   const double centre = plan.general->scales.centre;
-  return y >= (o.left.stands ? 0.0 : centre - farthest) &&
-         y <= (o.right.stands ? o.right.position : centre + farthest);
+  return y >= (o.left.exists ? 0.0 : centre - farthest) &&
+         y <= (o.right.exists ? o.right.position : centre + farthest);
 }
 
-bool is_possible(const GeneralBranch& branch, const GeneralKicks& kicks) {
-  const double longest = 1.01 * kicks.longest;  // and rounding
-  const bool waits = kicks.present()
-                         ? branch.until_kick >= 0 && branch.until_kick <= longest &&
-                               branch.kick_interval >= 0 && branch.kick_interval <= longest
+bool is_valid_state(const GeneralBranch& branch, const GeneralKicks& kicks) {
+  const double longest_interval = 1.01 * kicks.longest_interval;  // with an allowance for rounding
+  const bool waits = kicks.is_present()
+                         ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
+                               branch.kick_interval >= 0 && branch.kick_interval <= longest_interval
                          : branch.until_kick > 0 && branch.kick_interval == 0;
-  return waits && branch.bouncing >= -1;
+  return waits && branch.time_to_rest >= -1;
 }
 
-/// A branch between two rounds, within what chance and the motion can bring it to.
-bool is_possible(const Branch& branch, const Plan& plan) {
-  constexpr double kFarthest = 1e4;     // of the deviations and of what an impulse adds
-  constexpr double kRarestDraws = 1e3;  // mean waiting times, widths of the law: once in exp(1000)
+/// Whether a branch between two rounds is within the range of the motion and of the random numbers.
+bool is_valid_state(const Branch& branch, const Plan& plan) {
+  constexpr double kFarthest = 1e4;  // in units of the deviation plus the largest impulse
+  // In mean waiting times, or widths of the law: such a draw has the probability exp(-1000).
+  constexpr double kRarestDraws = 1e3;
   const Excitation& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
   const double v = kFarthest * (plan.velocity_deviation + strongest);
@@ -64,9 +65,10 @@ bool is_possible(const Branch& branch, const Plan& plan) {
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
 }
 
-/// A stream before it moves. @param source gives the impulses after the first
-Stream stream_at(const State& start, const Impulse& first, const ImpulseSource& source,
-                 const Plan& plan) {
+/// A stream at its initial state.
+/// @param source of the impulses after the first one
+Stream make_stream(const State& start, const Impulse& first, const ImpulseSource& source,
+                   const Plan& plan) {
   return {.branch = {.y = start.y,
                      .v = start.v,
                      .until_impulse = first.waiting,
@@ -83,7 +85,7 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
                        const Splitting* splitting)
     : plan_(&plan) {
   if (plan.general) {
-    begin_any(problem, splitting);
+    start_general_streams(problem, splitting);
     return;
   }
   motion_ = Motion{.oscillator = Oscillator(problem.system),
@@ -96,60 +98,63 @@ Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
                    .deposit = plan.deposit ? &*plan.deposit : nullptr};
   for (int s = 0; s < plan.streams; ++s) {
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
-    const State start = folded_start(source, plan.displacement_deviation, plan.velocity_deviation);
+    const State start =
+        folded_initial_state(source, plan.displacement_deviation, plan.velocity_deviation);
     const Impulse first = source.next();
-    streams_.push_back(stream_at(start, first, source, plan));
+    streams_.push_back(make_stream(start, first, source, plan));
     if (plan.deposit) streams_.back().record.deposit = Deposit(plan.deposit->grid);
   }
 }
 
-void Simulation::begin_any(const problem::Problem& problem, const Splitting* splitting) {
+void Simulation::start_general_streams(const problem::Problem& problem,
+                                       const Splitting* splitting) {
   const Plan& plan = *plan_;
   const GeneralPlan& general = *plan.general;
-  // Of the flights between kicks there are fewer coefficients.
+  // Flights between kicks use a lower order, so their steps are shorter.
   constexpr double kShorter = 0.35;
   general_ = GeneralMotion{.oscillator = general.oscillator,
                            .kicks = general.kicks,
-                           .step = plan.step * (general.kicks.present() ? kShorter : 1),
+                           .step = plan.step * (general.kicks.is_present() ? kShorter : 1),
                            .sampling_interval = plan.sampling_interval,
                            .y_bins = &plan.y_bins,
                            .v_bins = &plan.v_bins,
                            .records = true,
                            .splitting = splitting};
-  const GeneralStart start_of(problem);
+  const InitialStateSampler start_of(problem);
   for (int s = 0; s < plan.streams; ++s) {
     const auto stream = static_cast<std::uint32_t>(s);
     ImpulseSource source(plan.excitation, plan.seed, stream);
     const State start = start_of(plan.seed, stream);
     Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
     if (std::isfinite(plan.excitation.interval)) first = source.next();
-    Stream made = stream_at(start, first, source, plan);
+    Stream made = make_stream(start, first, source, plan);
     made.noise = NoiseSource(plan.seed, stream);
     made.record.general.emplace();
-    if (general.kicks.present()) {
-      // At any time within the interval: samples then see all of it alike.
-      const double share = uniforms(plan.seed, stream, Purpose::start, kBlock).third[1];
-      made.general.kick_interval = general.kicks.longest;
-      made.general.until_kick = share * general.kicks.longest;
+    if (general.kicks.is_present()) {
+      // A random phase of the kicks: on average the samples are evenly distributed over the
+      // interval.
+      const double share = uniforms(plan.seed, stream, Purpose::start, kBlockSize).third[1];
+      made.general.kick_interval = general.kicks.longest_interval;
+      made.general.until_kick = share * general.kicks.longest_interval;
     }
     streams_.push_back(std::move(made));
   }
 }
 
-void Simulation::split_by(const Splitting& splitting) {
+void Simulation::set_splitting(const Splitting& splitting) {
   (general_ ? general_->splitting : motion_->splitting) = &splitting;
   for (Stream& stream : streams_) stream.record.energies.clear();
 }
 
 void Simulation::burn_in() { move(false, plan_->burn_in); }
 
-void Simulation::round() {
+void Simulation::run_round() {
   move(true, plan_->round_time());
   ++rounds_;
 }
 
 void Simulation::move(bool recorded, double time) {
-  static const simd::LaneSet lanes = simd::available_lanes().back();
+  static const simd::CodeVariant lanes = simd::available_variants().back();
   if (general_) {
     GeneralMotion motion = *general_;
     motion.records = recorded;
@@ -166,8 +171,8 @@ void Simulation::move(bool recorded, double time) {
 
 void Simulation::move(const std::function<void(std::span<Stream* const>)>& move) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
-  share_work(plan_->threads, groups, [&](std::size_t g) {
-    if (!is_of(part_, g * kGroup)) return;
+  parallel_for(plan_->threads, groups, [&](std::size_t g) {
+    if (!is_stream_of_part(part_, g * kGroup)) return;
     std::vector<Stream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
@@ -181,67 +186,68 @@ void Simulation::share(int part, int parts) {
   parts_ = parts;
 }
 
-bool Simulation::is_of(int part, std::size_t stream) const {
+bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
   return stream / kGroup % static_cast<std::size_t>(parts_) == static_cast<std::size_t>(part);
 }
 
 void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
-  put(out, stream.branch);
-  put(out, stream.source.number());
+  write_binary(out, stream.branch);
+  write_binary(out, stream.source.number());
   if (general_) {
-    put(out, stream.general);
-    put(out, stream.noise.number());
+    write_binary(out, stream.general);
+    write_binary(out, stream.noise.number());
   }
-  for_each_sum(stream.record, [&](const auto& sum) { put(out, sum); });
+  for_each_sum(stream.record, [&](const auto& sum) { write_binary(out, sum); });
 }
 
 void Simulation::load_stream(std::istream& in, Stream& stream) const {
   std::uint64_t number = 0;
-  get(in, stream.branch);
+  read_binary(in, stream.branch);
   const Splitting* splitting = general_ ? general_->splitting : motion_->splitting;
-  const int levels = splitting ? splitting->levels() : 0;
-  require_possible(is_possible(stream.branch, *plan_) && stream.branch.level >= 0 &&
-                   stream.branch.level <= levels && stream.branch.floor >= 0 &&
-                   stream.branch.floor <= levels);
-  get(in, number);
+  const int threshold_count = splitting ? splitting->threshold_count() : 0;
+  require_valid_state(is_valid_state(stream.branch, *plan_) && stream.branch.energy_level >= 0 &&
+                      stream.branch.energy_level <= threshold_count &&
+                      stream.branch.floor_level >= 0 &&
+                      stream.branch.floor_level <= threshold_count);
+  read_binary(in, number);
   stream.source.continue_from(number);
   if (general_) {
-    get(in, stream.general);
-    require_possible(is_possible(stream.general, plan_->general->kicks));
-    get(in, number);
+    read_binary(in, stream.general);
+    require_valid_state(is_valid_state(stream.general, plan_->general->kicks));
+    read_binary(in, number);
     stream.noise.continue_from(number);
   }
   for_each_sum(stream.record, [&](auto& sum) {
-    get(in, sum);
-    require_possible(is_finite(sum));
+    read_binary(in, sum);
+    require_valid_state(is_finite(sum));
   });
 }
 
 void Simulation::save(std::ostream& out) const {
-  put(out, rounds_);
+  write_binary(out, rounds_);
   for (const Stream& stream : streams_) save_stream(out, stream);
 }
 
 void Simulation::load(std::istream& in) {
-  get(in, rounds_);
-  // What is simulated ends far below: only a file that was tampered with has as many.
+  read_binary(in, rounds_);
+  // Only a manipulated file has more rounds.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
-  require_possible(rounds_ <= kMostRounds);
+  require_valid_state(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) load_stream(in, stream);
-  require_possible(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
+  require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }
 
 void Simulation::save_part(std::ostream& out) const {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_of(part_, s)) save_stream(out, streams_[s]);
+    if (is_stream_of_part(part_, s)) save_stream(out, streams_[s]);
   }
 }
 
 void Simulation::load_part(std::istream& in, int part) {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_of(part, s)) load_stream(in, streams_[s]);
+    if (is_stream_of_part(part, s)) load_stream(in, streams_[s]);
   }
-  require_possible(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
+  require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }
 
 }  // namespace fpkcheck::mcs

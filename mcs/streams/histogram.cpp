@@ -17,17 +17,17 @@ void require_edges(const std::string& name, const std::vector<double>& edges) {
   const bool increasing = std::ranges::adjacent_find(edges, std::greater_equal<>{}) == edges.end();
   if (edges.size() > 1 && finite && increasing) return;
   throw InputError(
-      fmt::format("{} with {} numbers (edges of bins are two or more finite numbers, each larger "
-                  "than the one before) give such, or none",
+      fmt::format("{} with {} numbers: bin edges must be two or more finite, increasing numbers; "
+                  "correct or omit them",
                   name, edges.size()));
 }
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // Nothing is below or above "not a number": there the search ends.
-  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
-  fenced_.insert(fenced_.end(), edges_.begin(), edges_.end());
-  fenced_.push_back(std::numeric_limits<double>::quiet_NaN());
+  // Comparisons with NaN are false: NaN at both ends stops the search.
+  guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
+  guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
+  guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   const std::size_t cells = 2 * bins();
   const double width = (edges_.back() - edges_.front()) / static_cast<double>(bins());
   bins_per_length_ = 1 / width;

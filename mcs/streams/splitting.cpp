@@ -8,7 +8,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Bins each 2 % wider than the one before, over eight decades.
+/// Bins whose width grows by 2 % from one to the next, over eight decades.
 std::vector<double> energy_edges(double largest) {
   constexpr int kBins = 930;
   std::vector<double> edges;
@@ -16,7 +16,7 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Branch::split with the thresholds first + 1 .. last set.
+/// Branch::split with the bits of the thresholds first + 1 .. last.
 std::uint64_t bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
@@ -36,66 +36,66 @@ Splitting::Splitting(const numerics::Polynomial& potential, std::vector<double> 
 
 double Splitting::energy(const Branch& b) const { return b.v * b.v / 2 + potential_(b.y); }
 
-int Splitting::level(double energy) const {
+int Splitting::energy_level(double energy) const {
   return static_cast<int>(std::ranges::upper_bound(thresholds_, energy) - thresholds_.begin());
 }
 
 bool Splitting::may_split(const StreamRecord& record) const {
-  const auto most = static_cast<std::uint64_t>(kImpulsesPerLevel * levels());
-  return record.branch_impulses < kFreeImpulses + most * record.impulses;
+  const auto most = static_cast<std::uint64_t>(kImpulsesPerThreshold * threshold_count());
+  return record.branch_impulses < kImpulseAllowance + most * record.impulses;
 }
 
 void Splitting::split(Stream& stream, int from, bool at_impulse) const {
-  const int to = stream.branch.level, first = std::max(from, to - kMostSplits);
+  const int to = stream.branch.energy_level, first = std::max(from, to - kMostSplits);
   if (!may_split(stream.record)) return;
   stream.branch.split |= bits(first, to);
   const Branch origin = stream.branch;
   const GeneralBranch general = stream.general;
   stream.waiting.push_back({.branch = origin, .general = general});
-  // Above threshold i + 1 each of the branches made so far becomes kCopies.
+  // Above threshold i + 1 each of the branches so far becomes kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
     Branch copy = origin;
-    copy.floor = i + 1;
+    copy.floor_level = i + 1;
     stream.waiting.push_back({.branch = copy,
                               .general = general,
                               .copies = branches * (kCopies - 1),
                               .at_impulse = at_impulse});
     branches *= kCopies;
   }
-  follow_next(stream);
+  resume_next_branch(stream);
 }
 
-void Splitting::after_impulse(Stream& stream) const {
+void Splitting::update_after_impulse(Stream& stream) const {
   Branch& branch = stream.branch;
   const double now = energy(branch);
-  const int before = branch.level;
-  branch.level = level(now);
-  branch.split &= bits(0, branch.level);
-  // The state counts once, before it is split.
+  const int before = branch.energy_level;
+  branch.energy_level = energy_level(now);
+  branch.split &= bits(0, branch.energy_level);
+  // Counts the state once, before the branch is split.
   stream.record.energies[energy_bins_(now)] += weight(branch);
-  if (branch.level > before) {
+  if (branch.energy_level > before) {
     split(stream, before, true);
-  } else if (branch.level < branch.floor) {
-    follow_next(stream);
+  } else if (branch.energy_level < branch.floor_level) {
+    resume_next_branch(stream);
   }
 }
 
 void Splitting::begin(Stream& stream) const {
   stream.record.energies.resize(energy_bins_.bins() + 2);
-  stream.branch.level = level(energy(stream.branch));
-  stream.branch.floor = 0;
+  stream.branch.energy_level = energy_level(energy(stream.branch));
+  stream.branch.floor_level = 0;
   stream.branch.split = 0;
-  if (stream.branch.level > 0) split(stream, 0, false);
+  if (stream.branch.energy_level > 0) split(stream, 0, false);
 }
 
-void follow_next(Stream& stream) {
+void resume_next_branch(Stream& stream) {
   WaitingBranch& next = stream.waiting.back();
   stream.branch = next.branch;
   stream.general = next.general;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next();
-    // Copies made between impulses share the time of the next impulse, not its amplitude.
+    // Copies made between impulses share the time of the next impulse, but not its amplitude.
     if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;
     --next.copies;
@@ -103,8 +103,8 @@ void follow_next(Stream& stream) {
   if (next.copies == 0) stream.waiting.pop_back();
 }
 
-std::vector<double> thresholds_from(const BinFinder& bins, const std::vector<double>& energies,
-                                    double fewest_visits, double rarest) {
+std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
+                                      double fewest_visits, double rarest) {
   double total = 0;
   for (const double weight : energies) total += weight;
   std::vector<double> thresholds;

@@ -14,7 +14,7 @@
 
 namespace fpkcheck::mcs {
 
-/// The powers y^p y'^q, 1 <= p + q <= kHighestPower, whose means are estimated.
+/// Exponents (p, q) of the estimated means of y^p y'^q, 1 <= p + q <= kHighestPower.
 inline constexpr std::size_t kHighestPower = 4;
 inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {0, 1},
@@ -31,41 +31,42 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
-/// What a stream sees besides where the oscillator is not the paper's; likewise sums.
+/// Further sums for an oscillator outside the paper's class.
 struct GeneralSums {
-  double y5 = 0, y6 = 0;  ///< of y^5 and y^6 over samples: a force may have the degree 5
-  double right_speed = 0, right_energy = 0;  ///< of v and v^2 over impacts on the right
+  double y5 = 0, y6 = 0;  ///< sums of y^5 and y^6 over samples, for forces up to degree 5
+  double right_speed = 0, right_energy = 0;  ///< sums of v and v^2 over impacts on the right
   double rest_left = 0, rest_right = 0;      ///< samples at rest in contact; not in the histogram
-  double kicks = 0;                          ///< how many stood for Gaussian noise
+  double kicks = 0;                          ///< number of kicks of the Gaussian noise
 };
 
-/// What one stream has seen: sums over samples and events, each with the weight of its branch
-/// (1 without splitting).
+/// Statistics of one stream: sums over samples and events, with the weight of the branch (1 without
+/// splitting).
 struct StreamRecord {
   Histogram histogram;
-  std::vector<double> peaks;    ///< maxima of y by the bins of y, with the outer bins
+  std::vector<double> peaks;    ///< maxima of y in the bins of y, with the outer bins
   std::vector<double> troughs;  ///< minima of y above the wall, likewise
   std::array<double, kPowers.size()> powers{};
   double samples = 0;
   double impacts = 0;
   double impact_speed = 0;            ///< sum of |v| over impacts
   double impact_energy = 0;           ///< sum of v^2 over impacts
-  double work = 0;                    ///< of the impulses, see Excitation::work
-  std::uint64_t impulses = 0;         ///< of the stream itself, without its branches
-  std::uint64_t branch_impulses = 0;  ///< of its branches alone
+  double work = 0;                    ///< work of the impulses, see Excitation::work
+  std::uint64_t impulses = 0;         ///< of the main branch
+  std::uint64_t branch_impulses = 0;  ///< of all other branches
   std::uint64_t flights = 0;
-  /// Energies right after impulses, by the bins of the splitting; empty without.
+  /// Weights of the energies right after impulses, in the bins of the splitting; empty without
+  /// splitting.
   std::vector<double> energies{};
-  /// On the grid of Options::deposit; empty without.
+  /// Deposit on the grid of Options::deposit; empty without a grid.
   Deposit deposit{};
-  /// Only of an oscillator that is not the paper's.
+  /// For oscillators outside the paper's class only.
   std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
 };
 
-/// Shows every sum of a record to `visit`, in the order in which checkpoints have them.
+/// Calls `visit` with every sum of a record, in the order of checkpoint files.
 template <class Record, class Visit>
 void for_each_sum(Record& record, Visit visit) {
   visit(record.powers);
@@ -91,49 +92,49 @@ void for_each_sum(Record& record, Visit visit) {
   }
 }
 
-/// A trajectory somewhere on its way.
+/// Current state of a trajectory, and the times to its next events.
 struct Branch {
   double y;
   double v;
   double until_impulse;
-  double amplitude;  ///< of that impulse
+  double amplitude;  ///< of the next impulse
   double until_sample;
-  double remaining;  ///< time
-  int level = 0;     ///< of the splitting
-  int floor = 0;     ///< the branch ends where its level falls below
-  /// Bit i: threshold i + 1 made kCopies branches of one on the way to this level (Splitting).
+  double remaining;      ///< time to simulate
+  int energy_level = 0;  ///< thresholds of the splitting below the energy
+  int floor_level = 0;   ///< the branch ends at a lower energy_level
+  /// Bit i: threshold i + 1 split the branch into kCopies on its way up (Splitting).
   std::uint64_t split = 0;
 };
 
-/// What a trajectory has besides where the oscillator is not the paper's.
+/// Further state of a trajectory outside the paper's class.
 struct GeneralBranch {
   double until_kick = std::numeric_limits<double>::infinity();
-  double kick_interval = 0;  ///< that ends with the next kick
-  /// Time until bounces on a wall have come to rest, 0 from then on; -1 where the motion is free.
-  double bouncing = -1;
+  double kick_interval = 0;  ///< interval that ends with the next kick
+  /// Time to the end of the bounces on a wall, 0 at rest; -1 during free motion.
+  double time_to_rest = -1;
 };
 
-/// A branch of a stream that is to be followed, or several that begin alike.
+/// A pending branch of a stream, or several with the same initial state.
 struct WaitingBranch {
   Branch branch;
   GeneralBranch general;
-  /// How many, each with an impulse to come of its own; 0: the branch as it is.
+  /// Number of branches, each with its own next impulse; 0: one branch with the stored impulse.
   int copies = 0;
-  bool at_impulse = false;  ///< the time until that impulse is their own, too
+  bool at_impulse = false;  ///< each copy draws the time of the next impulse, too
 };
 
-/// One realisation with its random numbers and what it has seen.
+/// One realisation: its state, its random numbers and its statistics.
 struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  /// Branches to be followed, the stream itself first; no more than Splitting states.
+  /// Pending branches, the main branch first. Splitting states their largest number.
   std::vector<WaitingBranch> waiting{};
   GeneralBranch general{};
-  NoiseSource noise{0, 0};  ///< for Gaussian noise
+  NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
 
-  /// The stream itself moves, not one of its branches.
-  bool whole() const { return waiting.empty(); }
+  /// Whether the current branch is the main branch of the stream.
+  bool is_on_main_branch() const { return waiting.empty(); }
 };
 
 }  // namespace fpkcheck::mcs

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/text/shown.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::methods {
@@ -17,42 +17,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const std::string& text) {
+bool file_exists(const std::string& text) {
   std::error_code ignored;
   return fs::exists(text, ignored);
 }
 
-int order_in(const std::string& value) {
-  constexpr int kMost = 99;
+int parse_order(const std::string& value) {
+  constexpr int kMaxOrder = 99;
   int order = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), order);
-  if (error != std::errc{} || end != value.data() + value.size() || order < 1 || order > kMost) {
+  if (error != std::errc{} || end != value.data() + value.size() || order < 1 ||
+      order > kMaxOrder) {
     throw InputError(fmt::format("--against: order = {} (must be an integer, 1 .. {})",
-                                 base::in_quotes(value), kMost));
+                                 base::in_quotes(value), kMaxOrder));
   }
   return order;
 }
 
-void set(const std::string& key, const std::string& value, GivenArgument& argument) {
+void set(const std::string& key, const std::string& value, ExternalArgument& argument) {
   if (key == "equation") {
-    argument.equation = base::asked_name<problem::Equation>("--against: equation =", value);
+    argument.equation = base::parse_enum<problem::Equation>("--against: equation =", value);
   } else if (key == "impact") {
-    argument.impact = base::asked_name<problem::Impact>("--against: impact =", value);
+    argument.impact = base::parse_enum<problem::Impact>("--against: impact =", value);
   } else if (key == "order") {
-    argument.order = order_in(value);
+    argument.order = parse_order(value);
   } else if (key == "solution") {
     argument.solution = value;
   } else if (key == "case") {
     argument.case_name = value;
   } else {
     throw InputError(
-        fmt::format("--against: {} is unknown (use equation, impact, order, solution or case)",
+        fmt::format("--against: unknown key {}; use equation, impact, order, solution or case",
                     base::in_quotes(key)));
   }
 }
 
-// "KEY=VALUE" after a comma, from where the comma stands; the last of several.
-std::size_t last_setting(const std::string& text) {
+// Position of the comma of the last ",KEY=VALUE"; npos where there is none.
+std::size_t last_setting_position(const std::string& text) {
   const auto comma = text.rfind(',');
   if (comma == std::string::npos) return comma;
   const auto equals = text.find('=', comma);
@@ -66,27 +67,27 @@ std::size_t last_setting(const std::string& text) {
 
 }  // namespace
 
-GivenArgument given_argument(const std::string& text) {
-  GivenArgument argument;
+ExternalArgument parse_external_argument(const std::string& text) {
+  ExternalArgument argument;
   std::string rest = text;
-  while (!is_there(rest)) {
-    const auto comma = last_setting(rest), colon = rest.rfind(':');
+  while (!file_exists(rest)) {
+    const auto comma = last_setting_position(rest), colon = rest.rfind(':');
     if (comma == std::string::npos) break;
-    const bool in_the_name = colon != std::string::npos && colon > comma;
-    if (in_the_name && is_there(rest.substr(0, colon))) break;
+    const bool is_in_file_name = colon != std::string::npos && colon > comma;
+    if (is_in_file_name && file_exists(rest.substr(0, colon))) break;
     const auto equals = rest.find('=', comma);
     set(rest.substr(comma + 1, equals - comma - 1), rest.substr(equals + 1), argument);
     rest.erase(comma);
   }
   if (argument.impact && !argument.equation) {
-    throw InputError(fmt::format("--against: impact = {} without an equation (name both)",
-                                 name(*argument.impact)));
+    throw InputError(
+        fmt::format("--against: impact = {} lacks an equation; give both", name(*argument.impact)));
   }
   const auto colon = rest.rfind(':');
-  if (colon == std::string::npos || is_there(rest)) {
+  if (colon == std::string::npos || file_exists(rest)) {
     argument.file = rest;
     argument.label = results::file_stem(argument.file.stem().string());
-    argument.own_label = false;
+    argument.has_label = false;
   } else {
     argument.file = rest.substr(0, colon);
     argument.label = rest.substr(colon + 1);

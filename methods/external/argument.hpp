@@ -8,21 +8,21 @@
 
 namespace fpkcheck::methods {
 
-/// What is said of a file of a density: FILE[:LABEL][,KEY=VALUE]...
-struct GivenArgument {
+/// An argument of --against: FILE[:LABEL][,KEY=VALUE]...
+struct ExternalArgument {
   std::filesystem::path file;
-  std::string label;      ///< the file's stem where none is given
-  bool own_label = true;  ///< false where none is given
+  std::string label;      ///< the file's stem by default
+  bool has_label = true;  ///< whether the argument has a label
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
   std::optional<int> order = {};
-  std::optional<std::string> solution = {};   ///< of a file that holds several
-  std::optional<std::string> case_name = {};  ///< of a file that holds several
+  std::optional<std::string> solution = {};   ///< in a file with several solutions
+  std::optional<std::string> case_name = {};  ///< in a file with several cases
 };
 
-/// A file's name may have colons and commas itself: what is a file is not split.
-/// @throws InputError on one line: an unknown key, a value that it cannot have, an impact without
-///         an equation
-GivenArgument given_argument(const std::string& text);
+/// Parses an argument. File names may contain colons and commas: the name of an existing file is
+/// not split.
+/// @throws InputError on one line: an unknown key, an invalid value, an impact without an equation
+ExternalArgument parse_external_argument(const std::string& text);
 
 }  // namespace fpkcheck::methods

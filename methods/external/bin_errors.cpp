@@ -11,8 +11,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The integral over the bin, by the values at the knots: the trapezoids are linear in them.
-BinError trapezoids(std::span<const double> knots, double lower, double upper) {
+// The integral over the bin as a linear combination of the values at the knots (trapezoidal rule).
+BinError trapezoidal_rule(std::span<const double> knots, double lower, double upper) {
   BinError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
   bin.first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - 1, 0));
@@ -26,8 +26,8 @@ BinError trapezoids(std::span<const double> knots, double lower, double upper) {
   return bin;
 }
 
-// The value at the first knot is v[1] - (v[2] - v[1]) * ratio.
-void continue_to_first(BinError& bin, double ratio) {
+// Replaces the value at the first knot by v[1] - (v[2] - v[1]) * ratio.
+void extrapolate_first(BinError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
     return;
@@ -40,8 +40,8 @@ void continue_to_first(BinError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// That at the last one, after so many points, likewise.
-void continue_to_last(BinError& bin, std::size_t points, double ratio) {
+// Replaces the value at the last knot, with index `points`, likewise.
+void extrapolate_last(BinError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
   bin.factors.pop_back();
@@ -55,21 +55,22 @@ void continue_to_last(BinError& bin, std::size_t points, double ratio) {
 
 }  // namespace
 
-double BinError::standard() const {
+double BinError::standard_error() const {
   return std::sqrt(std::inner_product(factors.begin(), factors.end(), factors.begin(), 0.0));
 }
 
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
-                                 std::span<const double> edges, const Reached& continued) {
+                                 std::span<const double> edges,
+                                 const WallExtrapolation& extrapolation) {
   const std::size_t last = knots.size() - 1;
   std::vector<BinError> bins;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    BinError bin = trapezoids(knots, edges[b], edges[b + 1]);
-    if (continued.left) {
-      continue_to_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
+    BinError bin = trapezoidal_rule(knots, edges[b], edges[b + 1]);
+    if (extrapolation.left) {
+      extrapolate_first(bin, (knots[1] - knots[0]) / (knots[2] - knots[1]));
     }
-    if (continued.right) {
-      continue_to_last(bin, errors.size(),
+    if (extrapolation.right) {
+      extrapolate_last(bin, errors.size(),
                        (knots[last] - knots[last - 1]) / (knots[last - 1] - knots[last - 2]));
     }
     for (std::size_t k = 0; k < bin.factors.size(); ++k) {
@@ -80,15 +81,15 @@ std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const 
   return bins;
 }
 
-// The errors of neighbouring bins go together where they share points, so that the upper end is
-// found by drawing errors of the points.
+// The errors of neighbouring bins are correlated where the bins share points. Therefore the
+// quantile is found by Monte Carlo: it draws errors of the points.
 BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   constexpr int kReplicates = 1000;
-  constexpr std::uint64_t kSeed = 20240501;  // any; the same file gives the same number
+  constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: results are reproducible
   BinSamplingL1 result;
   std::size_t points = 0;
   for (const auto& bin : bins) {
-    result.expected += std::sqrt(2 / std::numbers::pi) * bin.standard() * bin.width;
+    result.expected += std::sqrt(2 / std::numbers::pi) * bin.standard_error() * bin.width;
     points = std::max(points, bin.first + bin.factors.size());
   }
   boost::random::mt19937_64 engine(kSeed);
@@ -106,7 +107,7 @@ BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   }
   const auto nth = distances.begin() + kReplicates * 99 / 100;
   std::ranges::nth_element(distances, nth);
-  result.in_99 = *nth;
+  result.quantile_99 = *nth;
   return result;
 }
 

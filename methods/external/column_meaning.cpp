@@ -26,22 +26,22 @@ bool any_of(const std::vector<std::string>& names, Names known) {
   return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
 }
 
-// Whatever is plotted over x may be called y: there neither name says a variable.
-std::vector<std::string> without_ordinate(std::vector<std::string> names) {
+// Files often name any ordinate "y" and its abscissa "x": then neither name identifies a variable.
+std::vector<std::string> without_ambiguous_names(std::vector<std::string> names) {
   if (names.size() < 2 || names[1] != "y") return names;
   names[1].clear();
   if (names[0] == "x") names[0].clear();
   return names;
 }
 
-bool near_one(double sum) {
+bool is_near_one(double sum) {
   constexpr double kRounding = 1e-6;
   return std::abs(sum - 1) <= kRounding;
 }
 
-// Of the narrower bin: beside a wide one, another that lies within it would seem to go on from it.
-// Halves do not overflow.
-double gap(const std::vector<double>& bin, const std::vector<double>& next) {
+// Gap between two bins, relative to the width of the narrower bin: relative to a wide bin, a narrow
+// bin inside it would seem contiguous. Halved numbers cannot overflow.
+double relative_gap(const std::vector<double>& bin, const std::vector<double>& next) {
   const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
 }
@@ -60,8 +60,8 @@ std::string_view name(BinValue value) {
   return "";
 }
 
-Variable variable_of(const NumberTable& table) {
-  const auto names = without_ordinate(table.names);
+Variable variable_from_names(const NumberTable& table) {
+  const auto names = without_ambiguous_names(table.names);
   const bool velocity = any_of(names, kVelocity), displacement = any_of(names, kDisplacement);
   if (velocity != displacement) return velocity ? Variable::ydot : Variable::y;
   return std::ranges::any_of(table.rows, [](const auto& row) { return row.front() < 0; })
@@ -69,8 +69,8 @@ Variable variable_of(const NumberTable& table) {
              : Variable::y;
 }
 
-std::size_t velocity_column(const std::vector<std::string>& names) {
-  // Names of axes, not of what is plotted over them.
+std::size_t velocity_column_index(const std::vector<std::string>& names) {
+  // Names of axes only.
   constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
   constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
   constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
@@ -81,9 +81,9 @@ std::size_t velocity_column(const std::vector<std::string>& names) {
   return names.size();
 }
 
-bool join(const std::vector<double>& bin, const std::vector<double>& next) {
-  constexpr double kRounding = 1e-6;  // edges are often sums of widths
-  return gap(bin, next) <= kRounding;
+bool are_adjacent(const std::vector<double>& bin, const std::vector<double>& next) {
+  constexpr double kRounding = 1e-6;  // edges are often accumulated sums of widths
+  return relative_gap(bin, next) <= kRounding;
 }
 
 bool is_histogram(const NumberTable& table) {
@@ -93,16 +93,16 @@ bool is_histogram(const NumberTable& table) {
       any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
                                                    is_one_of(names.back(), kProbabilities)));
   if (named) return true;
-  // Densities would have to follow the abscissae to be taken for edges.
-  constexpr double kFar = 0.5;  // of a bin
+  // Densities could be mistaken for upper edges only if they followed the abscissae this closely.
+  constexpr double kMaxGap = 0.5;  // of a bin width
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     if (table.rows[k][1] <= table.rows[k][0]) return false;
-    if (k > 0 && gap(table.rows[k - 1], table.rows[k]) > kFar) return false;
+    if (k > 0 && relative_gap(table.rows[k - 1], table.rows[k]) > kMaxGap) return false;
   }
   return true;
 }
 
-BinValue bin_value(const NumberTable& histogram) {
+BinValue detect_bin_value(const NumberTable& histogram) {
   double sum = 0, mass = 0;
   bool whole = true;
   for (const auto& row : histogram.rows) {
@@ -111,13 +111,14 @@ BinValue bin_value(const NumberTable& histogram) {
     whole = whole && row[2] == std::floor(row[2]);
   }
   if (!histogram.names.empty()) {
-    const std::string& said = histogram.names.back();
-    if (is_one_of(said, kProbabilities)) return BinValue::probability;
-    if (is_one_of(said, kCounts)) return near_one(sum) ? BinValue::probability : BinValue::count;
-    if (is_one_of(said, kDensities)) return BinValue::density;
+    const std::string& value_name = histogram.names.back();
+    if (is_one_of(value_name, kProbabilities)) return BinValue::probability;
+    if (is_one_of(value_name, kCounts))
+      return is_near_one(sum) ? BinValue::probability : BinValue::count;
+    if (is_one_of(value_name, kDensities)) return BinValue::density;
   }
-  if (near_one(mass)) return BinValue::density;
-  if (near_one(sum)) return BinValue::probability;
+  if (is_near_one(mass)) return BinValue::density;
+  if (is_near_one(sum)) return BinValue::probability;
   return whole ? BinValue::count : BinValue::density;
 }
 

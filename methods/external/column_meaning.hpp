@@ -7,28 +7,29 @@
 
 namespace fpkcheck::methods {
 
-/// What the third column of a histogram holds.
+/// The meaning of the third column of a histogram.
 enum class BinValue { density, probability, count };
 
-/// Its name in summaries: "density", "probability", "count".
+/// The name in summaries: "density", "probability", "count".
 std::string_view name(BinValue value);
 
-/// The variable that the names of the columns say; else y' where abscissae are negative.
-transform::Variable variable_of(const NumberTable& table);
+/// The variable by the names of the columns; without such names, y' if any abscissa is negative.
+transform::Variable variable_from_names(const NumberTable& table);
 
-/// Of names that are those of y, of y' and of a density p of both, the first two in either order:
-/// the place of that of y'; otherwise their number.
-std::size_t velocity_column(const std::vector<std::string>& names);
+/// The index of the column of y' where the names are those of y, y' and a joint density p, with y
+/// and y' in either order. Otherwise the number of names.
+std::size_t velocity_column_index(const std::vector<std::string>& names);
 
-/// Whether three columns are lower edge, upper edge and value: by their names, or because each bin
-/// begins at the edge (or so near to it that rounding must have moved it) where another ended.
+/// Whether the columns are lower edge, upper edge and value of bins. The names decide; without
+/// names, each bin must begin near the end of the previous bin.
 bool is_histogram(const NumberTable& table);
 
-/// Whether a bin begins where the one before it ended, to rounding of the last digits.
-bool join(const std::vector<double>& bin, const std::vector<double>& next);
+/// Whether a bin begins at the end of the previous bin, within rounding of the last digits.
+bool are_adjacent(const std::vector<double>& bin, const std::vector<double>& next);
 
-/// What a histogram holds, by the name of its values; else a density where it has mass 1,
-/// probabilities where they have the sum 1, counts where all are whole, otherwise a density.
-BinValue bin_value(const NumberTable& histogram);
+/// The meaning of a histogram's values by the name of the column. Without a known name: a density
+/// if its integral is 1, probabilities if the sum is 1, counts if all values are integers,
+/// otherwise a density.
+BinValue detect_bin_value(const NumberTable& histogram);
 
 }  // namespace fpkcheck::methods

@@ -9,36 +9,36 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The edges, and beyond the last one bins of the last width, so far.
-std::vector<double> extended(std::vector<double> edges, double so_far) {
+// The edges, with further bins of the last width over the length `extension` beyond the last edge.
+std::vector<double> extend_edges(std::vector<double> edges, double extension) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
-  const auto more = static_cast<int>(std::lround(so_far / width));
+  const auto more = static_cast<int>(std::lround(extension / width));
   for (int k = 1; k <= more; ++k) edges.push_back(last + k * width);
   return edges;
 }
 
-// Seen from the other side.
-std::vector<double> turned(std::vector<double> edges) {
+// The edges reflected at 0.
+std::vector<double> reflect_edges(std::vector<double> edges) {
   for (double& edge : edges) edge = -edge;
   std::ranges::reverse(edges);
   return edges;
 }
 
-// Those of y at both free ends; where a wall stands farther out, up to it at most.
-std::vector<double> extended(const std::vector<double>& edges, bool low, bool high,
-                             const problem::Walls& walls) {
+// The edges of y, with further bins at the ends without a wall, but not beyond a wall farther out.
+std::vector<double> extend_edges(const std::vector<double>& edges, bool low, bool high,
+                                 const problem::Walls& walls) {
   const double length = edges.back() - edges.front();
-  const double so_far = length * 3 / 7 / (low && high ? 2 : 1);
+  const double extension = length * 3 / 7 / (low && high ? 2 : 1);
   std::vector<double> all = edges;
-  if (high) all = extended(all, so_far);
-  if (low) all = turned(extended(turned(all), so_far));
+  if (high) all = extend_edges(all, extension);
+  if (low) all = reflect_edges(extend_edges(reflect_edges(all), extension));
   std::erase_if(all, [&](double edge) {
-    return (edge < edges.front() || edge > edges.back()) && !is_between(walls, edge);
+    return (edge < edges.front() || edge > edges.back()) && !is_between_walls(walls, edge);
   });
   return all;
 }
 
-std::vector<double> mirrored(const std::vector<double>& edges) {
+std::vector<double> mirror_edges(const std::vector<double>& edges) {
   std::vector<double> both;
   for (auto edge = edges.rbegin(); edge != edges.rend() && *edge > 0; ++edge) {
     both.push_back(-*edge);
@@ -47,8 +47,8 @@ std::vector<double> mirrored(const std::vector<double>& edges) {
   return both;
 }
 
-constexpr std::size_t kPointsOfACell = 3;
-constexpr std::array<double, kPointsOfACell> kShares{5.0 / 18, 8.0 / 18, 5.0 / 18};
+constexpr std::size_t kPointsPerCell = 3;
+constexpr std::array<double, kPointsPerCell> kGaussWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 void add_points(const std::vector<double>& edges, std::vector<double>& points) {
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
@@ -62,7 +62,7 @@ void add_points(const std::vector<double>& edges, std::vector<double>& points) {
 std::vector<double> weights(const std::vector<double>& edges) {
   std::vector<double> all;
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
-    for (const double share : kShares) all.push_back(share * (edges[k + 1] - edges[k]));
+    for (const double weight : kGaussWeights) all.push_back(weight * (edges[k + 1] - edges[k]));
   }
   return all;
 }
@@ -71,23 +71,23 @@ std::vector<double> weights(const std::vector<double>& edges) {
 
 DensityPoints::DensityPoints(const compare::ComparisonAxes& axes, const problem::Walls& walls)
     : walls_(walls),
-      begin_at_wall_(is_at(walls.left, axes.y_edges.front())),
-      end_at_wall_(is_at(walls.right, axes.y_edges.back())),
-      y_edges_(extended(axes.y_edges, !begin_at_wall_, !end_at_wall_, walls)) {
+      has_wall_at_start_(is_at_wall(walls.left, axes.y_edges.front())),
+      has_wall_at_end_(is_at_wall(walls.right, axes.y_edges.back())),
+      y_edges_(extend_edges(axes.y_edges, !has_wall_at_start_, !has_wall_at_end_, walls)) {
   const auto rest = std::ranges::find(axes.v_edges, 0.0);
-  v_edges_ = mirrored(extended({rest, axes.v_edges.end()}, axes.v_edges.back() * 3 / 7));
-  if (begin_at_wall_) y_.push_back(y_edges_.front());
+  v_edges_ = mirror_edges(extend_edges({rest, axes.v_edges.end()}, axes.v_edges.back() * 3 / 7));
+  if (has_wall_at_start_) y_.push_back(y_edges_.front());
   add_points(y_edges_, y_);
-  if (end_at_wall_) y_.push_back(y_edges_.back());
+  if (has_wall_at_end_) y_.push_back(y_edges_.back());
   add_points(v_edges_, v_);
 }
 
-std::vector<double> edges_of_parts(const std::vector<double>& edges) {
+std::vector<double> subcell_edges(const std::vector<double>& edges) {
   std::vector<double> parts{edges.front()};
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const double width = edges[k + 1] - edges[k];
-    parts.push_back(edges[k] + kShares[0] * width);
-    parts.push_back(edges[k + 1] - kShares[2] * width);
+    parts.push_back(edges[k] + kGaussWeights[0] * width);
+    parts.push_back(edges[k + 1] - kGaussWeights[2] * width);
     parts.push_back(edges[k + 1]);
   }
   return parts;
@@ -96,12 +96,12 @@ std::vector<double> edges_of_parts(const std::vector<double>& edges) {
 PointIntegrals::PointIntegrals(const DensityPoints& points, const std::vector<double>& values)
     : points_(points),
       values_(values),
-      first_(points.begin_at_wall() ? 1 : 0),
+      first_(points.has_wall_at_start() ? 1 : 0),
       weight_y_(weights(points.y_edges())),
       weight_v_(weights(points.v_edges())) {}
 
 transform::Moments PointIntegrals::moments(double mass) const {
-  const auto mean = [&](const auto& g) { return of(g) / mass; };
+  const auto mean = [&](const auto& g) { return integrate(g) / mass; };
   return {.y1 = mean([](double y, double) { return y; }),
           .y2 = mean([](double y, double) { return y * y; }),
           .y4 = mean([](double y, double) { return y * y * y * y; }),
@@ -111,7 +111,7 @@ transform::Moments PointIntegrals::moments(double mass) const {
 }
 
 double PointIntegrals::right_flux(int power) const {
-  if (!points_.end_at_wall()) return 0;
+  if (!points_.has_wall_at_end()) return 0;
   const std::size_t last = points_.y().size() - 1;
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
@@ -122,7 +122,7 @@ double PointIntegrals::right_flux(int power) const {
 }
 
 double PointIntegrals::left_flux(int power) const {
-  if (!points_.begin_at_wall()) return 0;
+  if (!points_.has_wall_at_start()) return 0;
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
     const double v = points_.v()[j];
@@ -136,10 +136,10 @@ transform::GridDensity PointIntegrals::averages() const {
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {
       double sum = 0;
-      for (std::size_t a = 0; a < kPointsOfACell; ++a) {
-        for (std::size_t b = 0; b < kPointsOfACell; ++b) {
-          sum += kShares[a] * kShares[b] *
-                 value(first_ + kPointsOfACell * i + a, kPointsOfACell * j + b);
+      for (std::size_t a = 0; a < kPointsPerCell; ++a) {
+        for (std::size_t b = 0; b < kPointsPerCell; ++b) {
+          sum += kGaussWeights[a] * kGaussWeights[b] *
+                 value(first_ + kPointsPerCell * i + a, kPointsPerCell * j + b);
         }
       }
       grid.averages.push_back(sum);

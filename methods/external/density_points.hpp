@@ -8,46 +8,48 @@
 
 namespace fpkcheck::methods {
 
-/// The points at which a density p(y, y') is wanted.
+/// The quadrature points at which an external density p(y, y') is evaluated.
 class DensityPoints {
  public:
-  /// The cells are those of the axes, and go on with the same widths to 10/7 of them where no wall
-  /// stands, so that what lies beyond the axes shows.
+  /// The cells are those of the axes. Where there is no wall, further cells of the same width
+  /// extend them to 10/7 of their length, to include mass beyond the axes.
   DensityPoints(const compare::ComparisonAxes& axes, const problem::Walls& walls);
 
-  /// Between which they lie.
+  /// The walls that limit the points.
   const problem::Walls& walls() const { return walls_; }
-  /// Whether the cells begin at a wall on the left, and end at one on the right.
-  bool begin_at_wall() const { return begin_at_wall_; }
-  bool end_at_wall() const { return end_at_wall_; }
+  /// Whether the cells begin at the left wall, and end at the right wall.
+  bool has_wall_at_start() const { return has_wall_at_start_; }
+  bool has_wall_at_end() const { return has_wall_at_end_; }
 
   const std::vector<double>& y_edges() const { return y_edges_; }
   const std::vector<double>& v_edges() const { return v_edges_; }
-  /// Three Gauss-Legendre points a cell; before them the wall on the left, after them that on the
-  /// right, where the cells reach it.
+  /// Three Gauss-Legendre points per cell. The left wall is the first point and the right wall the
+  /// last, where the cells reach them.
   const std::vector<double>& y() const { return y_; }
-  /// Three Gauss-Legendre points a cell.
+  /// Three Gauss-Legendre points per cell.
   const std::vector<double>& v() const { return v_; }
 
  private:
   problem::Walls walls_;
-  bool begin_at_wall_, end_at_wall_;
+  bool has_wall_at_start_, has_wall_at_end_;
   std::vector<double> y_edges_, v_edges_, y_, v_;
 };
 
-/// Each cell cut into three by the weights of its points, so that averages over these parts, taken
-/// as values at the points, have the very averages over the cells.
-std::vector<double> edges_of_parts(const std::vector<double>& edges);
+/// The edges of three subcells per cell, whose widths are the weights of the cell's points.
+/// Averages over the subcells, taken as values at the points, then give the exact averages over the
+/// cells.
+std::vector<double> subcell_edges(const std::vector<double>& edges);
 
-/// A density's values at the points, with the rule that integrates them.
+/// A density's values at the points, with the quadrature rule.
 class PointIntegrals {
  public:
-  /// @param points, values row-major of shape (points.y(), points.v()): both outlive it
+  /// @param points, values must outlive this object; values are row-major, shape (points.y(),
+  ///        points.v())
   PointIntegrals(const DensityPoints& points, const std::vector<double>& values);
 
   /// int g(y, v) p(y, v) dy dv.
   template <class Function>
-  double of(const Function& g) const {
+  double integrate(const Function& g) const {
     double sum = 0;
     for (std::size_t i = 0; i < weight_y_.size(); ++i) {
       for (std::size_t j = 0; j < weight_v_.size(); ++j) {
@@ -58,14 +60,15 @@ class PointIntegrals {
     return sum;
   }
   double mass() const {
-    return of([](double, double) { return 1.0; });
+    return integrate([](double, double) { return 1.0; });
   }
-  /// Of the density divided by a mass.
+  /// The moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
-  /// int_{v<0} |v|^power p(a, v) dv at the wall on the left, 0 where the points do not reach it.
+  /// int_{v<0} |v|^power p(a, v) dv at the left wall a; 0 where the points do not reach the wall.
   double left_flux(int power) const;
-  /// int_{v>0} v^power p(b, v) dv at the one on the right, likewise.
+  /// int_{v>0} v^power p(b, v) dv at the right wall b, likewise.
   double right_flux(int power) const;
+  /// The averages over the cells.
   transform::GridDensity averages() const;
 
  private:
@@ -73,7 +76,7 @@ class PointIntegrals {
 
   const DensityPoints& points_;
   const std::vector<double>& values_;
-  std::size_t first_;  ///< row of the first cell
+  std::size_t first_;  ///< row of the first cell's first point
   std::vector<double> weight_y_, weight_v_;
 };
 

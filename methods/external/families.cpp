@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "methods/look.hpp"
+#include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::string_view kSeparators = "-_.";
 
 bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos; }
 
-// "chi" of "chi-n4" with order 4; nothing where the label does not end so.
+// "chi" for the label "chi-n4" with order 4; no value where the label does not end with the order.
 std::optional<std::string> family_name(const transform::Identity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;
@@ -32,16 +32,18 @@ std::optional<std::string> family_name(const transform::Identity& identity) {
 
 }  // namespace
 
-void join_families(std::span<Method> guests) {
-  for (std::size_t first = 0; first < guests.size(); ++first) {
-    const auto name = family_name(guests[first].identity);
-    if (!name || guests[first].identity.family == *name) continue;
-    const auto is_member = [&](const Method& guest) { return family_name(guest.identity) == name; };
-    if (std::ranges::count_if(guests, is_member) < 2) continue;
-    for (Method& guest : guests) {
-      if (!is_member(guest)) continue;
-      guest.identity.family = *name;
-      guest.identity.look = given_family_look(first, *guest.identity.order);
+void group_families(std::span<Method> methods) {
+  for (std::size_t first = 0; first < methods.size(); ++first) {
+    const auto name = family_name(methods[first].identity);
+    if (!name || methods[first].identity.family == *name) continue;
+    const auto is_member = [&](const Method& method) {
+      return family_name(method.identity) == name;
+    };
+    if (std::ranges::count_if(methods, is_member) < 2) continue;
+    for (Method& method : methods) {
+      if (!is_member(method)) continue;
+      method.identity.family = *name;
+      method.identity.plot_style = external_family_style(first, *method.identity.order);
     }
   }
 }

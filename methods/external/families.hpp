@@ -6,10 +6,11 @@
 
 namespace fpkcheck::methods {
 
-/// Densities that somebody brought along make a family where they differ by their order: at least two
-/// whose labels are one name and their orders, "chi-n2" (or "chi2", "chi_4", ..) of order 2. The name
-/// is their family's, in tables, pictures and the verdict; they have one colour, and dashes by order.
-/// @param guests as given_methods, own_function and own_samples made them
-void join_families(std::span<Method> guests);
+/// Groups external densities of several orders into families. A family has at least two densities
+/// whose labels are a common name followed by the order: "chi-n2", "chi2" or "chi_2" for order 2.
+/// The common name is the family's name in tables, figures and the verdict. Its members have one
+/// colour, and dashes by order.
+/// @param methods from external_methods, make_function_method and make_samples_method
+void group_families(std::span<Method> methods);
 
 }  // namespace fpkcheck::methods

@@ -7,30 +7,30 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/netcdf/reader.hpp"
 
 namespace fpkcheck::methods {
 
-FileContent read_content(const std::filesystem::path& file) {
-  constexpr std::size_t kMostBytes = std::size_t{256} << 20, kMostOfText = std::size_t{32} << 20;
-  auto bytes = base::read_input_file(file, kMostBytes);
+FileContent read_file_content(const std::filesystem::path& file) {
+  constexpr std::size_t kMaxBytes = std::size_t{256} << 20, kMaxTextBytes = std::size_t{32} << 20;
+  auto bytes = base::read_input_file(file, kMaxBytes);
   if (!bytes) {
-    throw InputError(fmt::format("{} is not a readable file (give one with a density)",
+    throw InputError(fmt::format("{} is not a readable file; give a file with a density",
                                  base::in_quotes(file.string())));
   }
   if (bytes->starts_with(results::kNetCdfMagic)) return {ContentForm::netcdf, *std::move(bytes)};
-  const std::string name = base::shown(file.string());
+  const std::string name = base::sanitise(file.string());
   if (bytes->starts_with("CDF")) {
     throw InputError(fmt::format(
-        "{} is netCDF of the classic form (must be netCDF-4: nccopy -k nc4 makes it so)", name));
+        "{} has the classic netCDF format; convert it to netCDF-4 by nccopy -k nc4", name));
   }
   if (bytes->find('\0') != std::string::npos) {
     throw InputError(fmt::format("{} is binary (must be columns of text, JSON or netCDF-4)", name));
   }
-  if (bytes->size() > kMostOfText) {
+  if (bytes->size() > kMaxTextBytes) {
     throw InputError(
-        fmt::format("{} has more than {} bytes (no density needs as many)", name, kMostOfText));
+        fmt::format("{} has more than {} bytes; give a coarser density", name, kMaxTextBytes));
   }
   const auto first = bytes->find_first_not_of(" \t\r\n");
   const bool json =

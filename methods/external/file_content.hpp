@@ -5,7 +5,7 @@
 
 namespace fpkcheck::methods {
 
-/// What a file of a density is, by its contents.
+/// The format of a density file, detected from its contents.
 enum class ContentForm {
   text,   ///< columns of numbers
   json,   ///< a closed form, or the summary of a run
@@ -17,8 +17,9 @@ struct FileContent {
   std::string bytes;
 };
 
-/// @throws InputError on one line: no readable file, a larger one than any density needs, bytes
-///         that are neither text nor netCDF-4
-FileContent read_content(const std::filesystem::path& file);
+/// Reads a file and detects its format.
+/// @throws InputError on one line: the file is unreadable or too large, or neither text nor
+///         netCDF-4
+FileContent read_file_content(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::methods

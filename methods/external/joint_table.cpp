@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/column_meaning.hpp"
 
@@ -18,30 +18,31 @@
 namespace fpkcheck::methods {
 namespace {
 
-constexpr double kLargestOfATable = 1e60;  // as of abscissae and integrals of marginals
+constexpr double kMaxMagnitude = 1e60;  // the limit of external marginals
 
-// Values that a column takes, in increasing order.
-std::vector<double> levels(const NumberTable& table, std::size_t column) {
+// Distinct values of a column, in increasing order.
+std::vector<double> distinct_values(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
-std::size_t place_of(const std::vector<double>& levels, double value) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(levels, value) - levels.begin());
+std::size_t index_of(const std::vector<double>& distinct_values, double value) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(distinct_values, value) -
+                                  distinct_values.begin());
 }
 
 void require_axis(const std::vector<double>& axis, const char* symbol, const std::string& source) {
-  constexpr std::size_t kFewest = 4;  // of the interpolant
-  if (axis.size() < kFewest) {
+  constexpr std::size_t kMinPoints = 4;  // required by the interpolant
+  if (axis.size() < kMinPoints) {
     throw InputError(fmt::format("{}: {} value{} of {} (must be at least {})", source, axis.size(),
-                                 axis.size() == 1 ? "" : "s", symbol, kFewest));
+                                 axis.size() == 1 ? "" : "s", symbol, kMinPoints));
   }
   for (std::size_t k = 0; k < axis.size(); ++k) {
-    if (!(std::abs(axis[k]) < kLargestOfATable)) {
-      throw InputError(fmt::format("{}: {} = {:g} is too large to reckon with (choose other units)",
-                                   source, symbol, axis[k]));
+    if (!(std::abs(axis[k]) < kMaxMagnitude)) {
+      throw InputError(
+          fmt::format("{}: {} = {:g} is too large; choose other units", source, symbol, axis[k]));
     }
     if (k > 0 && !(axis[k] > axis[k - 1])) {
       throw InputError(fmt::format("{}: {} = {:g} after {:g} (must increase)", source, symbol,
@@ -50,10 +51,10 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// The interpolant along one line, at increasing points; 0 beyond its ends.
-class Line {
+// Akima's modified interpolant of values at increasing points; 0 outside the points.
+class Interpolant {
  public:
-  Line(const std::vector<double>& at, std::vector<double> values)
+  Interpolant(const std::vector<double>& at, std::vector<double> values)
       : first_(at.front()), last_(at.back()), cubic_(std::vector(at), std::move(values)) {}
   double operator()(double x) const { return x < first_ || x > last_ ? 0 : cubic_(x); }
 
@@ -64,37 +65,37 @@ class Line {
 
 }  // namespace
 
-bool is_joint(const NumberTable& table) {
-  return table.columns() == 3 && table.names.size() == 3 && velocity_column(table.names) < 2;
+bool is_joint_density(const NumberTable& table) {
+  return table.columns() == 3 && table.names.size() == 3 && velocity_column_index(table.names) < 2;
 }
 
-JointTable joint_table_of(const NumberTable& table) {
-  const std::size_t of_v = velocity_column(table.names), of_y = 1 - of_v;
-  const std::string source = base::shown(table.source);
-  JointTable joint{levels(table, of_y), levels(table, of_v), {}};
+JointTable make_joint_table(const NumberTable& table) {
+  const std::size_t of_v = velocity_column_index(table.names), of_y = 1 - of_v;
+  const std::string source = base::sanitise(table.source);
+  JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // Before there is room for the grid: most points may be missing.
+  // Checked before the grid is allocated: a short file may imply a huge grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
-        "{}: {} rows with {} values of y and {} of y' (must be one for every point of a grid)",
-        source, rows, joint.y.size(), nv));
+        "{}: {} rows with {} values of y and {} of y' (must be one for every grid point)", source,
+        rows, joint.y.size(), nv));
   }
   constexpr std::size_t kNone = 0;
-  std::vector<std::size_t> row_of(joint.y.size() * nv, kNone);  // from 1
+  std::vector<std::size_t> row_of(joint.y.size() * nv, kNone);  // row numbers from 1
   joint.p.resize(row_of.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const auto& row = table.rows[k];
-    const auto at = place_of(joint.y, row[of_y]) * nv + place_of(joint.v, row[of_v]);
+    const auto at = index_of(joint.y, row[of_y]) * nv + index_of(joint.v, row[of_v]);
     if (row_of[at] != kNone) {
-      table.fail(k, fmt::format("y = {:g}, y' = {:g} for the second time (after line {})",
-                                row[of_y], row[of_v], table.lines[row_of[at] - 1]));
+      table.fail(k, fmt::format("y = {:g}, y' = {:g} occurs twice (first in line {})", row[of_y],
+                                row[of_v], table.lines[row_of[at] - 1]));
     }
     row_of[at] = k + 1;
     joint.p[at] = row[2];
   }
-  // As many rows as points at least, and none twice.
+  // No point is missing: there are at least as many rows as points, and no point occurs twice.
   require_usable(joint, source);
   return joint;
 }
@@ -103,43 +104,45 @@ void require_usable(const JointTable& table, const std::string& source) {
   require_axis(table.y, "y", source);
   require_axis(table.v, "y'", source);
   for (std::size_t k = 0; k < table.p.size(); ++k) {
-    if (std::abs(table.p[k]) < kLargestOfATable) continue;
+    if (std::abs(table.p[k]) < kMaxMagnitude) continue;
     throw InputError(fmt::format("{}: p({:g}, {:g}) = {:g} (must be finite, and below {:g})",
                                  source, table.y[k / table.v.size()], table.v[k % table.v.size()],
-                                 table.p[k], kLargestOfATable));
+                                 table.p[k], kMaxMagnitude));
   }
 }
 
-void require_between(const problem::Walls& walls, double from, double to,
-                     const std::string& source) {
+void require_between_walls(const problem::Walls& walls, double from, double to,
+                           const std::string& source) {
   for (const double y : {from, to}) {
-    if (is_between(walls, y)) continue;
-    throw InputError(fmt::format("{}: y = {:g} (must be {})", source, y, between(walls)));
+    if (is_between_walls(walls, y)) continue;
+    throw InputError(
+        fmt::format("{}: y = {:g} (must be {})", source, y, admissible_range_text(walls)));
   }
 }
 
-std::vector<double> values_at(const JointTable& table, const DensityPoints& points) {
+std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
   std::vector<std::vector<double>> columns(points.v().size());  // p(y of the table, v)
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
-    const Line along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
+    const Interpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
     for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(along_v(points.v()[j]));
   }
   auto y = table.y;
-  const auto to_walls = reached_from(points.walls(), y);
+  const auto to_walls = walls_to_extrapolate_to(points.walls(), y);
   if (to_walls.left) y.insert(y.begin(), points.walls().left->position);
   if (to_walls.right) y.push_back(points.walls().right->position);
   std::vector<double> values(points.y().size() * columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) {
     auto& column = columns[j];
-    const double at_left = to_walls.left ? continued_to(y.front(), table.y, column, 0, least) : 0;
+    const double at_left =
+        to_walls.left ? extrapolate_to_wall(y.front(), table.y, column, 0, least) : 0;
     if (to_walls.right) {
-      column.push_back(continued_to(y.back(), table.y, column, ny - 2, least));
+      column.push_back(extrapolate_to_wall(y.back(), table.y, column, ny - 2, least));
     }
     if (to_walls.left) column.insert(column.begin(), at_left);
-    const Line along_y(y, std::move(column));
+    const Interpolant along_y(y, std::move(column));
     for (std::size_t i = 0; i < points.y().size(); ++i) {
       values[i * columns.size() + j] = std::max(along_y(points.y()[i]), least);
     }
@@ -147,14 +150,14 @@ std::vector<double> values_at(const JointTable& table, const DensityPoints& poin
   return values;
 }
 
-std::vector<double> values_at(const transform::GridDensity& cells, const DensityPoints& points) {
+std::vector<double> evaluate_at(const transform::GridDensity& cells, const DensityPoints& points) {
   const double least = std::min(std::ranges::min(cells.averages), 0.0);
-  const auto parts = transform::on_cells(cells, edges_of_parts(points.y_edges()),
-                                         edges_of_parts(points.v_edges()));
+  const auto parts = transform::average_over_cells(cells, subcell_edges(points.y_edges()),
+                                                   subcell_edges(points.v_edges()));
   const std::size_t nv = parts.nv();
   std::vector<double> values;
   values.reserve((parts.ny() + 2) * nv);
-  // At a wall, where no part is: on the line through the next two.
+  // No subcell is at a wall: extrapolate linearly from the next two subcells.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));
@@ -163,9 +166,9 @@ std::vector<double> values_at(const transform::GridDensity& cells, const Density
       values.push_back(std::max(first - share * (second - first), least));
     }
   };
-  if (points.begin_at_wall()) add_wall(parts.y_edges.front(), 0, 1);
+  if (points.has_wall_at_start()) add_wall(parts.y_edges.front(), 0, 1);
   for (const double average : parts.averages) values.push_back(std::max(average, least));
-  if (points.end_at_wall()) add_wall(parts.y_edges.back(), parts.ny() - 1, parts.ny() - 2);
+  if (points.has_wall_at_end()) add_wall(parts.y_edges.back(), parts.ny() - 1, parts.ny() - 2);
   return values;
 }
 

@@ -6,14 +6,14 @@
 #include <cctype>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::methods {
 namespace {
 
-// As names of variables and of blocks of data have it: "a.b" and "a-b" would be one there.
-std::string plain_name(std::string label) {
+// The name of a variable or data block: "a.b" and "a-b" both become "a_b".
+std::string identifier_of(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');
   return label;
@@ -21,29 +21,28 @@ std::string plain_name(std::string label) {
 
 }  // namespace
 
-void require_free(const std::string& label, const Registry& registry) {
-  constexpr std::size_t kLongest = 24;  // the table has 80 columns
+void require_valid_label(const std::string& label, const Registry& registry) {
+  constexpr std::size_t kMaxLength = 24;  // fits a table of 80 columns
   const bool legal =
-      !label.empty() && label.size() <= kLongest && results::file_stem(label) == label;
+      !label.empty() && label.size() <= kMaxLength && results::file_stem(label) == label;
   if (!legal) {
     throw InputError(
         fmt::format("label {} of a density (must be 1 to {} letters, digits, '-', '_' or '.')",
-                    base::in_quotes(label), kLongest));
+                    base::in_quotes(label), kMaxLength));
   }
   for (const auto& solver : registry.solvers()) {
-    const std::string plain = plain_name(label);
+    const std::string plain = identifier_of(label);
     if (plain == solver.name || plain.starts_with(solver.name + '_')) {
-      throw InputError(fmt::format(
-          "label '{}' is a method's (choose another for a density of your own)", label));
+      throw InputError(
+          fmt::format("label '{}' is the name of a method; choose another label", label));
     }
   }
 }
 
-void require_unlike(const std::string& one, const std::string& other) {
-  if (one == other || plain_name(one) != plain_name(other)) return;
+void require_distinct_labels(const std::string& one, const std::string& other) {
+  if (one == other || identifier_of(one) != identifier_of(other)) return;
   throw InputError(fmt::format(
-      "labels '{}' and '{}' are too alike (they differ in '-', '_' or '.' alone: choose another)",
-      one, other));
+      "labels '{}' and '{}' differ only in '-', '_' or '.'; choose another label", one, other));
 }
 
 }  // namespace fpkcheck::methods

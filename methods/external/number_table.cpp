@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "methods/external/column_meaning.hpp"
 
 namespace fpkcheck::methods {
@@ -22,8 +22,8 @@ std::string trimmed(std::string text) {
   return text.substr(first, text.find_last_not_of(kAround) - first + 1);
 }
 
-constexpr std::size_t kMostRows = 100000, kMostOfAGrid = 1000000;
-constexpr std::size_t kLongestLine = 10000;
+constexpr std::size_t kMaxRows = 100000, kMaxGridRows = 1000000;
+constexpr std::size_t kMaxLineLength = 10000;
 
 char separator_of(const std::string& line) {
   for (const char candidate : {';', '\t', ','}) {
@@ -45,7 +45,7 @@ std::string_view name_of_separator(char separator) {
   }
 }
 
-// Blanks separate only where nothing else does, and any number of them.
+// Blanks, in any number, separate fields only in lines without another separator.
 std::vector<std::string> split(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);
@@ -60,8 +60,8 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-// Names without units: "velocity [m/s]", "v (m/s)"; but p(y) is a name.
-std::string without_units(const std::string& line) {
+// Removes units: "velocity [m/s]" and "v (m/s)" have units, but p(y) is a name.
+std::string remove_units(const std::string& line) {
   std::string kept;
   for (std::size_t k = 0; k < line.size(); ++k) {
     const bool blank_before = kept.empty() || kept.back() == ' ' || kept.back() == '\t';
@@ -101,7 +101,7 @@ std::vector<double> NumberTable::column(std::size_t c) const {
 }
 
 void NumberTable::fail(std::size_t row, const std::string& problem) const {
-  throw InputError(fmt::format("{}:{}: {}", base::shown(source), lines[row], problem));
+  throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), lines[row], problem));
 }
 
 NumberTable read_number_table(std::istream& in, const std::string& source) {
@@ -109,69 +109,69 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   std::vector<std::string> comment;
   int line_number = 0;
   const auto fail = [&](const std::string& problem) {
-    throw InputError(fmt::format("{}:{}: {}", base::shown(source), line_number, problem));
+    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), line_number, problem));
   };
-  char usual_separator = '\0';
-  std::size_t most = kMostRows;
+  char first_separator = '\0';
+  std::size_t max_rows = kMaxRows;
   for (std::string line; std::getline(in, line);) {
     ++line_number;
-    if (line.size() > kLongestLine) {
-      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kLongestLine));
+    if (line.size() > kMaxLineLength) {
+      fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
     line = trimmed(line);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      if (table.rows.empty()) comment = split(trimmed(without_units(line.substr(1))));
+      if (table.rows.empty()) comment = split(trimmed(remove_units(line.substr(1))));
       continue;
     }
     const char separator = separator_of(line);
     const auto fields = split(line);
     if (table.rows.empty() && table.names.empty() &&
         std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
-      table.names = lower_case(split(trimmed(without_units(line))));
+      table.names = lower_case(split(trimmed(remove_units(line))));
       continue;
     }
     std::vector<double> row;
     for (const auto& field : fields) {
       const auto value = number(field);
       if (!value)
-        fail(fmt::format("{} is not a number (with a decimal point)", base::in_quotes(field)));
+        fail(fmt::format("{} is not a number; use a decimal point", base::in_quotes(field)));
       if (!std::isfinite(*value))
-        fail(fmt::format("{} (numbers must be finite)", base::shown(field)));
+        fail(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
       row.push_back(*value);
     }
-    if (table.rows.empty()) usual_separator = separator;
-    if (separator != usual_separator) {
-      fail(fmt::format("numbers between {} after rows with {} (choose one)",
-                       name_of_separator(separator), name_of_separator(usual_separator)));
+    if (table.rows.empty()) first_separator = separator;
+    if (separator != first_separator) {
+      fail(fmt::format("fields separated by {} after rows with {}; use one separator",
+                       name_of_separator(separator), name_of_separator(first_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
     if (columns < 2 || columns > 3) {
       fail(fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
     }
     if (row.size() != columns) {
-      fail(fmt::format("{} columns after rows of {}", row.size(), columns));
+      fail(fmt::format("{} columns after rows of {} (must be equal)", row.size(), columns));
     }
     if (table.rows.empty()) {
       const auto names = lower_case(table.names.empty() ? comment : table.names);
-      most = velocity_column(names) < names.size() ? kMostOfAGrid : kMostRows;
+      max_rows = velocity_column_index(names) < names.size() ? kMaxGridRows : kMaxRows;
     }
-    if (table.rows.size() == most) {
-      fail(fmt::format("more than {} rows (a density has no use for as many: leave some out)",
-                       most));
+    if (table.rows.size() == max_rows) {
+      fail(fmt::format("more than {} rows; give a coarser density", max_rows));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
     throw InputError(
-        fmt::format("{}: no numbers (must be two or three columns of them)", base::shown(source)));
+        fmt::format("{}: no numbers (must be two or three columns)", base::sanitise(source)));
   }
   if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {
-    table.fail(0, fmt::format("{} columns under {} names", table.columns(), table.names.size()));
+    table.fail(0, fmt::format("{} columns under {} names (must be equal)", table.columns(),
+                              table.names.size()));
   }
   return table;
 }

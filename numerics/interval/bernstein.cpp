@@ -8,7 +8,7 @@ double binomial(int n, int j) {
   return c;
 }
 
-BernsteinCoefficients elevated(std::span<const Interval> b, int degree) {
+BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree) {
   // b_i of degree n+1: (i b_{i-1} + (n+1-i) b_i) / (n+1)
   BernsteinCoefficients e(b.begin(), b.end());
   for (int n = static_cast<int>(b.size()) - 1; n < degree; ++n) {
@@ -50,7 +50,7 @@ Interval value(std::span<const Interval> b, const Interval& t) {
   return c[0];
 }
 
-BernsteinCoefficients from_powers(std::span<const Interval> a) {
+BernsteinCoefficients bernstein_from_powers(std::span<const Interval> a) {
   // t^k = sum_j C(j, k)/C(n, k) B_j
   const int n = static_cast<int>(a.size()) - 1;
   BernsteinCoefficients b(n + 1, Interval(0));
@@ -60,8 +60,8 @@ BernsteinCoefficients from_powers(std::span<const Interval> a) {
   return b;
 }
 
-BernsteinCoefficients to_powers(std::span<const Interval> b) {
-  // a_k = C(n, k) times the k-th forward difference at 0
+BernsteinCoefficients powers_from_bernstein(std::span<const Interval> b) {
+  // a_k = C(n, k) times the k-th forward difference of b at 0
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
   for (int k = 0; k <= n; ++k) {
@@ -71,8 +71,8 @@ BernsteinCoefficients to_powers(std::span<const Interval> b) {
   return a;
 }
 
-BernsteinCoefficients on_segment(std::span<const double> a, const Interval& origin,
-                                 const Interval& from, const Interval& to) {
+BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Interval& origin,
+                                           const Interval& from, const Interval& to) {
   // Horner's rule with x - origin as a polynomial of degree 1
   const BernsteinCoefficients x{from - origin, to - origin};
   BernsteinCoefficients b{Interval(a.back())};

@@ -5,8 +5,8 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// 1 + 2^-60 and -1 - 2^-60, both rounded upward.
-bool rounds_upward() {
+// Tests the rounding mode by 1 + 2^-60 and -1 - 2^-60.
+bool is_rounding_upward() {
   volatile double one = 1, tiny = 0x1p-60;
   volatile double above = one + tiny, below = -one - tiny;
   return above > 1 && below == -1;
@@ -16,10 +16,10 @@ bool rounds_upward() {
 
 UpwardRounding::UpwardRounding() : before_(std::fegetround()) {
   std::fesetround(FE_UPWARD);
-  if (!rounds_upward()) {
+  if (!is_rounding_upward()) {
     std::fesetround(before_);
     throw std::runtime_error(
-        "the processor's rounding cannot be set (bounds need it): build with -frounding-math");
+        "guaranteed bounds: upward rounding is not in effect; build with -frounding-math");
   }
 }
 
@@ -39,10 +39,10 @@ Interval exponential(const Interval& x) {
     ++squarings;
   }
   const Interval z = x * scale;
-  // sum_{n <= 14} z^n / n! and |z|^15 e^{|z|} / 15! <= 2 * 4^-15 / 15! < 2e-21
+  // sum_{n <= 14} z^n / n!, remainder |z|^15 e^{|z|} / 15! <= 2 * 4^-15 / 15! < 2e-21
   Interval sum = 1;
   for (int n = 14; n > 0; --n) sum = 1.0 + z * sum / static_cast<double>(n);
-  sum += plus_minus(2e-21);
+  sum += symmetric_interval(2e-21);
   for (int i = 0; i < squarings; ++i) sum *= sum;
   return sum;
 }

@@ -5,8 +5,8 @@
 
 namespace fpkcheck::numerics {
 
-/// A symmetric positive definite matrix of dense blocks, those further than `bandwidth` blocks from
-/// the diagonal zero, and its Cholesky factor. Blocks may differ in size.
+/// A symmetric positive definite matrix of dense blocks, and its Cholesky factor. Blocks more than
+/// `bandwidth` blocks from the diagonal are zero. Blocks may differ in size.
 class BlockBandedMatrix {
  public:
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
@@ -18,14 +18,13 @@ class BlockBandedMatrix {
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
-  /// S A S, S = diag(scale).
+  /// Replaces A by S A S, S = diag(scale).
   void scale(const Eigen::VectorXd& scale);
   void add_to_diagonal(double value);
 
-  /// A = L L^T, in place.
-  /// @return false when a pivot is not positive
+  /// Cholesky factorisation A = L L^T, in place.
   bool factorise();
-  /// A^-1 b after factorise(), in place, shape (size, any number of columns).
+  /// Replaces b by A^-1 b; call factorise() first. Shape of b: (size, any number of columns).
   void solve(Eigen::MatrixXd& b) const;
 
  private:
@@ -33,7 +32,7 @@ class BlockBandedMatrix {
 
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
-  std::vector<Eigen::MatrixXd> columns_;  // blocks `column` .. last(column) of a block column
+  std::vector<Eigen::MatrixXd> columns_;  // each block column: blocks `column` .. last(column)
 };
 
 }  // namespace fpkcheck::numerics

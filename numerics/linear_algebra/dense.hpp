@@ -3,17 +3,17 @@
 #include <Eigen/Core>
 #include <memory>
 
-/// Roots of systems of equations: Newton's method and curves of solutions. Nothing here knows what
-/// the equations are of.
+/// LU factorisation and singular values of dense matrices.
 namespace fpkcheck::numerics {
 
-/// LU factors of a square matrix. (Eigen's own are compiled once, behind this.)
-class Factors {
+/// LU factors of a square matrix with partial pivoting. Eigen's class is compiled once, behind
+/// this.
+class LuFactors {
  public:
-  explicit Factors(const Eigen::MatrixXd& matrix);
-  Factors(Factors&&) noexcept;
-  Factors& operator=(Factors&&) noexcept;
-  ~Factors();
+  explicit LuFactors(const Eigen::MatrixXd& matrix);
+  LuFactors(LuFactors&&) noexcept;
+  LuFactors& operator=(LuFactors&&) noexcept;
+  ~LuFactors();
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   double determinant() const;
@@ -22,14 +22,14 @@ class Factors {
   std::unique_ptr<Eigen::PartialPivLU<Eigen::MatrixXd>> lu_;
 };
 
-/// Decreasing.
+/// Singular values in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// How near a square matrix is to a singular one.
-struct Regularity {
+/// Indicators of a nearly singular square matrix.
+struct SingularityIndicators {
   double smallest_singular_value;
   int determinant_sign;  ///< -1, 0 or 1
 };
-Regularity regularity(const Eigen::MatrixXd& matrix);
+SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
 }  // namespace fpkcheck::numerics

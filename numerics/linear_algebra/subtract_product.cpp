@@ -3,7 +3,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-SubtractProduct* fastest() {
+SubtractProduct* fastest_kernel() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f")) return avx512::subtract_product;
   if (__builtin_cpu_supports("avx2")) return avx2::subtract_product;
@@ -13,10 +13,11 @@ SubtractProduct* fastest() {
 
 }  // namespace
 
-void subtract_product(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
-                      std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {
-  static SubtractProduct* const chosen = fastest();
-  chosen(c, pitch, a, b, rows, columns, inner);
+void subtract_product(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
+                      const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
+                      std::ptrdiff_t inner) {
+  static SubtractProduct* const chosen = fastest_kernel();
+  chosen(c, leading_dimension, a, b, rows, columns, inner);
 }
 
 }  // namespace fpkcheck::numerics

@@ -2,9 +2,10 @@
 
 namespace fpkcheck::numerics::baseline {
 
-void subtract_product(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
-                      std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {
-  multiply<2, 2, 4>(c, pitch, a, b, rows, columns, inner);
+void subtract_product(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
+                      const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
+                      std::ptrdiff_t inner) {
+  subtract_product_blocked<2, 2, 4>(c, leading_dimension, a, b, rows, columns, inner);
 }
 
 }  // namespace fpkcheck::numerics::baseline

@@ -4,8 +4,8 @@
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
-// Included by the files that are compiled for different instructions, with kVectors, kWidth and
-// kColumns for their registers. All of it has internal linkage.
+// Included by the sources that are compiled for different instruction sets; kVectors, kWidth and
+// kColumns match their registers. Everything here has internal linkage.
 
 namespace fpkcheck::numerics {
 namespace {
@@ -15,11 +15,13 @@ struct VectorOf {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
-/// A block of kVectors * kWidth rows and kColumns columns of C at a time stays in registers; what
-/// it needs of A and B is copied to lie in the order in which it is read, filled up with zeros.
+/// Blocked product: a block of kVectors * kWidth rows and kColumns columns of C stays in registers.
+/// The parts of A and B that the block needs are packed in the order of access and padded with
+/// zeros.
 template <int kWidth, int kVectors, int kColumns>
-void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& b,
-              std::ptrdiff_t rows, std::ptrdiff_t columns, std::ptrdiff_t inner) {
+void subtract_product_blocked(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
+                              const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
+                              std::ptrdiff_t inner) {
   using Vector = typename VectorOf<kWidth>::Type;
   constexpr std::ptrdiff_t kRows = kVectors * kWidth;
   const std::ptrdiff_t blocks = (columns + kColumns - 1) / kColumns;
@@ -30,7 +32,7 @@ void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& 
     double* to = b_copy.get() + block * kColumns * inner;
     for (std::ptrdiff_t k = 0; k < inner; ++k) {
       for (std::ptrdiff_t j = block * kColumns; j < (block + 1) * kColumns; ++j) {
-        *to++ = j < columns ? b.first[k * b.down + j * b.along] : 0.0;
+        *to++ = j < columns ? b.first[k * b.row_stride + j * b.column_stride] : 0.0;
       }
     }
   }
@@ -38,8 +40,8 @@ void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& 
     const std::ptrdiff_t height = rows - row < kRows ? rows - row : kRows;
     double* to = a_copy.get();
     for (std::ptrdiff_t k = 0; k < inner; ++k) {
-      const double* from = a.first + row * a.down + k * a.along;
-      for (std::ptrdiff_t i = 0; i < kRows; ++i) *to++ = i < height ? from[i * a.down] : 0.0;
+      const double* from = a.first + row * a.row_stride + k * a.column_stride;
+      for (std::ptrdiff_t i = 0; i < kRows; ++i) *to++ = i < height ? from[i * a.row_stride] : 0.0;
     }
     for (std::ptrdiff_t block = 0; block < blocks; ++block) {
       Vector sum[kColumns][kVectors]{};
@@ -55,7 +57,7 @@ void multiply(double* c, std::ptrdiff_t pitch, const Strided& a, const Strided& 
         }
       }
       for (int j = 0; j < kColumns && block * kColumns + j < columns; ++j) {
-        double* const at = c + row + (block * kColumns + j) * pitch;
+        double* const at = c + row + (block * kColumns + j) * leading_dimension;
         double values[kRows];
         __builtin_memcpy(values, sum[j], sizeof values);
         for (std::ptrdiff_t i = 0; i < height; ++i) at[i] -= values[i];

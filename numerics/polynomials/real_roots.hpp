@@ -6,11 +6,12 @@
 
 namespace fpkcheck::numerics {
 
-/// The real roots of a polynomial within (low, high), increasing, those of even order left out: where
-/// it changes its sign. Between the roots of its derivative it is monotone.
+/// The real roots of odd multiplicity in (low, high), increasing: the points where the polynomial
+/// changes its sign. Found between the roots of the derivative, where the polynomial is monotone.
 std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high);
 
-/// 1 + the largest |a_n / a_degree|: no root is farther from 0 (Cauchy). 0 of a constant.
+/// Cauchy's bound of the roots, 1 + max |a_n / a_degree|: every root has a smaller modulus. 0 for a
+/// constant.
 double root_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

@@ -8,14 +8,15 @@
 
 namespace fpkcheck::numerics {
 
-/// Points and weights, as many of each.
+/// Points and weights of a quadrature rule, equally many of each.
 struct QuadratureRule {
   std::vector<double> points;
   Eigen::VectorXd weights;
 };
 
-/// Gauss's rule of N points between all neighbouring cuts, which increase: exact for polynomials of
-/// degree 2 N - 1 there. Between two cuts the points come in pairs about the middle.
+/// Composite Gauss-Legendre rule with N points between neighbouring cuts, exact for polynomials of
+/// degree 2 N - 1 there. The points of a panel are ordered in pairs about its middle.
+/// @param cuts increasing
 template <unsigned N>
 QuadratureRule gauss_rule(std::span<const double> cuts) {
   using Gauss = boost::math::quadrature::gauss<double, N>;
@@ -26,7 +27,7 @@ QuadratureRule gauss_rule(std::span<const double> cuts) {
     const double half = (cuts[panel + 1] - cuts[panel]) / 2;
     for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
       for (const double sign : {-1.0, 1.0}) {
-        if (sign < 0 && Gauss::abscissa()[n] == 0) continue;  // the middle is no pair
+        if (sign < 0 && Gauss::abscissa()[n] == 0) continue;  // the middle point has no partner
         rule.points.push_back(centre + sign * half * Gauss::abscissa()[n]);
         weights.push_back(half * Gauss::weights()[n]);
       }

@@ -6,36 +6,36 @@
 namespace fpkcheck::numerics {
 
 struct NewtonOptions {
-  double tolerance = 1e-10;  ///< on the size of the residual
+  double tolerance = 1e-10;  ///< on the norm of the residual
   int max_iterations = 30;
-  /// Steps are shortened as the equations ask for; else they are taken whole.
+  /// Use the step fraction of the equations (damped Newton); otherwise take full steps.
   bool damped = true;
-  bool polish = true;  ///< one step more after convergence, which takes the root to rounding
+  bool polish = true;  ///< one more step after convergence, which reduces the error to rounding
 };
 
-/// How an iteration ended; not reaching a root is a result.
+/// Result of an iteration. No convergence is a result, not an exception.
 struct NewtonResult {
-  Eigen::VectorXd a;    ///< the root, or the iterate of the smallest residual
-  double residual = 0;  ///< its size
+  Eigen::VectorXd a;    ///< the root, or the iterate with the smallest residual
+  double residual = 0;  ///< norm of the residual at `a`
   int iterations = 0;
   bool converged = false;
 };
 
-/// The first of `first`, first/2, first/4, .. above `least` that is accepted; 0 when none is.
+/// Backtracking: returns the first of `first`, first/2, first/4, .. above `least` for which
+/// `accepts` returns true; 0 when there is none.
 template <class Accepts>
-double halved_until(double first, double least, const Accepts& accepts) {
-  for (double share = first; share > least; share /= 2) {
-    if (accepts(share)) return share;
+double backtrack(double first, double least, const Accepts& accepts) {
+  for (double step_fraction = first; step_fraction > least; step_fraction /= 2) {
+    if (accepts(step_fraction)) return step_fraction;
   }
   return 0;
 }
 
-/// Newton's method for R(a) = 0. The equations say what a residual's size is, and what share of a
-/// step brings the root nearer:
+/// Newton's method for R(a) = 0. `Equations` supplies the norm of a residual and the step fraction:
 ///
-///     at(a)                 an iterate: `a` and its `size`, finite where there is a residual
-///     step(iterate)         Newton's step from there, with its `change` of a
-///     share(iterate, step)  of the step to be taken, 0 to give up; asked for when damped
+///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
+///     step(iterate)         the Newton step at the iterate, with its `change` of a
+///     step_fraction(iterate, step)  the fraction of the step to take; 0 stops. Called when damped
 template <class Equations>
 NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start,
                     const NewtonOptions& options) {
@@ -45,10 +45,11 @@ NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start,
     const bool polishing = best.converged;
     if (polishing && !options.polish) break;
     const auto step = equations.step(here);
-    // After convergence rounding alone is left.
-    const double share = polishing || !options.damped ? 1 : equations.share(here, step);
-    if (share == 0) break;
-    const Eigen::VectorXd a = here.a + share * step.change;
+    // After convergence the full step is safe: only rounding errors remain.
+    const double step_fraction =
+        polishing || !options.damped ? 1 : equations.step_fraction(here, step);
+    if (step_fraction == 0) break;
+    const Eigen::VectorXd a = here.a + step_fraction * step.change;
     here = equations.at(a);
     if (!std::isfinite(here.size)) break;
     ++best.iterations;

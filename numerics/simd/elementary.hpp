@@ -4,21 +4,21 @@
 
 #include "numerics/simd/simd.hpp"
 
-/// Logarithm, exponential and sine from +, -, *, / alone, so that they give the same bits with any
-/// compiler, library, width and instructions.
+/// Logarithm, exponential and sine built from +, -, *, / only: the results are bit-identical for
+/// all compilers, libraries, SIMD widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// 2^52 + 2^51: a double that is larger by an integer n has n in its last bits.
+/// 2^52 + 2^51: adding an integer n puts n into the last bits of the double.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
-/// ln 2 in two parts, the first with zeros at the end: an exponent times it is exact.
+/// ln 2 in two parts; the first ends with zero bits, so that its product with an exponent is exact.
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 
-/// log x for normal x > 0, to 1 unit in the last place: x = 2^n m, sqrt(1/2) <= m < sqrt 2,
-/// log m = 2 artanh s, s = (m - 1)/(m + 1).
+/// log x for normal x > 0, to 1 unit in the last place: x = 2^n m, sqrt(1/2) <= m < sqrt 2, log
+/// m = 2 artanh s, s = (m - 1)/(m + 1).
 template <class Real>
 FPKCHECK_INLINE Real logarithm(const Real& x) {
-  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
   constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
   Bits bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
@@ -39,11 +39,11 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   return n * kLn2High + (2.0 * s + (2.0 * s * (z * series) + n * kLn2Low));
 }
 
-/// exp x for |x| <= 700, to 1 unit in the last place or so: x = n ln 2 + r, |r| <= ln(2)/2, and
-/// Taylor's series up to r^13.
+/// exp x for |x| <= 700, to about 1 unit in the last place: x = n ln 2 + r, |r| <= ln(2)/2, Taylor
+/// series to r^13.
 template <class Real>
 FPKCHECK_INLINE Real exponential(const Real& x) {
-  using Bits = typename LanesOf<kWidth<Real>>::Bits;
+  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
   constexpr double kPerLn2 = 1.4426950408889634074;
   const Real shifted = x * kPerLn2 + kShift;
   const Real n = shifted - kShift;
@@ -51,7 +51,7 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   Real series = Real{} + 1.0;
 #pragma GCC unroll 16
   for (int k = 13; k >= 1; --k) series = 1.0 + series * r * (1.0 / k);
-  // times 2^n, by its exponent
+  // Multiply by 2^n by adding n to the exponent.
   Bits bits, exponent;
   __builtin_memcpy(&bits, &series, sizeof bits);
   __builtin_memcpy(&exponent, &shifted, sizeof exponent);
@@ -60,7 +60,7 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   return series;
 }
 
-/// sin(pi t / 2) for -1 <= t <= 1, to 5e-16: Taylor's series up to t^21.
+/// sin(pi t / 2) for -1 <= t <= 1, to 5e-16: Taylor series to t^21.
 template <class Real>
 FPKCHECK_INLINE Real sine_of_quarter_turns(const Real& t) {
   // (-1)^k (pi/2)^(2k+1) / (2k+1)!

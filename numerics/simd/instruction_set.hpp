@@ -4,23 +4,23 @@
 
 namespace fpkcheck::simd {
 
-/// Instructions for which the lanes are compiled. Which of them a processor has is asked when the
-/// program runs: one program serves all x86-64, and other machines use their baseline.
+/// Instruction sets for which the SIMD code is compiled. The processor is queried at run time: one
+/// program serves all x86-64 processors, and other machines use their baseline.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// How trajectories are moved side by side: how many, and by what instructions.
-struct LaneSet {
+/// A compiled SIMD variant: instruction set and number of lanes.
+struct CodeVariant {
   InstructionSet instructions;
   int width;
 };
 
-/// What this program was compiled for and this processor can run, the fastest one last.
-std::vector<LaneSet> available_lanes();
+/// The variants that this program contains and this processor supports, the fastest last.
+std::vector<CodeVariant> available_variants();
 
-/// Of a function that was compiled for each of them, the one to call.
+/// Selects the version of a function that was compiled for an instruction set.
 template <class Function>
-Function* compiled_for(InstructionSet instructions, Function* baseline, Function* avx2,
-                       Function* avx512) {
+Function* select_variant(InstructionSet instructions, Function* baseline, Function* avx2,
+                         Function* avx512) {
   switch (instructions) {
     case InstructionSet::avx512:
       return avx512;

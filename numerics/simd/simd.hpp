@@ -4,30 +4,29 @@
 #include <cmath>
 #include <cstdint>
 
-/// Numbers in lanes: `W` doubles that go through the same arithmetic side by side, one trajectory a
-/// lane. They are GCC's (and clang's) vector types, which the compiler lowers to whatever
-/// instructions the function they are used in may use (see instruction_set.hpp).
+/// SIMD types of `W` doubles, one trajectory in each lane. They are vector types of GCC and Clang,
+/// which the compiler lowers to the instruction set of the calling function (see
+/// instruction_set.hpp).
 ///
-/// A lane's bits do not depend on W nor on the instructions: +, -, *, / and sqrt are rounded
-/// correctly by all of them, nothing is contracted (-ffp-contract=off), and nothing here mixes
-/// lanes.
+/// The bits of a lane depend neither on W nor on the instruction set: +, -, *, / and sqrt are
+/// correctly rounded, nothing is contracted (-ffp-contract=off), and no operation here mixes lanes.
 namespace fpkcheck::simd {
 
-/// What is inlined always: packs of lanes must not be passed between functions that are compiled
-/// for different instructions.
+/// Always inlined: SIMD vectors must not be passed between functions that are compiled for
+/// different instruction sets.
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
-struct LanesOf {
+struct VectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
-  // In this form: GCC 12 ignores the attribute in `using` where W is a parameter.
+  // A typedef, since GCC 12 ignores the attribute in `using` where W is a parameter.
   typedef double Real __attribute__((vector_size(8 * W)));
   typedef std::int64_t Mask __attribute__((vector_size(8 * W)));  // 0 or -1
-  typedef std::int64_t Bits __attribute__((vector_size(8 * W)));  // of the doubles
+  typedef std::int64_t Bits __attribute__((vector_size(8 * W)));  // bit pattern of the doubles
   typedef std::int32_t Index __attribute__((vector_size(4 * W)));
 };
 template <>
-struct LanesOf<1> {
+struct VectorTypes<1> {
   using Real = double;
   using Mask = bool;
   using Bits = std::int64_t;
@@ -50,7 +49,7 @@ FPKCHECK_INLINE Real square_root(const Real& x) {
 FPKCHECK_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
-  // In bits: GCC 12 turns `mask ? a : b` into a branch for every lane.
+  // Bitwise: GCC 12 compiles `mask ? a : b` to a branch for every lane.
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
 /// a where the mask is set, else 0.
@@ -61,11 +60,11 @@ FPKCHECK_INLINE Real where(const Mask& mask, const Real& a) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real smaller(const Real& a, const Real& b) {
+FPKCHECK_INLINE Real lanewise_min(const Real& a, const Real& b) {
   return a < b ? a : b;
 }
 template <class Real>
-FPKCHECK_INLINE Real larger(const Real& a, const Real& b) {
+FPKCHECK_INLINE Real lanewise_max(const Real& a, const Real& b) {
   return a > b ? a : b;
 }
 
@@ -82,9 +81,9 @@ FPKCHECK_INLINE bool any(const Mask& mask) {
   return (pairs[0][0] | pairs[0][1]) != 0;
 }
 
-/// The number in all lanes.
+/// Broadcasts a number to all lanes.
 template <class Real>
-FPKCHECK_INLINE Real all_lanes(double x) {
+FPKCHECK_INLINE Real broadcast(double x) {
   return Real{} + x;
 }
 
@@ -106,11 +105,11 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
   __builtin_memcpy(to, &x, sizeof(Real));
 }
 
-/// Numbers 0 .. 2^31 - 1 with their fraction cut off.
-FPKCHECK_INLINE std::int32_t truncated(double x) { return static_cast<std::int32_t>(x); }
+/// Truncates numbers in 0 .. 2^31 - 1 to integers.
+FPKCHECK_INLINE std::int32_t truncate_to_index(double x) { return static_cast<std::int32_t>(x); }
 template <class Real>
-FPKCHECK_INLINE typename LanesOf<kWidth<Real>>::Index truncated(const Real& x) {
-  return __builtin_convertvector(x, typename LanesOf<kWidth<Real>>::Index);
+FPKCHECK_INLINE typename VectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {
+  return __builtin_convertvector(x, typename VectorTypes<kWidth<Real>>::Index);
 }
 
 }  // namespace fpkcheck::simd

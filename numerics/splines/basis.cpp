@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/splines/bezier.hpp"
+#include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::numerics {
 
@@ -21,11 +21,11 @@ int SplineBasis::span_of(double x) const {
 
 Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
   const double begin = breaks_[span], width = breaks_[span + 1] - begin, t = (x - begin) / width;
-  Eigen::MatrixXd rows = bezier_rows<double>(*this, span, begin, begin + width);
+  Eigen::MatrixXd rows = bezier_extraction<double>(*this, span, begin, begin + width);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(derivatives + 1, degree_ + 1);
   double scale = 1;  // p (p-1) .. / width^d
   for (int d = 0; d <= std::min(derivatives, degree_); ++d) {
-    Eigen::MatrixXd b = rows;  // de Casteljau
+    Eigen::MatrixXd b = rows;  // de Casteljau's algorithm
     for (int n = degree_ - d; n > 0; --n) {
       b = ((1 - t) * b.leftCols(n) + t * b.middleCols(1, n)).eval();
     }
@@ -38,10 +38,10 @@ Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
   return values;
 }
 
-std::vector<double> graded_breaks(double end, int cells, double finest, double even) {
-  // The number of cells up to x is proportional to int_0^x (1 + t/even)/(t + finest) dt.
+std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from) {
+  // The number of cells up to x is proportional to int_0^x (1 + t/uniform_from)/(t + finest) dt.
   const auto count = [&](double x) {
-    return x / even + (1 - finest / even) * std::log1p(x / finest);
+    return x / uniform_from + (1 - finest / uniform_from) * std::log1p(x / finest);
   };
   std::vector<double> breaks(cells + 1);
   for (int i = 1; i < cells; ++i) {

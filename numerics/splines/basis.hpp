@@ -6,15 +6,15 @@
 
 namespace fpkcheck::numerics {
 
-inline constexpr int kDefaultDegree = 6;
+inline constexpr int kDefaultSplineDegree = 6;
 
-/// B-splines of one degree p on [breaks.front(), breaks.back()] with simple inner knots and ends of
-/// multiplicity p + 1: functions `span .. span + p` are those that do not vanish between
-/// breaks[span] and breaks[span + 1], and their sum is 1. de Boor, A Practical Guide to Splines.
+/// B-splines of degree p on [breaks.front(), breaks.back()] with simple inner knots and end knots
+/// of multiplicity p + 1. On the span from breaks[span] to breaks[span + 1] the functions span ..
+/// span + p are nonzero and sum to 1. de Boor, A Practical Guide to Splines.
 class SplineBasis {
  public:
   /// @param breaks increasing, at least two
-  explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultDegree);
+  explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultSplineDegree);
 
   int degree() const { return degree_; }
   int spans() const { return static_cast<int>(breaks_.size()) - 1; }
@@ -22,12 +22,12 @@ class SplineBasis {
   int size() const { return spans() + degree_; }
   std::span<const double> breaks() const { return breaks_; }
   double end() const { return breaks_.back(); }
-  /// Knot i of size() + degree() + 1, ends repeated.
+  /// Knot i of size() + degree() + 1; the end knots are repeated.
   double knot(int i) const { return knots_[i]; }
-  /// The span that contains x; the first or last beyond the ends.
+  /// The span that contains x; the first or last span when x is outside.
   int span_of(double x) const;
 
-  /// Values and derivatives at x of the functions of a span.
+  /// Values and derivatives at x of the degree + 1 functions of a span.
   /// @return shape (derivatives + 1, degree + 1)
   Eigen::MatrixXd at(double x, int span, int derivatives) const;
 
@@ -36,10 +36,10 @@ class SplineBasis {
   int degree_;
 };
 
-/// Break points 0 = x_0 < .. < x_cells = end. Cells widen in proportion to x + finest near the
-/// origin and have about one width beyond `even`:
+/// Graded break points 0 = x_0 < .. < x_cells = end. Near the origin the cell width is proportional
+/// to x + finest; beyond `uniform_from` it is nearly constant:
 ///
-///     cell width ~ (x + finest) / (1 + x/even),   0 < finest < even.
-std::vector<double> graded_breaks(double end, int cells, double finest, double even);
+///     cell width ~ (x + finest) / (1 + x/uniform_from),   0 < finest < uniform_from.
+std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from);
 
 }  // namespace fpkcheck::numerics

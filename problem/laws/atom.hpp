@@ -2,7 +2,7 @@
 
 namespace fpkcheck::problem {
 
-/// A value that an impulse amplitude takes with a positive probability.
+/// An impulse amplitude that has a positive probability.
 struct Atom {
   double amplitude;
   double probability;

@@ -14,12 +14,12 @@ constexpr double kSkewness = 2;
 
 }  // namespace
 
-ExponentialLaw ExponentialLaw::with(double mean, double deviation, const LawShape& shape) {
+ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation, const LawShape& shape) {
   const double skewness = shape.skewness.value_or(kSkewness);
   if (std::abs(skewness) != kSkewness) {
     throw InputError(
-        fmt::format("impulse.skewness = {} (an exponential law has 2, or -2 with its tail below; "
-                    "impulse.law = gamma takes others)",
+        fmt::format("impulse.skewness = {}: an exponential law has skewness 2, or -2 with its tail "
+                    "below; take impulse.law = gamma for others",
                     skewness));
   }
   return {mean, std::copysign(deviation, skewness)};
@@ -39,14 +39,14 @@ double ExponentialLaw::density(double y) const {
 }
 
 double ExponentialLaw::cumulative(double y) const {
-  const double e = 1 + (y - mean) / scale;  // increases with y where the scale is positive
+  const double e = 1 + (y - mean) / scale;  // increases in y for a positive scale
   if (scale > 0) return e > 0 ? -std::expm1(-e) : 0;
   return e > 0 ? std::exp(-e) : 1;
 }
 
-std::vector<double> ExponentialLaw::smooth_pieces() const {
-  constexpr double kReach = 46;
-  const double start = mean - scale, end = start + kReach * scale;
+std::vector<double> ExponentialLaw::density_breakpoints() const {
+  constexpr double kTailLength = 46;
+  const double start = mean - scale, end = start + kTailLength * scale;
   return scale > 0 ? std::vector{start, end} : std::vector{end, start};
 }
 

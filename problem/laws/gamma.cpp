@@ -13,22 +13,22 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr double kUsualSkewness = 1, kLeastSkewness = 0.01, kMostSkewness = 2;
+constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// G of Y = y.
-double standard_of(const GammaLaw& law, double y) {
+// The value of G for Y = y.
+double standardised_variate(const GammaLaw& law, double y) {
   return law.shape() + (y - law.mean) / law.width() * std::sqrt(law.shape());
 }
 
 }  // namespace
 
-GammaLaw GammaLaw::with(double mean, double deviation, const LawShape& shape) {
-  const double skewness = shape.skewness.value_or(kUsualSkewness), size = std::abs(skewness);
-  if (!(size >= kLeastSkewness && size <= kMostSkewness)) {
+GammaLaw GammaLaw::from_moments(double mean, double deviation, const LawShape& shape) {
+  const double skewness = shape.skewness.value_or(kDefaultSkewness), size = std::abs(skewness);
+  if (!(size >= kMinSkewness && size <= kMaxSkewness)) {
     throw InputError(
-        fmt::format("impulse.skewness = {} (of a gamma law its size must be within {} .. {}: below "
-                    "take gaussian, beyond the density has no bound)",
-                    skewness, kLeastSkewness, kMostSkewness));
+        fmt::format("impulse.skewness = {}: a gamma law needs a magnitude within {} .. {}, above "
+                    "which the density is unbounded; for smaller values take gaussian",
+                    skewness, kMinSkewness, kMaxSkewness));
   }
   return {mean, deviation, skewness};
 }
@@ -46,18 +46,18 @@ double GammaLaw::standardised_moment(int n) const {
 }
 
 double GammaLaw::density(double y) const {
-  const double g = standard_of(*this, y);
+  const double g = standardised_variate(*this, y);
   return g >= 0 ? boost::math::gamma_p_derivative(shape(), g) * std::sqrt(shape()) / deviation : 0;
 }
 
 double GammaLaw::cumulative(double y) const {
-  const double g = std::max(standard_of(*this, y), 0.0);
+  const double g = std::max(standardised_variate(*this, y), 0.0);
   return skewness > 0 ? boost::math::gamma_p(shape(), g) : boost::math::gamma_q(shape(), g);
 }
 
-std::vector<double> GammaLaw::smooth_pieces() const {
-  // Beyond the ends lies 1e-20. From the end of the support on the density is x^(k-1) times a
-  // smooth function, and a rule of some ten points has it between x and 3 x.
+std::vector<double> GammaLaw::density_breakpoints() const {
+  // Each end cuts off a probability of 1e-20. Near the end of the support the density is x^(k-1)
+  // times a smooth function, which a ten-point rule integrates between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);
@@ -75,7 +75,7 @@ std::vector<double> GammaLaw::smooth_pieces() const {
 }
 
 std::complex<double> GammaLaw::centred_characteristic_function(double u) const {
-  // (1 - ix)^-k exp(-ikx), x = u deviation skewness/2: without the difference of large phases
+  // (1 - ix)^-k exp(-ikx), x = u deviation skewness/2, without the difference of large phases.
   const double x = u * deviation * skewness / 2, k = shape();
   return std::polar(std::exp(-k * std::log1p(x * x) / 2), k * (std::atan(x) - x));
 }

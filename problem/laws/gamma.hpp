@@ -9,9 +9,9 @@
 
 namespace fpkcheck::problem {
 
-/// Y = mean + deviation (G - k) / (sqrt(k) sgn skewness), G of the gamma law with density
-/// x^(k-1) e^-x / Gamma(k), k = 4 / skewness^2: exponential for the skewness 2, nearly gaussian for
-/// a small one.
+/// Y = mean + deviation (G - k) / (sqrt(k) sgn skewness), where G has the gamma density
+/// x^(k-1) e^-x / Gamma(k), k = 4 / skewness^2. The law is exponential for skewness 2 and nearly
+/// gaussian for a small skewness.
 struct GammaLaw {
   double mean;
   double deviation;
@@ -19,13 +19,13 @@ struct GammaLaw {
 
   static constexpr std::string_view kName = "gamma";
   static constexpr std::string_view kWidthName = "deviation";
-  /// @throws InputError where the size of the skewness is not within 0.01 .. 2 (beyond, the density
-  /// has no bound); 1 unless given
-  static GammaLaw with(double mean, double deviation, const LawShape& shape);
-  /// With the sign of the skewness.
+  /// The default skewness is 1.
+  /// @throws InputError when |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
+  static GammaLaw from_moments(double mean, double deviation, const LawShape& shape);
+  /// The deviation, times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
-  /// k
+  /// The shape parameter k.
   double shape() const { return 4 / (skewness * skewness); }
 
   /// m_{n+1} = n (skewness/2 m_n + m_{n-1}).
@@ -33,16 +33,17 @@ struct GammaLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
-  /// Finer towards the end of the support, from which the density rises with any power.
-  std::vector<double> smooth_pieces() const;
+  /// Break points, closer together near the end of the support, where the density behaves like a
+  /// power.
+  std::vector<double> density_breakpoints() const;
   std::complex<double> centred_characteristic_function(double u) const;
-  /// Infinite from u deviation skewness / 2 = 1 on.
+  /// Infinite for u deviation skewness / 2 >= 1.
   double centred_moment_generating_function(double u) const;
   /// The law of -Y.
   GammaLaw mirrored() const { return {-mean, deviation, -skewness}; }
 
-  /// (x - k) / sqrt(k), P(G <= x) = p, P(G > x) = q; of p and q, whose sum is 1, the smaller one is
-  /// looked at.
+  /// The standardised quantile (x - k) / sqrt(k), P(G <= x) = p, P(G > x) = q, p + q = 1. Computed
+  /// from the smaller of p and q.
   double standardised_quantile(double p, double q) const;
 };
 

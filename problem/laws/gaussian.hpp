@@ -16,7 +16,7 @@ struct GaussianLaw {
 
   static constexpr std::string_view kName = "gaussian";
   static constexpr std::string_view kWidthName = "deviation";
-  static GaussianLaw with(double mean, double deviation) { return {mean, deviation}; }
+  static GaussianLaw from_moments(double mean, double deviation) { return {mean, deviation}; }
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
@@ -25,7 +25,9 @@ struct GaussianLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
-  std::vector<double> smooth_pieces() const { return {mean - 9 * deviation, mean + 9 * deviation}; }
+  std::vector<double> density_breakpoints() const {
+    return {mean - 9 * deviation, mean + 9 * deviation};
+  }
   /// E[exp(iu (Y - mean))]
   std::complex<double> centred_characteristic_function(double u) const {
     return std::exp(-u * u * deviation * deviation / 2);

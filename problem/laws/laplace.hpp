@@ -18,7 +18,7 @@ struct LaplaceLaw {
 
   static constexpr std::string_view kName = "laplace";
   static constexpr std::string_view kWidthName = "scale";
-  static LaplaceLaw with(double mean, double deviation) {
+  static LaplaceLaw from_moments(double mean, double deviation) {
     return {mean, deviation / std::numbers::sqrt2};
   }
   double width() const { return scale; }
@@ -29,7 +29,9 @@ struct LaplaceLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
-  std::vector<double> smooth_pieces() const { return {mean - 42 * scale, mean, mean + 42 * scale}; }
+  std::vector<double> density_breakpoints() const {
+    return {mean - 42 * scale, mean, mean + 42 * scale};
+  }
   std::complex<double> centred_characteristic_function(double u) const {
     return 1 / (1 + u * u * scale * scale);
   }

@@ -5,8 +5,8 @@
 
 namespace fpkcheck::problem {
 
-/// What decides the form of a law besides its mean and deviation: keys of case files, of which most
-/// laws take none.
+/// Shape parameters of a law besides its mean and standard deviation, from the case file. Most laws
+/// have none.
 struct LawShape {
   /// E[(Y - mean)^3] / deviation^3.
   std::optional<double> skewness = {};

@@ -15,14 +15,15 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Waves are resolved to rounding that turn, or grow, by exp(i 6) or exp(6) over 20 points.
-constexpr double kSmooth = 6;
+// 20 Gauss points integrate exp(i x) and exp(x) to rounding over a length of 6.
+constexpr double kSmoothLength = 6;
 
 bool has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::Kind::probability;
 }
 
-// E[f(Z)] for an f that is smooth over the table's pieces, or over lengths of `smooth`.
+// E[f(Z)] for a function f that is smooth over the pieces of the table, or over lengths of
+// `smooth`.
 template <class Function>
 auto expectation(const AmplitudeTable& table, const Function& f,
                  double smooth = std::numeric_limits<double>::infinity()) {
@@ -36,7 +37,7 @@ auto expectation(const AmplitudeTable& table, const Function& f,
     } else if (k > 0) {
       const double length = z[k] - z[k - 1];
       const int panels = std::max(1, static_cast<int>(std::ceil(length / smooth)));
-      const auto integrand = [&](double part) {  // of the piece
+      const auto integrand = [&](double part) {  // fraction of the piece
         return std::lerp(w[k - 1], w[k], part) * length * f(z[k - 1] + part * length);
       };
       for (int panel = 0; panel < panels; ++panel) {
@@ -68,18 +69,18 @@ double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
 
 }  // namespace
 
-TabulatedLaw TabulatedLaw::with(double mean, double deviation, const LawShape& shape) {
+TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation, const LawShape& shape) {
   if (shape.table.empty()) {
     throw InputError(
-        "impulse.table is missing (impulse.law = tabulated needs one: a CSV file with the columns "
-        "amplitude,probability or amplitude,density)");
+        "impulse.table is missing: impulse.law = tabulated needs a CSV file with the columns "
+        "amplitude,probability or amplitude,density");
   }
   if (shape.skewness) {
     throw InputError(
-        fmt::format("impulse.skewness = {} (a tabulated law has that of its table: leave it out)",
+        fmt::format("impulse.skewness = {}: a tabulated law has the skewness of its table; omit it",
                     *shape.skewness));
   }
-  AmplitudeTable table = amplitude_table_of_text(shape.table);
+  AmplitudeTable table = parse_table_literal(shape.table);
   const double centre = table.mean(), width = std::sqrt(table.variance());
   for (double& y : table.amplitude) y = (y - centre) / width;
   if (table.kind == AmplitudeTable::Kind::density) {
@@ -122,7 +123,7 @@ std::vector<Atom> TabulatedLaw::atoms() const {
   return atoms;
 }
 
-std::vector<double> TabulatedLaw::smooth_pieces() const {
+std::vector<double> TabulatedLaw::density_breakpoints() const {
   std::vector<double> pieces;
   if (has_atoms(*this)) return pieces;
   for (const double z : standard->amplitude) pieces.push_back(mean + scale * z);
@@ -133,13 +134,13 @@ std::vector<double> TabulatedLaw::smooth_pieces() const {
 std::complex<double> TabulatedLaw::centred_characteristic_function(double u) const {
   const double x = u * scale;
   return expectation(
-      *standard, [x](double z) { return std::polar(1.0, x * z); }, kSmooth / std::abs(x));
+      *standard, [x](double z) { return std::polar(1.0, x * z); }, kSmoothLength / std::abs(x));
 }
 
 double TabulatedLaw::centred_moment_generating_function(double u) const {
   const double x = u * scale;
   return expectation(
-      *standard, [x](double z) { return std::exp(x * z); }, kSmooth / std::abs(x));
+      *standard, [x](double z) { return std::exp(x * z); }, kSmoothLength / std::abs(x));
 }
 
 }  // namespace fpkcheck::problem

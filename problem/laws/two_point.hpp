@@ -9,14 +9,14 @@
 
 namespace fpkcheck::problem {
 
-/// Y = mean - deviation or mean + deviation, each with probability 1/2.
+/// Y = mean - deviation or mean + deviation, each of probability 1/2.
 struct TwoPointLaw {
   double mean;
   double deviation;
 
   static constexpr std::string_view kName = "two_point";
   static constexpr std::string_view kWidthName = "deviation";
-  static TwoPointLaw with(double mean, double deviation) { return {mean, deviation}; }
+  static TwoPointLaw from_moments(double mean, double deviation) { return {mean, deviation}; }
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
@@ -26,7 +26,7 @@ struct TwoPointLaw {
     return y < mean - deviation ? 0 : y < mean + deviation ? 0.5 : 1;
   }
   std::vector<Atom> atoms() const { return {{mean - deviation, 0.5}, {mean + deviation, 0.5}}; }
-  std::vector<double> smooth_pieces() const { return {}; }
+  std::vector<double> density_breakpoints() const { return {}; }
   std::complex<double> centred_characteristic_function(double u) const {
     return std::cos(u * deviation);
   }

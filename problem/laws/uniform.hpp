@@ -17,7 +17,7 @@ struct UniformLaw {
 
   static constexpr std::string_view kName = "uniform";
   static constexpr std::string_view kWidthName = "half_width";
-  static UniformLaw with(double mean, double deviation) {
+  static UniformLaw from_moments(double mean, double deviation) {
     return {mean, deviation * std::numbers::sqrt3};
   }
   double width() const { return half_width; }
@@ -30,7 +30,7 @@ struct UniformLaw {
   double density(double y) const;
   double cumulative(double y) const;
   std::vector<Atom> atoms() const { return {}; }
-  std::vector<double> smooth_pieces() const { return {mean - half_width, mean + half_width}; }
+  std::vector<double> density_breakpoints() const { return {mean - half_width, mean + half_width}; }
   std::complex<double> centred_characteristic_function(double u) const;
   double centred_moment_generating_function(double u) const;
 };

@@ -1,5 +1,5 @@
-// fpkcheck._fpkcheck: what the package of this name stands on. Its functions take and give numbers,
-// texts and NumPy arrays; what users see is made of them in Python.
+// fpkcheck._fpkcheck: the extension module of the Python package. Its functions take and return
+// numbers, texts and NumPy arrays. The public classes and functions are written in Python.
 #include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -21,19 +21,19 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/text/shown.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
 #include "compare/axes.hpp"
 #include "extension/options.hpp"
 #include "extension/saving.hpp"
 #include "extension/solving.hpp"
 #include "methods/builtin.hpp"
 #include "methods/external/between_walls.hpp"
+#include "methods/external/external_density.hpp"
+#include "methods/external/external_methods.hpp"
+#include "methods/external/external_samples.hpp"
 #include "methods/external/families.hpp"
-#include "methods/external/given_methods.hpp"
 #include "methods/external/label.hpp"
-#include "methods/external/own_density.hpp"
-#include "methods/external/own_samples.hpp"
 #include "problem/case_file.hpp"
 #include "problem/named_cases.hpp"
 #include "report/table.hpp"
@@ -43,16 +43,16 @@ namespace fpkcheck::python {
 namespace {
 
 namespace py = pybind11;
-using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Array = py::array_t<double, py::to_array::c_style | py::to_array::forcecast>;
 using RunPointer = std::shared_ptr<results::Run>;
 
-/// The registry of the program, once.
+/// The registry of the program, created once.
 const methods::Registry& registry() {
-  static const auto one = methods::builtin();
-  return one;
+  static const auto instance = methods::builtin_registry();
+  return instance;
 }
 
-py::array_t<double> array(const std::vector<double>& values) {
+py::array_t<double> to_array(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
@@ -64,7 +64,8 @@ base::Value value_in(const py::handle& object, const std::string& name) {
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
-    // One that no integer here holds is out of every range.
+    // An integer beyond 64 bits is out of the range of every option: the conversion to double keeps
+    // it out of range.
     int overflows = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
     if (overflows != 0) return object.cast<double>();
@@ -72,7 +73,7 @@ base::Value value_in(const py::handle& object, const std::string& name) {
   }
   if (py::isinstance<py::float_>(object)) return object.cast<double>();
   if (py::isinstance<py::str>(object)) return object.cast<std::string>();
-  throw py::type_error(fmt::format("{} is of type {} (use a number, a text, a bool or None)",
+  throw py::type_error(fmt::format("{} has the type {} (must be number, text, bool or None)",
                                    base::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
 }
 
@@ -85,7 +86,7 @@ base::Values values_in(const py::dict& dict) {
   return values;
 }
 
-py::object object_of(const base::Value& value) {
+py::object to_python(const base::Value& value) {
   return std::visit(
       [](const auto& held) -> py::object {
         using Held = std::decay_t<decltype(held)>;
@@ -113,11 +114,11 @@ problem::Problem problem_of(const std::string& name, const std::vector<std::stri
   return problem::read_case(empty, name, name, settings);
 }
 
-py::dict sections_of(const problem::Problem& problem) {
+py::dict sections_to_python(const problem::Problem& problem) {
   py::dict sections;
   for (const auto& section : problem::sections(problem)) {
     py::dict values;
-    for (const auto& [name, value] : section.values) values[py::str(name)] = object_of(value);
+    for (const auto& [name, value] : section.values) values[py::str(name)] = to_python(value);
     sections[py::str(section.name)] = values;
   }
   return sections;
@@ -126,12 +127,13 @@ py::dict sections_of(const problem::Problem& problem) {
 void bind_problems(py::module_& module) {
   py::class_<problem::Problem>(module, "Problem")
       .def_readonly("name", &problem::Problem::name)
-      .def_property_readonly("sections", sections_of)
-      .def_property_readonly(
-          "text", [](const problem::Problem& one) { return problem::parameters_text(one); });
+      .def_property_readonly("sections", sections_to_python)
+      .def_property_readonly("text", [](const problem::Problem& instance) {
+        return problem::parameters_text(instance);
+      });
   module.def("case_names", [] {
     std::vector<std::string> names;
-    for (const auto* cases : {&problem::named_cases(), &problem::shipped_systems()}) {
+    for (const auto* cases : {&problem::paper_cases(), &problem::example_systems()}) {
       for (const auto& named : *cases) names.push_back(named.name);
     }
     return names;
@@ -140,33 +142,33 @@ void bind_problems(py::module_& module) {
   module.def(
       "load_case",
       [](const std::string& name_or_path, const std::vector<std::string>& settings) {
-        return problem::load_case(name_or_path, settings, problem::Naming::of_changes);
+        return problem::load_case(name_or_path, settings, problem::CaseNaming::with_overrides);
       },
       py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
   module.def("axes_of", [](const problem::Problem& problem) {
     const auto axes = compare::comparison_axes(problem);
-    return std::make_tuple(array(axes.y_edges), array(axes.v_edges));
+    return std::make_tuple(to_array(axes.y_edges), to_array(axes.v_edges));
   });
 }
 
-// -- what users bring along
+// -- external densities
 
-methods::OwnDensity own_density(const std::string& label,
-                                const std::optional<std::string>& equation,
-                                const std::string& impact, std::optional<int> order,
-                                std::size_t place) {
-  methods::require_free(label, registry());
-  methods::OwnDensity own{.label = label, .place = place, .order = order};
+methods::ExternalDensity external_density(const std::string& label,
+                                          const std::optional<std::string>& equation,
+                                          const std::string& impact, std::optional<int> order,
+                                          std::size_t index) {
+  methods::require_valid_label(label, registry());
+  methods::ExternalDensity external{.label = label, .index = index, .order = order};
   const auto of = [&](const char* what) { return fmt::format("density '{}': {}", label, what); };
   if (order && *order < 1) {
     throw InputError(fmt::format("{} = {} (must be 1 or more)", of("order"), *order));
   }
-  if (equation) own.equation = base::asked_name<problem::Equation>(of("equation"), *equation);
-  // Trajectories alone are reflected exactly.
-  own.impact = base::asked_name<problem::Impact>(of("impact"), impact,
-                                                 std::span(problem::kImpactNames).first(2));
-  return own;
+  if (equation) external.equation = base::parse_enum<problem::Equation>(of("equation"), *equation);
+  // The impact "exact" belongs to simulations only.
+  external.impact = base::parse_enum<problem::Impact>(of("impact"), impact,
+                                                      std::span(problem::kImpactNames).first(2));
+  return external;
 }
 
 methods::DensityPoints points_between_walls(const problem::Problem& problem) {
@@ -176,23 +178,23 @@ methods::DensityPoints points_between_walls(const problem::Problem& problem) {
 methods::Method function_method(const problem::Problem& problem, const Array& values,
                                 const std::string& label, std::optional<std::string> equation,
                                 const std::string& impact, std::optional<int> order, bool normalise,
-                                double accuracy, std::size_t place) {
-  const auto own = own_density(label, equation, impact, order, place);
+                                double accuracy, std::size_t index) {
+  const auto external = external_density(label, equation, impact, order, index);
   if (!(accuracy > 0)) {
     throw InputError(
         fmt::format("density '{}': accuracy = {:g} (must be positive)", label, accuracy));
   }
-  return methods::own_function(own, {.normalise = normalise, .accuracy = accuracy},
-                               points_between_walls(problem),
-                               {values.data(), values.data() + values.size()});
+  return methods::make_function_method(external, {.normalise = normalise, .accuracy = accuracy},
+                                       points_between_walls(problem),
+                                       {values.data(), values.data() + values.size()});
 }
 
 methods::Method samples_method(const Array& y, const Array& v, const std::string& label,
                                std::optional<std::string> equation, const std::string& impact,
-                               std::optional<int> order, double independent, std::size_t place) {
-  const auto own = own_density(label, equation, impact, order, place);
-  return methods::own_samples(own, {y.data(), static_cast<std::size_t>(y.size())},
-                              {v.data(), static_cast<std::size_t>(v.size())}, independent);
+                               std::optional<int> order, double independent, std::size_t index) {
+  const auto external = external_density(label, equation, impact, order, index);
+  return methods::make_samples_method(external, {y.data(), static_cast<std::size_t>(y.size())},
+                                      {v.data(), static_cast<std::size_t>(v.size())}, independent);
 }
 
 void bind_methods(py::module_& module) {
@@ -200,22 +202,22 @@ void bind_methods(py::module_& module) {
   module.def("method_families", [] {
     std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
     for (const auto* family : registry().families()) {
-      all.emplace_back(family->name, family->meaning, family->usual);
+      all.emplace_back(family->name, family->meaning, family->default_ids);
     }
     return all;
   });
   module.def("options_of", [](const std::string& list) {
     py::dict all;
-    for (const auto& method : methods_with(registry(), list, {})) {
+    for (const auto& method : select_methods(registry(), list, {})) {
       py::dict options;
-      for (const auto& [name, value] : method.options) options[py::str(name)] = object_of(value);
+      for (const auto& [name, value] : method.options) options[py::str(name)] = to_python(value);
       all[py::str(method.id())] = options;
     }
     return all;
   });
   module.def("points_of", [](const problem::Problem& problem) {
     const methods::DensityPoints points = points_between_walls(problem);
-    return std::make_tuple(array(points.y()), array(points.v()));
+    return std::make_tuple(to_array(points.y()), to_array(points.v()));
   });
   module.def("function_method", function_method, py::arg("problem"), py::arg("values"),
              py::arg("label"), py::arg("equation"), py::arg("impact"), py::arg("order"),
@@ -225,7 +227,7 @@ void bind_methods(py::module_& module) {
              py::arg("place"));
   module.def("file_methods",
              [](const std::vector<std::string>& arguments, const std::string& case_name) {
-               return methods::given_methods(arguments, registry(), case_name);
+               return methods::external_methods(arguments, registry(), case_name);
              });
 }
 
@@ -246,28 +248,29 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
                       const std::vector<methods::Method>& against, int threads,
                       std::optional<double> max_seconds, bool bounds, const py::object& progress,
                       const std::string& command) {
-  if (problems.empty()) throw InputError("no case to solve");
+  if (problems.empty()) throw InputError("there is no case to solve; give at least one");
   if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
   Task task{problems, {}, threads, bounds, command};
   auto settings = values_in(options);
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
-  task.methods = methods_with(registry(), methods_list.value_or(default_methods()), settings);
-  auto guests = against;
-  methods::join_families(guests);
-  for (const auto& own : guests) {
-    for (const auto& other : guests) methods::require_unlike(own.id(), other.id());
-    task.methods.push_back(own);
+  task.methods = select_methods(registry(), methods_list.value_or(default_methods()), settings);
+  auto external_methods = against;
+  methods::group_families(external_methods);
+  for (const auto& external : external_methods) {
+    for (const auto& other : external_methods)
+      methods::require_distinct_labels(external.id(), other.id());
+    task.methods.push_back(external);
   }
-  std::ranges::stable_sort(task.methods, methods::less_trusted, &methods::Method::identity);
+  std::ranges::stable_sort(task.methods, methods::is_less_trusted, &methods::Method::identity);
 
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   methods::RunProgress last{};
-  const auto look = [&](const methods::RunProgress* news) {
+  const auto poll = [&](const methods::RunProgress* progress_update) {
     const py::gil_scoped_acquire locked;
     throw_on_signal();
-    if (news != nullptr) {
-      last = *news;
+    if (progress_update != nullptr) {
+      last = *progress_update;
       if (!progress.is_none()) {
         using namespace py::literals;
         progress(py::dict("done"_a = last.done, "total"_a = last.total, "case"_a = last.case_name,
@@ -278,14 +281,14 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
     const std::chrono::duration<double> elapsed = Clock::now() - begin;
     if (max_seconds && elapsed.count() > *max_seconds) {
       const auto text =
-          fmt::format("not solved in {:g} s: {} of {} solutions, last {} (raise max_seconds)",
+          fmt::format("not solved in {:g} s: {} of {} solutions, last {}; increase max_seconds",
                       *max_seconds, last.done, last.total, last.method);
       PyErr_SetString(PyExc_TimeoutError, text.c_str());
       throw py::error_already_set();
     }
   };
   const py::gil_scoped_release unlocked;
-  return std::make_shared<results::Run>(solve(std::move(task), look));
+  return std::make_shared<results::Run>(solve(std::move(task), poll));
 }
 
 const results::Case& case_of(const results::Run& run, std::size_t k) { return run.cases.at(k); }
@@ -295,9 +298,9 @@ py::list curve_list(const std::vector<results::Curve>& curves) {
   for (const auto& curve : curves) {
     const bool known = !curve.lower.empty();
     all.append(py::make_tuple(curve.solution, std::string(name(curve.variable)),
-                              array(curve.abscissa), array(curve.density),
-                              known ? py::object(array(curve.lower)) : py::none(),
-                              known ? py::object(array(curve.upper)) : py::none()));
+                              to_array(curve.abscissa), to_array(curve.density),
+                              known ? py::object(to_array(curve.lower)) : py::none(),
+                              known ? py::object(to_array(curve.upper)) : py::none()));
   }
   return all;
 }
@@ -317,8 +320,8 @@ void bind_runs(py::module_& module) {
            [](const results::Run& run, std::size_t k) {
              py::list all;
              for (const auto& [solution, density] : case_of(run, k).joints) {
-               all.append(py::make_tuple(solution, array(density.y_edges), array(density.v_edges),
-                                         cells(density)));
+               all.append(py::make_tuple(solution, to_array(density.y_edges),
+                                         to_array(density.v_edges), cells(density)));
              }
              return all;
            })
@@ -326,8 +329,8 @@ void bind_runs(py::module_& module) {
            [](const results::Run& run, std::size_t k) {
              py::list all;
              for (const auto& [solution, moment, density] : case_of(run, k).error_sources) {
-               all.append(py::make_tuple(solution, moment, array(density.y_edges),
-                                         array(density.v_edges), cells(density)));
+               all.append(py::make_tuple(solution, moment, to_array(density.y_edges),
+                                         to_array(density.v_edges), cells(density)));
              }
              return all;
            })
@@ -350,7 +353,7 @@ void bind_runs(py::module_& module) {
 
 }  // namespace
 
-// InputError is a std::invalid_argument, which is a ValueError there; other exceptions become
+// pybind11 converts InputError, a std::invalid_argument, to ValueError, and other exceptions to
 // RuntimeError.
 PYBIND11_MODULE(_fpkcheck, module) {
   module.attr("__version__") = results::this_program("").version;

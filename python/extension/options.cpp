@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -17,71 +17,72 @@ using base::NamedValue;
 using base::Value;
 using base::Values;
 
-// The name that the solver knows the option by; nothing where it is none of its.
-std::optional<std::string> own_name(const methods::Solver& solver, const std::string& option) {
+// The name of the option without the solver's name; no value where the solver has no such option.
+std::optional<std::string> option_name(const methods::Solver& solver, const std::string& option) {
   const auto dot = option.find('.');
   if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;
   auto name = dot == std::string::npos ? option : option.substr(dot + 1);
-  if (solver.parameters->find(name) == nullptr) return std::nullopt;
+  if (solver.option_descriptions->find(name) == nullptr) return std::nullopt;
   return name;
 }
 
 void require_known(const methods::Registry& registry, const std::string& option) {
   std::vector<std::string> known;
   for (const auto& solver : registry.solvers()) {
-    if (own_name(solver, option)) return;
+    if (option_name(solver, option)) return;
     if (option.find('.') != std::string::npos && !option.starts_with(solver.name + '.')) continue;
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       known.push_back(solver.name + '.' + parameter.name);
     }
   }
   if (known.empty()) {
     for (const auto& solver : registry.solvers()) known.push_back(solver.name + ".NAME");
   }
-  throw InputError(fmt::format("options: {} is no option (known: {})", base::in_quotes(option),
+  throw InputError(fmt::format("options: unknown option {}; use {}", base::in_quotes(option),
                                fmt::join(known, ", ")));
 }
 
-// Of the type that the parameter takes.
-Value fitting(const base::Parameter& parameter, const NamedValue& given) {
-  const std::string label = fmt::format("options: {} =", base::shown(given.name));
-  if (const auto* text = std::get_if<std::string>(&given.value)) {
-    return value_from(parameter, *text, label);
+// Converts a value to the type of the parameter.
+Value convert_value(const base::Parameter& parameter, const NamedValue& option) {
+  const std::string label = fmt::format("options: {} =", base::sanitise(option.name));
+  if (const auto* text = std::get_if<std::string>(&option.value)) {
+    return parse_value(parameter, *text, label);
   }
-  const auto value = parameter.accepted(given.value);
+  const auto value = parameter.converted_value(option.value);
   if (!value) {
-    throw InputError(
-        fmt::format("{} {} (must be {})", label, base::text_of(given.value), parameter.allowed()));
+    throw InputError(fmt::format("{} {} (must be {})", label, base::text_of(option.value),
+                                 parameter.requirement()));
   }
   return *value;
 }
 
-methods::Method with_options(const methods::Registry& registry, const methods::Method& method,
-                             const Values& options) {
+methods::Method replace_options(const methods::Registry& registry, const methods::Method& method,
+                                const Values& options) {
   const methods::Solver& solver = *registry.find(method.identity.method);
   Values replaced = method.options;
   for (const auto& option : options) {
-    const auto name = own_name(solver, option.name);
+    const auto name = option_name(solver, option.name);
     if (!name) continue;
-    const Value value = fitting(*solver.parameters->find(*name), option);
-    const auto own = std::ranges::find(replaced, *name, &NamedValue::name);
-    if (own != replaced.end()) own->value = value;
+    const Value value = convert_value(*solver.option_descriptions->find(*name), option);
+    const auto entry = std::ranges::find(replaced, *name, &NamedValue::name);
+    if (entry != replaced.end()) entry->value = value;
   }
   auto made = registry.method(solver, replaced);
   if (made.id() != method.id()) {
-    throw InputError(fmt::format("options: they make {} of {} (name that among the methods)",
-                                 made.id(), method.id()));
+    throw InputError(
+        fmt::format("options: they select {} in place of {}; list the former in methods", made.id(),
+                    method.id()));
   }
   return made;
 }
 
 }  // namespace
 
-std::vector<methods::Method> methods_with(const methods::Registry& registry,
-                                          const std::string& list, const Values& options) {
+std::vector<methods::Method> select_methods(const methods::Registry& registry,
+                                            const std::string& list, const Values& options) {
   for (const auto& option : options) require_known(registry, option.name);
   auto methods = registry.select(list, {});
-  for (auto& method : methods) method = with_options(registry, method, options);
+  for (auto& method : methods) method = replace_options(registry, method, options);
   return methods;
 }
 

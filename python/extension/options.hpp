@@ -8,12 +8,12 @@
 
 namespace fpkcheck::python {
 
-/// The methods of a list, with options replaced.
-/// @param list as Registry::select takes it
-/// @param options by "SOLVER.NAME", or by "NAME" of all solvers that have one
-/// @throws InputError as Registry::select; for an option that no solver has, that is not of its
-///         type or out of its range, or that makes the method another one
-std::vector<methods::Method> methods_with(const methods::Registry& registry,
-                                          const std::string& list, const base::Values& options);
+/// The methods of a list, with the given options.
+/// @param list as in Registry::select
+/// @param options with the name "SOLVER.NAME", or "NAME" for all solvers with such an option
+/// @throws InputError as Registry::select; for an option that no solver has, for a value of another
+///         type or out of range, for options that select another method
+std::vector<methods::Method> select_methods(const methods::Registry& registry,
+                                            const std::string& list, const base::Values& options);
 
 }  // namespace fpkcheck::python

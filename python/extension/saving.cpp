@@ -8,8 +8,8 @@
 #include <future>
 #include <mutex>
 
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
+#include "base/process/write_guard.hpp"
 #include "methods/builtin.hpp"
 #include "report/report.hpp"
 #include "results/directory.hpp"
@@ -18,36 +18,38 @@
 namespace fpkcheck::python {
 namespace {
 
-// netCDF is for one thread at a time.
+// netCDF is not thread-safe.
 std::mutex& files_mutex() {
   static std::mutex& one = *new std::mutex;
   return one;
 }
 
-// HDF5 complains on standard error of every attribute that it looks for in vain, unless the thread
-// has said that it need not: netCDF says so in the first thread that uses it alone.
-void let_hdf5_be_silent_here() {
+// HDF5 prints a message on standard error for every attribute that it does not find, unless the
+// thread disables this output. netCDF disables the output only in the first thread that uses
+// netCDF.
+void silence_hdf5_in_this_thread() {
   using SetAuto = int (*)(std::int64_t, void*, void*);
   const auto set_auto = reinterpret_cast<SetAuto>(dlsym(RTLD_DEFAULT, "H5Eset_auto2"));
   if (set_auto != nullptr) set_auto(0, nullptr, nullptr);
 }
 
-std::vector<std::string> written(const std::filesystem::path& directory, const results::Run& run) {
+std::vector<std::string> write_in_lock(const std::filesystem::path& directory,
+                                       const results::Run& run) {
   const std::lock_guard lock(files_mutex());
-  let_hdf5_be_silent_here();
-  const base::FilesInHand in_hand;
-  const auto prepared = results::make_writable(directory);
+  silence_hdf5_in_this_thread();
+  const base::WriteGuard write_guard;
+  const auto directory_lock = results::prepare_output_directory(directory);
   return report::write_report(directory, run);
 }
 
 }  // namespace
 
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
-                              const std::function<void()>& look) {
+                              const std::function<void()>& poll) {
   using namespace std::chrono_literals;
-  auto warnings = std::async(std::launch::async, [&] { return written(directory, run); });
+  auto warnings = std::async(std::launch::async, [&] { return write_in_lock(directory, run); });
   try {
-    while (warnings.wait_for(50ms) != std::future_status::ready) look();
+    while (warnings.wait_for(50ms) != std::future_status::ready) poll();
   } catch (...) {
     base::request_stop(SIGINT);
     warnings.wait();
@@ -59,9 +61,9 @@ std::vector<std::string> save(const std::filesystem::path& directory, const resu
 
 results::Run load(const std::filesystem::path& directory) {
   const std::lock_guard lock(files_mutex());
-  let_hdf5_be_silent_here();
+  silence_hdf5_in_this_thread();
   auto run = results::load_run(directory);
-  methods::builtin().introduce(run);
+  methods::builtin_registry().annotate(run);
   return run;
 }
 

@@ -19,44 +19,45 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kBetweenLooks = 50ms;
-constexpr auto kToEndByItself = 300ms;
+constexpr auto kPollInterval = 50ms;
+constexpr auto kGracePeriod = 300ms;
 
-struct GivenUp : std::exception {
-  const char* what() const noexcept override { return "given up"; }
+struct Cancelled : std::exception {
+  const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A run on its way; both threads own it, since either may be the last.
+/// A run in progress. The worker and the calling thread share ownership, since either may end last.
 class Work {
  public:
   explicit Work(Task task) : task_(std::move(task)) {}
 
-  /// What the thread does.
+  /// The function of the worker thread.
   void run() noexcept {
     try {
-      solve_all();
+      solve_problems();
     } catch (...) {
       failure_ = std::current_exception();
     }
     const std::lock_guard lock(mutex_);
-    ended_ = true;
+    has_ended_ = true;
     changed_.notify_all();
   }
 
-  /// @return whether it has ended
+  /// Waits for the end of the run.
+  /// @return whether the run has ended
   template <class Duration>
   bool wait_for(Duration duration) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, duration, [this] { return ended_; });
+    return changed_.wait_for(lock, duration, [this] { return has_ended_; });
   }
   bool has_ended() { return wait_for(0ms); }
 
-  void give_up() { given_up_ = true; }
+  void cancel() { is_cancelled_ = true; }
 
-  /// What was told since it was asked for last.
-  std::optional<methods::RunProgress> news() {
+  /// The latest progress since the previous call, if any.
+  std::optional<methods::RunProgress> progress_update() {
     const std::lock_guard lock(mutex_);
-    return std::exchange(news_, std::nullopt);
+    return std::exchange(progress_update_, std::nullopt);
   }
 
   /// @pre has_ended()
@@ -66,82 +67,82 @@ class Work {
   }
 
  private:
-  void solve_all() {
+  void solve_problems() {
     run_.program = results::this_program(task_.command);
     run_.cases = methods::complete_run(task_.problems, task_.methods,
                                        {.threads = task_.threads,
-                                        .with_dual = task_.bounds,
+                                        .with_backward = task_.bounds,
                                         .progress =
                                             [this](const methods::RunProgress& at) {
-                                              throw_if_given_up();
+                                              throw_if_cancelled();
                                               const std::lock_guard lock(mutex_);
-                                              news_ = at;
+                                              progress_update_ = at;
                                             },
-                                        .look = [this] { throw_if_given_up(); }});
+                                        .poll = [this] { throw_if_cancelled(); }});
   }
 
-  void throw_if_given_up() const {
-    if (given_up_) throw GivenUp();
+  void throw_if_cancelled() const {
+    if (is_cancelled_) throw Cancelled();
   }
 
   Task task_;
   results::Run run_;
   std::exception_ptr failure_;
-  std::atomic<bool> given_up_ = false;
-  std::mutex mutex_;  // guards what stands below
+  std::atomic<bool> is_cancelled_ = false;
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
-  bool ended_ = false;
-  std::optional<methods::RunProgress> news_;
+  bool has_ended_ = false;
+  std::optional<methods::RunProgress> progress_update_;
 };
 
-struct LeftBehind {
+struct AbandonedRun {
   std::shared_ptr<Work> work;
   std::thread thread;
 };
 
-// Never destroyed: a process that ends by a signal leaves it as it is.
-struct Abandoned {
+// Never destroyed, since its threads may still run at the end of the process.
+struct AbandonedRuns {
   std::mutex mutex;
-  std::vector<LeftBehind> all;
+  std::vector<AbandonedRun> all;
 };
-Abandoned& abandoned() {
-  static Abandoned& one = *new Abandoned;
+AbandonedRuns& abandoned_runs() {
+  static AbandonedRuns& one = *new AbandonedRuns;
   return one;
 }
 
-void forget_ended() {
-  const std::lock_guard lock(abandoned().mutex);
-  std::erase_if(abandoned().all, [](LeftBehind& one) {
+void join_ended() {
+  const std::lock_guard lock(abandoned_runs().mutex);
+  std::erase_if(abandoned_runs().all, [](AbandonedRun& one) {
     if (!one.work->has_ended()) return false;
     one.thread.join();
     return true;
   });
 }
 
-bool any_abandoned() {
-  forget_ended();
-  const std::lock_guard lock(abandoned().mutex);
-  return !abandoned().all.empty();
+bool has_abandoned_runs() {
+  join_ended();
+  const std::lock_guard lock(abandoned_runs().mutex);
+  return !abandoned_runs().all.empty();
 }
 
 }  // namespace
 
-results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& look) {
-  forget_ended();
+results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll) {
+  join_ended();
   const auto work = std::make_shared<Work>(std::move(task));
   std::thread thread([work] { work->run(); });
   try {
-    while (!work->wait_for(kBetweenLooks)) {
-      const auto news = work->news();
-      look(news ? &*news : nullptr);
+    while (!work->wait_for(kPollInterval)) {
+      const auto progress_update = work->progress_update();
+      poll(progress_update ? &*progress_update : nullptr);
     }
   } catch (...) {
-    work->give_up();
-    if (work->wait_for(kToEndByItself)) {
+    work->cancel();
+    if (work->wait_for(kGracePeriod)) {
       thread.join();
     } else {
-      const std::lock_guard lock(abandoned().mutex);
-      abandoned().all.push_back({work, std::move(thread)});
+      const std::lock_guard lock(abandoned_runs().mutex);
+      abandoned_runs().all.push_back({work, std::move(thread)});
     }
     throw;
   }
@@ -150,11 +151,11 @@ results::Run solve(Task task, const std::function<void(const methods::RunProgres
 }
 
 void prepare_for_exit() {
-  if (!any_abandoned()) return;
-  // What is registered last is called first, before any destructor.
+  if (!has_abandoned_runs()) return;
+  // Handlers run in reverse order of registration: this handler runs before any destructor.
   on_exit(
       [](int status, void*) {
-        if (!any_abandoned()) return;
+        if (!has_abandoned_runs()) return;
         std::fflush(nullptr);
         _exit(status);
       },

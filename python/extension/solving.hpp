@@ -13,27 +13,28 @@
 
 namespace fpkcheck::python {
 
-/// What is to be solved, and how.
+/// The problems, methods and settings of a run.
 struct Task {
   std::vector<problem::Problem> problems;
   std::vector<methods::Method> methods;  ///< by increasing trust
   int threads = 0;                       ///< 0 for all processors
-  bool bounds = true;                    ///< guaranteed bounds and own errors too
-  std::string command;                   ///< as summary.json keeps it
+  bool bounds = true;                    ///< compute bounds and moment error estimates
+  std::string command;                   ///< for summary.json
 };
 
-/// Solves in a thread of its own, as `fpkcheck run` does; the calling thread looks after it.
+/// Solves as `fpkcheck run` does, in a worker thread; the calling thread polls.
 ///
-/// What takes long cannot be asked to stop (cli/ending.hpp), and a process that is Python's cannot
-/// be ended: a thread that is given up is left behind, begins nothing new, and ends by itself.
-/// @param look called by the calling thread about twenty times a second; what it throws gives the
-///             work up, which takes a third of a second at most. Told where the run stands whenever
-///             that has changed, else null
-/// @throws what a solver throws, and what `look` throws
-results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& look);
+/// Long operations cannot be interrupted (cli/shutdown.hpp), and the extension must not end the
+/// process of Python. A cancelled thread is therefore abandoned: it starts no further operation and
+/// ends by itself.
+/// @param poll called by the calling thread about twenty times a second, with the progress of the
+///        run if it has changed, else null. An exception from it cancels the run, within a third of
+///        a second
+/// @throws the exceptions of solvers and of `poll`
+results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll);
 
-/// To be called when the interpreter ends: while any are left behind, exit() is to end the process
-/// with the same status and without destroying what they stand on.
+/// Must be called when the interpreter ends. If abandoned threads still run, exit() then ends the
+/// process with the same status, without destroying the data that these threads use.
 void prepare_for_exit();
 
 }  // namespace fpkcheck::python

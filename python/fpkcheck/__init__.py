@@ -9,18 +9,18 @@
 >>> run.l1("epc-gaussian-n6", "fd-kf")
 {'y': ..., 'ydot': ...}
 
-`Problem` says what is solved, `solve` solves it by any methods of the program and compares, `Run` is what came
-out, `load` reads what `fpkcheck run` or `Run.save` left in a directory. `Density`, `Samples` and `File` bring a
-density of one's own into the comparison. What NumPy can hold needs NumPy alone; tables with named axes need xarray.
+`Problem` is a problem, `solve` solves problems with methods of the program and compares the solutions, `Run` is the
+result, `load` reads a run from the directory of `fpkcheck run` or `Run.save`. `Density`, `Samples` and `File` add
+external densities to the comparison. NumPy suffices for arrays; tables with named axes require xarray.
 
-Input that cannot be used raises ValueError, in the one line that the program says; a file that cannot be written,
-RuntimeError. Ctrl-C is answered within half a second or so, by KeyboardInterrupt.
+Invalid input raises ValueError with the program's message of one line. A failed write raises RuntimeError. Ctrl-C
+raises KeyboardInterrupt within about half a second.
 """
 
 import atexit as _atexit
 
 from . import _fpkcheck
-from ._own import Density, File, Samples
+from ._external import Density, File, Samples
 from ._problem import Problem, load_case
 from ._run import Case, Curve, Run, Solution, StatedError, load
 from ._solve import methods, options, solve
@@ -43,5 +43,5 @@ __all__ = [
     "solve",
 ]
 
-# Threads that Ctrl-C left behind must not outlive what they stand on.
+# Threads that Ctrl-C abandoned must not outlive the data that they use.
 _atexit.register(_fpkcheck.prepare_for_exit)

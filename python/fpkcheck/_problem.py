@@ -1,4 +1,4 @@
-"""What is solved."""
+"""Problems: an oscillator and its excitation."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ Settings = Mapping[str, Union[Value, Mapping[str, Value]]]
 
 
 def _text(key: str, value: Any) -> str:
-    """A value as case files have it: numbers with all their digits."""
+    """A value in the notation of case files, with all digits of numbers."""
     if isinstance(value, str):
         return value
     if isinstance(value, Integral) and not isinstance(value, bool):
         return str(int(value))
     if isinstance(value, Real) and not isinstance(value, bool):
         return repr(float(value))
-    raise TypeError(f"'{key}' is of type {type(value).__name__} (use a number or a text)")
+    raise TypeError(f"'{key}' has the type {type(value).__name__} (must be a number or a text)")
 
 
 def _full_key(name: str) -> str:
-    """ "system.damping" of "damping"; a name that is no key's as it is, for the message of the library."""
+    """ "system.damping" for "damping"; unknown names are returned unchanged, for the error message of the library."""
     return next((key for key in _fpkcheck.keys() if key.split(".")[1] == name), name)
 
 
 def _pairs(settings: Settings | None, by_name: Mapping[str, Value]) -> list[str]:
-    """ "system.damping=0.1" for everything that is set."""
+    """ "system.damping=0.1" for every setting."""
     pairs = []
     for key, value in {**(settings or {}), **by_name}.items():
         if isinstance(value, Mapping):
@@ -44,23 +44,23 @@ def _pairs(settings: Settings | None, by_name: Mapping[str, Value]) -> list[str]
 
 
 class Problem:
-    """A stationary problem: an oscillator and its impulses. Never changes.
+    """A stationary problem: an oscillator and its impulses. Immutable.
 
     Parameters
     ----------
     settings : mapping, optional
-        What case files hold: ``{"system.damping": 0.1}``, ``{"system": {"damping": 0.1}}``, or
+        The keys and values of case files: ``{"system.damping": 0.1}``, ``{"system": {"damping": 0.1}}``, or
         ``{"damping": 0.1}``.
     name : str
-        The case's name, in tables and files.
+        Name of the case in tables and files.
     **parameters
-        The same by name: ``damping``, ``stiffness``, ``cubic``, ``restitution``, ``rate``, ``law``,
-        ``intensity``, ``mean`` (which may be left out: 0).
+        The same settings as keyword arguments: ``damping``, ``stiffness``, ``cubic``, ``restitution``, ``rate``,
+        ``law``, ``intensity``, ``mean`` (default 0).
 
     Raises
     ------
     ValueError
-        For a key that is missing, unknown, given twice or out of range; the line names it and what is allowed.
+        For a key that is missing, unknown, given twice or out of range; the message contains the key and its range.
 
     Examples
     --------
@@ -84,40 +84,40 @@ class Problem:
     def case(
         cls, name_or_path: str | os.PathLike[str], settings: Settings | None = None, /, **parameters: Value
     ) -> Problem:
-        """A case of the paper, "case1" to "case4", or that of an ini file, with changes.
+        """A case of the paper, "case1" to "case4", a shipped system, or the case of an ini file, with changes.
 
         Parameters
         ----------
         name_or_path : str or path
-            One of ``Problem.case_names()``, or the file.
+            One of ``Problem.case_names()``, or a case file.
         settings, **parameters
-            What replaces what the case says, as of `Problem`.
+            Settings that replace those of the case, as in `Problem`.
 
         Raises
         ------
         ValueError
-            When there is no such case, and as `Problem`.
+            When there is no such case, and as in `Problem`.
         """
         return cls._of(_fpkcheck.load_case(os.fspath(name_or_path), _pairs(settings, parameters)))
 
     @staticmethod
     def case_names() -> list[str]:
-        """The cases that need no file."""
+        """The names of the built-in cases."""
         return _fpkcheck.case_names()
 
     @staticmethod
     def keys() -> list[str]:
-        """All that may be set: "system.damping", ..."""
+        """The keys of all settings: "system.damping", ..."""
         return _fpkcheck.keys()
 
     @property
     def name(self) -> str:
-        """The case's name, with what was changed of a case that is loaded: "case1, r = 0.95"."""
+        """The name of the case, followed by changes to a loaded case: "case1, r = 0.95"."""
         return self._native.name
 
     @property
     def settings(self) -> dict[str, dict[str, Any]]:
-        """What defines the problem: a dict for "system" and one for "impulse"."""
+        """The settings of the problem: a dict for each section, such as "system" and "impulse"."""
         return self._native.sections
 
     def __getitem__(self, key: str) -> Any:
@@ -129,9 +129,9 @@ class Problem:
             raise KeyError(key) from None
 
     def bins(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Edges of the bins of y and of y', as those of `Run.marginals`: shapes (141,), (141,).
+        """Edges of the bins of y and of y', as in `Run.marginals`: shapes (141,), (141,).
 
-        Where impulses are rarer than one per decay time the bins at 0 are divided: (144,), (147,).
+        Below one impulse per decay time, the bins at 0 are divided: shapes (144,), (147,).
         """
         return _fpkcheck.axes_of(self._native)
 
@@ -148,5 +148,5 @@ class Problem:
 
 
 def load_case(path: str | os.PathLike[str], settings: Settings | None = None, /, **parameters: Value) -> Problem:
-    """The problem of a case file: `Problem.case`."""
+    """The problem of a case, as `Problem.case`."""
     return Problem.case(path, settings, **parameters)

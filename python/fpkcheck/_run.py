@@ -1,4 +1,4 @@
-"""What came out."""
+"""The result of a run."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ def _xarray() -> Any:
     try:
         import xarray
     except ImportError as error:
-        raise ImportError(f"tables with named axes need xarray ({error})") from error
+        raise ImportError(f"tables with named axes require xarray: {error}") from error
     return xarray
 
 
 def _number(value: float | None) -> float:
-    """Files have null for what is not finite."""
+    """A number of a file, in which null represents numbers that are not finite."""
     return float("nan") if value is None else float(value)
 
 
@@ -43,43 +43,43 @@ def _numbers(values: Mapping[str, float | None] | None) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class StatedError:
-    """What a method states of its own error, other than by chance."""
+    """A method's error estimate; sampling errors are separate."""
 
-    y_l1: float  #: of p(y), in L1
-    ydot_l1: float  #: of p(y')
-    moments: Mapping[str, float]  #: absolute, by the names of Solution.moments
+    y_l1: float  #: L1 error of p(y)
+    ydot_l1: float  #: L1 error of p(y')
+    moments: Mapping[str, float]  #: absolute errors, by the names of Solution.moments
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A marginal density as averages over bins. Arrays of shape (n,)."""
+    """A marginal density as averages over bins; all arrays have the shape (n,)."""
 
     abscissa: Array  #: centres of the bins
     density: Array  #: averages
-    lower: Array | None  #: ends of 95 % intervals, where there are any
-    upper: Array | None
+    lower: Array | None  #: lower ends of 95 % confidence intervals, if any
+    upper: Array | None  #: upper ends of 95 % confidence intervals, if any
 
 
 @dataclass(frozen=True)
 class Solution:
-    """What a method returned."""
+    """A solution of a method."""
 
     id: str  #: "fd-kf"
     method: str  #: the solver: "fd"
-    equation: str  #: "kf", "km4", "km4-pade", "white"; "given" where nobody knows
-    impact: str  #: "map", "delta", "exact"; "-" where nobody knows
-    status: str  #: "ok", "inaccurate", "inadmissible", "not_converged", "ill_posed" or "failed"
-    reason: str  #: why it is not ok, in a sentence; else empty
+    equation: str  #: "kf", "km4", "km4-pade", "white"; "given" if unknown
+    impact: str  #: "map", "delta", "exact"; "-" if unknown
+    status: str  #: "ok", "inaccurate", "inadmissible", "not_converged", "ill_posed", "failed" or "not_offered"
+    reason: str  #: the reason for a status other than ok, in one sentence; else empty
     seconds: float  #: wall-clock time
     moments: Mapping[str, float]  #: y1, y2, y4, v1, v2, v4: E[y], E[y^2], .., E[y'^4]; empty without a density
-    mass: float  #: integral of the density as returned
+    mass: float  #: integral of the density, with probabilities of rest in contact
     min_density: float  #: smallest value relative to the largest
-    energy_residual: float  #: of the balance of power, relative
-    error: StatedError | None  #: what it states of its own error
-    standard_errors: Mapping[str, float]  #: of the moments, where chance enters; else empty
-    sampling_l1: Mapping[str, float]  #: L1 by chance: expected "y", "ydot"; "y_99", "ydot_99"
-    options: Mapping[str, Any]  #: what was asked for
-    record: Mapping[str, Any] = field(repr=False)  #: all of it, as summary.json has it
+    energy_residual: float  #: relative residual of the balance of power
+    error: StatedError | None  #: error estimate
+    standard_errors: Mapping[str, float]  #: standard errors of the moments of a simulation or of samples; else empty
+    sampling_l1: Mapping[str, float]  #: sampling error in L1: expected "y", "ydot"; 99 % quantiles "y_99", "ydot_99"
+    options: Mapping[str, Any]  #: options of the method
+    record: Mapping[str, Any] = field(repr=False)  #: the solution in summary.json
 
     @property
     def is_ok(self) -> bool:
@@ -88,7 +88,7 @@ class Solution:
 
     @property
     def has_density(self) -> bool:
-        """Whether there is anything that could be called a density."""
+        """Whether the solution has a density."""
         return bool(self.moments)
 
     @classmethod
@@ -118,7 +118,7 @@ class Solution:
 
 
 class Case:
-    """What a run found out about one case."""
+    """The result of a run for one case."""
 
     def __init__(self, native: _fpkcheck.Run, place: int, record: Mapping[str, Any]) -> None:
         self._native = native
@@ -127,37 +127,37 @@ class Case:
 
     @property
     def name(self) -> str:
-        """The case's name."""
+        """The name of the case."""
         return self._record["name"]
 
     @property
     def record(self) -> Mapping[str, Any]:
-        """All of it but densities, as summary.json has it (docs/glossary.md has every key)."""
+        """The case in summary.json, which has all results but densities (keys: docs/glossary.md)."""
         return MappingProxyType(dict(self._record))
 
     @cached_property
     def problem(self) -> Problem:
-        """What was solved."""
+        """The problem."""
         return Problem._of(self._native.problem(self._place))
 
     @cached_property
     def solutions(self) -> Mapping[str, Solution]:
-        """By id, by increasing trust."""
+        """The solutions by id, in the order of increasing trust."""
         return MappingProxyType({each["id"]: Solution._of(each) for each in self._record["solutions"]})
 
     @property
     def reference(self) -> str | None:
-        """Id of the solution that all are measured against; None when no solution of the problem itself is ok."""
+        """Id of the reference solution; None when no solution of the full problem is ok."""
         return self._record["reference"]
 
     @property
     def limits(self) -> str:
-        """What limits each closure, in a sentence; empty without a budget."""
+        """One sentence on the largest error of each closure; empty without an error budget."""
         return self._record["limits"]
 
     @property
     def bounds(self) -> dict[str, tuple[float, float]]:
-        """Guaranteed bounds by the functional, "E[y^2]"; empty where they were not computed."""
+        """Guaranteed bounds by functional, such as "E[y^2]"; empty where they were not computed."""
         bounds = self._record.get("bounds", {"each": []})
         return {each["functional"]: (_number(each["lower"]), _number(each["upper"])) for each in bounds["each"]}
 
@@ -180,16 +180,16 @@ class Case:
         Parameters
         ----------
         solution : str
-            Id.
+            Id of the solution.
         variable : {"y", "ydot"}
-            Which one.
+            The variable of the marginal.
         smooth : bool
-            In smooth bins (docs/simulation.md), where the simulation knows it far better.
+            Over smooth bins (docs/simulation.md), where the simulation is far more accurate.
 
         Raises
         ------
         KeyError
-            When there is none: no such solution, or one without a density.
+            When there is no such curve: an unknown solution, or a solution without a density.
         """
         return self._curves["smooth" if smooth else "sharp"][solution, variable]
 
@@ -217,14 +217,14 @@ class Case:
     def marginals(self) -> xarray.Dataset:
         """Marginal densities as averages over the bins of the comparison.
 
-        ``p_y(solution, y)``, ``p_ydot(solution, ydot)``, and ends of 95 % intervals as ``p_y_lower``, ``p_y_upper``
-        and so on: NaN where a solution has none. ``y`` and ``ydot`` are centres of bins.
+        ``p_y(solution, y)``, ``p_ydot(solution, ydot)``, and the ends of 95 % confidence intervals as ``p_y_lower``,
+        ``p_y_upper`` and so on: NaN where a solution has none. ``y`` and ``ydot`` are centres of bins.
         """
         return self._marginals("sharp")
 
     @property
     def smooth(self) -> xarray.Dataset:
-        """The same over smooth bins, where the simulation is known far better; empty where it is not."""
+        """Marginal densities over smooth bins, where the simulation is far more accurate; empty without smooth bins."""
         return self._marginals("smooth")
 
     @property
@@ -238,9 +238,9 @@ class Case:
 
     @property
     def error_sources(self) -> dict[str, xarray.DataArray]:
-        """Where the errors of E[y^2] and E[y'^2] come from, by the moment's name, ``y2`` and ``v2``.
+        """The sources of the errors of E[y^2] and E[y'^2], by the names of these moments, ``y2`` and ``v2``.
 
-        Values over the cells of `joint`, which times the areas sum to the error of the moment.
+        The values are contributions per area over the cells of `joint`: their integral is the error of the moment.
         """
         found: dict[str, list[tuple[Any, ...]]] = {}
         for solution, moment, *rest in self._native.error_sources(self._place):
@@ -271,7 +271,7 @@ class Case:
 
     @property
     def moments(self) -> xarray.DataArray:
-        """Moments of all solutions with a density: dims ``solution``, ``moment`` (y1, y2, y4, v1, v2, v4)."""
+        """Moments of all solutions with a density: dimensions ``solution``, ``moment`` (y1, y2, y4, v1, v2, v4)."""
         own = {each.id: each.moments for each in self.solutions.values() if each.has_density}
         names = ["y1", "y2", "y4", "v1", "v2", "v4"]
         return _xarray().DataArray(
@@ -282,12 +282,12 @@ class Case:
         )
 
     def l1(self, one: str, other: str) -> dict[str, float]:
-        """L1 distances of the marginals of two solutions, by "y" and "ydot"; only those that there are.
+        """L1 distances of the marginals of two solutions, by "y" and "ydot", where both have the marginal.
 
         Raises
         ------
         KeyError
-            When one is no solution of this case.
+            When an id belongs to no solution of this case.
         """
         for name in (one, other):
             self.solutions[name]
@@ -301,8 +301,8 @@ class Case:
     def distances(self) -> xarray.Dataset:
         """Distances of all pairs: ``l1``, ``l2``, ``sup``, ``hellinger``, ``kl``.
 
-        Dims ``solution``, ``reference``, ``variable``; the reference is the more trusted of a pair, and the rest is
-        NaN. ``kl`` is KL(reference || solution).
+        Dimensions ``solution``, ``reference``, ``variable``. The reference is the more trusted solution of a pair;
+        all other entries are NaN. ``kl`` is KL(reference || solution).
         """
         pairs = self._record["comparisons"]
         ids = list(self.solutions)
@@ -312,7 +312,7 @@ class Case:
             at = ids.index(pair["a"]), ids.index(pair["b"]), VARIABLES.index(pair["variable"])
             for name in names:
                 tables[name][at] = _number(pair[name])
-            # The one that may be infinite.
+            # Only kl may be infinite.
             if pair["kl"] is None and pair["l1"] is not None:
                 tables["kl"][at] = np.inf
         dims = ("solution", "reference", "variable")
@@ -326,16 +326,16 @@ class Case:
     def budget(self) -> xarray.Dataset:
         """The error budget of the closures (docs/budget.md).
 
-        ``total(solution, variable)``, the L1 distance to the end of the chain; ``l1(solution, variable, part)``, its
-        parts by their names ("closure", "impact", "truncation", ..), which sum to no less than the total;
-        ``total_tail`` and ``tail`` likewise in decades of the density. NaN where a chain has no such part.
+        ``total(solution, variable)``: L1 distance to the end of the chain of models. ``l1(solution, variable, part)``:
+        the parts by name ("closure", "impact", "truncation", ..), whose sum is at least the total. ``total_tail`` and
+        ``tail``: the same in decades of the density. NaN where a chain has no such part.
         """
         rows = self._record["budget"]
         closures = list(dict.fromkeys(row["solution"] for row in rows))
         parts: list[str] = []
         for row in rows:
             known = [part["name"] for part in row["parts"]]
-            # One that is new stands before the one that follows it here: the chain's order.
+            # Insert a new name before the name that follows it in this row, to keep the order of the chain.
             for place, name in reversed(list(enumerate(known))):
                 if name not in parts:
                     later = [parts.index(each) for each in known[place + 1 :] if each in parts]
@@ -367,9 +367,9 @@ class Case:
 
 
 class Run(Mapping[str, Case]):
-    """A run: its cases by name. What a `Case` has, a run of one case has too.
+    """A run: a mapping of its cases by name. A run of one case also has the attributes of its `Case`.
 
-    ``print(run)`` shows the table of ``fpkcheck run``.
+    ``print(run)`` prints the table of ``fpkcheck run``.
     """
 
     def __init__(self, native: _fpkcheck.Run) -> None:
@@ -377,23 +377,23 @@ class Run(Mapping[str, Case]):
 
     @cached_property
     def summary(self) -> Mapping[str, Any]:
-        """Everything but densities, as summary.json has it."""
+        """The contents of summary.json: all results but densities."""
         return MappingProxyType(json.loads(self._native.summary()))
 
     @cached_property
     def cases(self) -> Mapping[str, Case]:
-        """By name, in their order."""
+        """The cases by name, in the order of the run."""
         records = self.summary["cases"]
         return MappingProxyType({each["name"]: Case(self._native, k, each) for k, each in enumerate(records)})
 
     @property
     def stopped(self) -> str:
-        """That the run was told to stop, and what is missing for it; empty when it came to its end."""
+        """A sentence on the interruption of the run and its missing parts; empty for a complete run."""
         return self.summary.get("stopped", "")
 
     @property
     def case(self) -> Case:
-        """The only one.
+        """The only case.
 
         Raises
         ------
@@ -401,10 +401,10 @@ class Run(Mapping[str, Case]):
             When there are several.
         """
         if len(self.cases) != 1:
-            raise ValueError(f"a run of {len(self.cases)} cases (say which: run['{next(iter(self.cases), 'case1')}'])")
+            raise ValueError(f"the run has {len(self.cases)} cases; select run['{next(iter(self.cases), 'case1')}']")
         return next(iter(self.cases.values()))
 
-    # What a case has.
+    # The attributes of the only case.
 
     @property
     def problem(self) -> Problem:
@@ -475,14 +475,14 @@ class Run(Mapping[str, Case]):
         return self.case.l1(one, other)
 
     def table(self, width: int = 100) -> str:
-        """The tables that ``fpkcheck run`` prints, for so many characters a line."""
+        """The tables that ``fpkcheck run`` prints, with at most `width` characters per line."""
         return self._native.table(width)
 
     def save(self, directory: str | os.PathLike[str]) -> None:
-        """Write what ``fpkcheck run --out`` writes: report.html, summary.json, marginals.csv, joint.nc, figures/.
+        """Write the files of ``fpkcheck run --out``: report.html, summary.json, marginals.csv, joint.nc, figures/.
 
-        Files of an earlier run there are replaced together, or not at all. A picture that cannot be drawn (no
-        gnuplot) is a warning.
+        Files of an earlier run in the directory are replaced all together or not at all. A figure that cannot be
+        drawn, for lack of gnuplot, causes a warning.
 
         Raises
         ------
@@ -511,11 +511,11 @@ class Run(Mapping[str, Case]):
 
 
 def load(directory: str | os.PathLike[str]) -> Run:
-    """Read what `Run.save` or ``fpkcheck run --out`` left in a directory.
+    """Read a run from a directory of `Run.save` or ``fpkcheck run --out``.
 
     Raises
     ------
     ValueError
-        When there is no run, or a file of it is broken or of another run; in one line.
+        When the directory has no run, or a file is corrupt or belongs to another run; the message has one line.
     """
     return Run(_fpkcheck.load(os.fspath(directory)))

@@ -1,4 +1,4 @@
-"""Solving."""
+"""Solving problems."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _fpkcheck
-from ._own import Density, File, Samples, _as_own
+from ._external import Density, File, Samples, _as_external
 from ._problem import Problem, Value
 from ._run import Run
 
@@ -18,12 +18,12 @@ Against = Union[str, "os.PathLike[str]", Sequence[Any], Density, File, Samples, 
 
 
 def methods() -> dict[str, str]:
-    """Families of methods, by increasing trust, and what each is."""
+    """Families of methods, by increasing trust, with their meanings."""
     return {name: meaning for name, meaning, _ in _fpkcheck.method_families()}
 
 
 def options(methods: str) -> dict[str, dict[str, Any]]:
-    """What a list of methods would be solved with: options by id of each.
+    """The options of each method of a list, by id.
 
     Raises
     ------
@@ -37,21 +37,21 @@ def _problems(case: Any, parameters: Mapping[str, Value]) -> list[Problem]:
     if isinstance(case, (Problem, str, os.PathLike)):
         case = [case]
     if parameters and any(isinstance(each, Problem) for each in case):
-        raise TypeError("parameters by name are of cases given by their name (use Problem.case(.., damping=..))")
+        raise TypeError("parameters are for cases given by their name; use Problem.case(.., damping=..)")
     return [each if isinstance(each, Problem) else Problem.case(each, **parameters) for each in case]
 
 
-def _brought_along(against: Mapping[str, Against], problem: Problem) -> list[_fpkcheck.Method]:
-    all_own: list[_fpkcheck.Method] = []
+def _external_methods(against: Mapping[str, Against], problem: Problem) -> list[_fpkcheck.Method]:
+    methods_of_densities: list[_fpkcheck.Method] = []
     for label, what in against.items():
-        own = _as_own(what)
+        own = _as_external(what)
         if own is not None:
-            all_own.append(own._method(label, problem._native, len(all_own)))
+            methods_of_densities.append(own._method(label, problem._native, len(methods_of_densities)))
         else:
             files = what if isinstance(what, (list, tuple)) else [what]
             each = [file if isinstance(file, File) else File(file) for file in files]
-            all_own += _fpkcheck.file_methods([file._argument(label) for file in each], problem.name)
-    return all_own
+            methods_of_densities += _fpkcheck.file_methods([file._argument(label) for file in each], problem.name)
+    return methods_of_densities
 
 
 def solve(
@@ -66,52 +66,53 @@ def solve(
     progress: Callable[[dict[str, Any]], object] | None = None,
     **parameters: Value,
 ) -> Run:
-    """Solve a case, or several, by each of some methods, and compare: what ``fpkcheck run`` does.
+    """Solve one or several cases with each of the methods, and compare the solutions, as ``fpkcheck run`` does.
 
-    The interpreter is free meanwhile: other threads go on. Ctrl-C raises KeyboardInterrupt; what was being solved
-    is given up, and may use processors for some seconds more.
+    The call releases the interpreter lock: other threads continue. Ctrl-C raises KeyboardInterrupt and abandons the
+    operations in progress, which may use processors for some more seconds.
 
     Parameters
     ----------
     case : str, path, Problem, or several in a list
-        What is solved; a name or a file as of `Problem.case`.
+        The cases to solve; a name or a file as in `Problem.case`.
     methods : str or list of str, optional
-        Solvers (``"epc"``), families (``"epc-moment"``) or ids (``"fd-kf"``), separated by commas. All solvers,
-        unless given.
+        Solvers (``"epc"``), families (``"epc-moment"``) or ids (``"fd-kf"``), separated by commas. Default: all
+        solvers.
     against : mapping, optional
-        Densities of one's own by the label that they get: a `Density`, a `Samples`, a function, an array of
-        samples, a `File`, or the name of one (or a list of two, of y and of y'; docs/foreign.md). Of one case.
+        External densities by label: a `Density`, a `Samples`, a function, an array of samples, a `File`, or the name
+        of a file (or a list of two files, of y and of y'; docs/foreign.md). Requires a single case.
     options : mapping, optional
-        Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``; without the solver's name, of all that
-        have one of that name. `options` lists them.
+        Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``. Without the solver's name, the option
+        applies to all solvers that have it. `options` lists all options.
     threads : int
-        Processors to use; 0 for all that the process may.
+        Number of processors to use; 0 for all that are available to the process.
     max_seconds : float, optional
-        Gives up after so long.
+        Time limit.
     bounds : bool
-        Guaranteed bounds of moments, and the error of each density by its residuals; two or three seconds a case.
+        Compute guaranteed bounds of moments, and residual-based error estimates of the moments of each density; two
+        or three seconds per case.
     progress : callable, optional
-        Told where it stands, a few times a second: a dict with ``done``, ``total``, ``case``, ``method``,
-        ``fraction`` and ``note``. What it raises ends the solving.
+        Called a few times a second with the progress: a dict with ``done``, ``total``, ``case``, ``method``,
+        ``fraction`` and ``note``. An exception from it ends the call.
     **parameters
-        Of cases given by their name: what replaces what the case says, ``restitution=0.9``.
+        For cases given by their name: settings that replace those of the case, as ``restitution=0.9``.
 
     Returns
     -------
     Run
-        Not to reach a solution is no exception but the status of that solution.
+        A solver that finds no solution raises no exception: see the status of the solution.
 
     Raises
     ------
     ValueError
-        For input that cannot be used, in one line.
+        For invalid input, with a message of one line.
     TimeoutError
         After ``max_seconds``.
     """
     problems = _problems(case, parameters)
     if against and len(problems) != 1:
-        raise ValueError(f"against with {len(problems)} cases (a density is of one case)")
-    brought_along = _brought_along(against, problems[0]) if against else []
+        raise ValueError(f"against with {len(problems)} cases (must be a single case)")
+    external_methods = _external_methods(against, problems[0]) if against else []
     listed = methods if methods is None or isinstance(methods, str) else ",".join(methods)
     told = [problem.name for problem in problems]
     return Run(
@@ -119,7 +120,7 @@ def solve(
             [problem._native for problem in problems],
             listed,
             {name: _plain(value) for name, value in (options or {}).items()},
-            brought_along,
+            external_methods,
             threads,
             max_seconds,
             bounds,
@@ -130,5 +131,5 @@ def solve(
 
 
 def _plain(value: Any) -> Any:
-    """A NumPy number as Python's."""
+    """Converts a NumPy scalar to a Python number."""
     return value.item() if isinstance(value, np.generic) else value

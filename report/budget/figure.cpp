@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "report/budget/part_look.hpp"
+#include "report/budget/part_style.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/legend_strip.hpp"
 #include "report/figure/panel_grid.hpp"
@@ -24,19 +24,19 @@ using compare::ClosureBudget;
 using transform::Status;
 using transform::Variable;
 
-// Of the unit between two closures.
+// Fraction of the unit distance between two closures.
 constexpr double kGroupWidth = 0.8;
-// Parts that are smaller than this share of the largest total would stretch the axis for nothing.
-constexpr double kSmallestShare = 1e-4;
+// The axis omits parts below this fraction of the largest total: they would only stretch it.
+constexpr double kSmallestFraction = 1e-4;
 
-/// One panel: a variable, and one of the two measures.
+/// A panel for a marginal and a distance: L1, or the mean log ratio in the tail.
 struct BudgetPanel {
   const char* title;
   const char* label;
   Variable variable;
   double BudgetRow::*total;
   double BudgetPart::*part;
-  const char* block;  ///< its prefix of data blocks
+  const char* block;  ///< prefix of the names of its data blocks
 };
 constexpr std::array kPanels{
     BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
@@ -54,12 +54,12 @@ std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
 
 std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_total", panel.block); }
 
-/// A bar: where it stands among the closures 1, 2, .. and how wide it is.
+/// A bar: position on the axis of the closures 1, 2, .., width, value.
 struct Bar {
   double centre, width, value;
 };
 
-// The bars of a closure share the width of its group, whatever their number.
+// The bars of a closure, named by their parts, divide the width of its group equally.
 std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const ClosureBudget& budget,
                                               std::size_t place) {
   std::vector<std::pair<std::string, Bar>> result;
@@ -100,7 +100,7 @@ std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& bud
   return text + "EOD\n";
 }
 
-/// The decades that hold all bars that matter.
+/// The range of decades that contains all bars above kSmallestFraction.
 struct Range {
   double from, to;
 };
@@ -117,16 +117,16 @@ Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets)
     if (row != nullptr) include(row->*panel.total);
   }
   if (greatest == 0) return {1e-5, 1};
-  const double from = std::max(least, kSmallestShare * greatest);
-  // The lowest bar keeps some height.
+  const double from = std::max(least, kSmallestFraction * greatest);
+  // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
   return {std::pow(10, std::floor(std::log10(0.8 * from))),
           std::pow(10, std::ceil(std::log10(1.2 * greatest)))};
 }
 
-// Without the method's name; with an asterisk where the closure is not ok.
-std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
+// The id without the name of the method; an asterisk marks a closure that is not ok.
+std::string tic_label(const results::Case& case_result, const ClosureBudget& budget) {
   std::string label = budget.solution;
-  const auto* solution = one.find(label);
+  const auto* solution = case_result.find(label);
   if (solution != nullptr && label.starts_with(solution->identity.method + '-')) {
     label.erase(0, solution->identity.method.size() + 1);
   }
@@ -134,11 +134,11 @@ std::string tic_label(const results::Case& one, const ClosureBudget& budget) {
 }
 
 std::string axes(const BudgetPanel& panel, char letter, const std::vector<ClosureBudget>& budgets,
-                 const results::Case& one, const Place& place_of_panel) {
+                 const results::Case& case_result, const PanelBox& place_of_panel) {
   std::vector<std::string> tics;
   for (std::size_t place = 0; place < budgets.size(); ++place) {
     tics.push_back(
-        fmt::format("{} {}", gnuplot_literal(tic_label(one, budgets[place])), place + 1));
+        fmt::format("{} {}", gnuplot_literal(tic_label(case_result, budgets[place])), place + 1));
   }
   const Range y = range(panel, budgets);
   return fmt::format(
@@ -146,8 +146,8 @@ std::string axes(const BudgetPanel& panel, char letter, const std::vector<Closur
       "set xtics ({}) rotate by 35 right\n"
       "set xrange [0.4:{:.1f}]\nset yrange [{:g}:{:g}]\n",
       gnuplot_text(fmt::format("({}) {}", letter, panel.title)), gnuplot_text(panel.label),
-      margins(place_of_panel), fmt::join(tics, ", "), static_cast<double>(budgets.size()) + 0.6,
-      y.from, y.to);
+      margin_commands(place_of_panel), fmt::join(tics, ", "),
+      static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
 }
 
 std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names) {
@@ -179,37 +179,38 @@ Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
 
 }  // namespace
 
-bool has_budget(const results::Case& one) { return !one.budget.empty(); }
+bool has_budget(const results::Case& case_result) { return !case_result.budget.empty(); }
 
-std::string budget_script(const results::Case& one, const std::string& file_stem,
+std::string budget_script(const results::Case& case_result, const std::string& file_stem,
                           FigureWidth width) {
   constexpr int kOnScreen = 1500, kRotatedTics = 120;
-  const auto budgets = compare::closure_budgets(one.budget, one.solutions);
+  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
   const auto names = compare::part_names(budgets);
   const bool any_not_ok =
       std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
   const Legend entries = legend(names, any_not_ok);
   PanelGrid grid = panel_grid(width, kOnScreen);
-  // One column of a journal has no room for the tails as well.
+  // A single journal column has no room for the panels of the tails.
   const bool narrow = width == FigureWidth::one_column;
   grid.columns = narrow ? 1 : 2;
   grid.rows = 2;
   grid.panel_height = width == FigureWidth::screen ? 280 : 180;
   grid.below = kRotatedTics;
   grid.legend_height = legend_height(entries, grid.width);
-  const FigureTitle title = figure_title(one.problem, grid.size());
+  const FigureTitle title = figure_title(case_result.problem, grid.size());
   grid.title_height = title.height;
-  std::string text = figure_output(file_stem, grid.size()) + "# Columns: place, value, width\n";
+  std::string text = output_commands(file_stem, grid.size()) + "# Columns: place, value, width\n";
   for (const auto& panel : kPanels) text += data(panel, budgets, names);
   text += fmt::format(
       "\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
       "set tics nomirror\nset border 3\nset logscale y\nset format y {}\n{}{}",
-      kPowersOfTen, PanelGrid::kLabels, title.command);
+      kPowerOfTenFormat, PanelGrid::kLabels, title.command);
   for (std::size_t k = 0; k < kPanels.size(); ++k) {
     if (narrow && k % 2 == 1) continue;
     const std::size_t place = narrow ? k / 2 : k;
-    text += axes(kPanels[k], static_cast<char>('a' + place), budgets, one, grid.place(place)) +
-            plot(kPanels[k], names);
+    text +=
+        axes(kPanels[k], static_cast<char>('a' + place), budgets, case_result, grid.place(place)) +
+        plot(kPanels[k], names);
   }
   return text + legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }

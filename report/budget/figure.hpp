@@ -7,14 +7,15 @@
 
 namespace fpkcheck::report {
 
-/// True when a case has a budget that can be drawn.
-bool has_budget(const results::Case& one);
+/// Whether a case has an error budget.
+bool has_budget(const results::Case& case_result);
 
-/// A gnuplot script that draws a case's error budget: per variable, in L1 and in the tail, a group
-/// of bars for each closure, one bar a part, on a logarithmic axis; a black line across the group
-/// is the total, paler bars are those of closures that are not ok. One column of a journal has
-/// the L1 alone.
-std::string budget_script(const results::Case& one, const std::string& file_stem,
+/// A gnuplot script that draws the error budget of a case on logarithmic axes, for each marginal in
+/// L1 and in the tail. Each closure has a group of bars, a bar per part, with a black line at the
+/// total. Bars of closures that are not ok are paler. In a single journal column the tails are
+/// omitted.
+/// @param file_stem name of script and picture without extension
+std::string budget_script(const results::Case& case_result, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);
 
 }  // namespace fpkcheck::report

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "report/text/l1_text.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -30,15 +30,15 @@ const BudgetPart* find_part(const BudgetRow* row, const std::string& name) {
   return row == nullptr ? nullptr : row->find(name);
 }
 
-bool shown_as_row(const std::vector<ClosureBudget>& budgets, const std::string& name) {
+bool is_common_part(const std::vector<ClosureBudget>& budgets, const std::string& name) {
   return std::ranges::any_of(budgets, [&](const ClosureBudget& budget) {
     const BudgetPart* part = find_part(budget.rows().front(), name);
-    return part != nullptr && part->beyond_the_equations();
+    return part != nullptr && part->is_reference_error();
   });
 }
 
-/// Makes the columns of one variable, a cell for each closure and then one for each of the parts
-/// that are the same for all closures which have them.
+/// Builds the columns of a marginal: a cell for each closure, then a cell for each part with a row
+/// of its own, which is equal for all closures with this part.
 class VariableColumns {
  public:
   VariableColumns(const std::vector<ClosureBudget>& budgets, const std::vector<std::string>& below,
@@ -107,12 +107,12 @@ std::string part_header(const std::string& part) {
   return part;
 }
 
-std::vector<Column> budget_columns(const results::Case& one, const TextFormat& format) {
-  const auto budgets = compare::closure_budgets(one.budget, one.solutions);
+std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format) {
+  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
   if (budgets.empty()) return {};
   std::vector<std::string> beside, below;
   for (const auto& name : compare::part_names(budgets)) {
-    (shown_as_row(budgets, name) ? below : beside).push_back(name);
+    (is_common_part(budgets, name) ? below : beside).push_back(name);
   }
   std::vector<Column> all{names_column(budgets, below)}, tails;
   for (const auto variable : transform::kVariables) {
@@ -123,14 +123,15 @@ std::vector<Column> budget_columns(const results::Case& one, const TextFormat& f
     tails.push_back(columns.tail());
   }
   all.insert(all.end(), tails.begin(), tails.end());
-  return fitting(std::move(all), format);
+  return fit_columns(std::move(all), format);
 }
 
-std::string budget_table(const results::Case& one, const TextFormat& format) {
-  const auto columns = budget_columns(one, format);
+std::string budget_table(const results::Case& case_result, const TextFormat& format) {
+  const auto columns = budget_columns(case_result, format);
   if (columns.empty()) return "";
   const std::string text = rows(columns, format);
-  return one.limits.empty() ? text : text + wrapped("  " + one.limits, format.width, 2);
+  return case_result.limits.empty() ? text
+                                    : text + wrap_text("  " + case_result.limits, format.width, 2);
 }
 
 }  // namespace fpkcheck::report

@@ -10,18 +10,18 @@
 
 namespace fpkcheck::report {
 
-/// The budgets of a case as rows of text: per closure and variable the L1 distance to the reference
-/// and its parts, then what all chains end with (discretisation, sampling) in rows of their own; an
-/// asterisk where a closure is not ok. Under them the sentence of the limits. Empty without a
-/// budget.
-/// @param format where the rows do not fit, the tail goes, then the parts, those at the end of the
-///               chain first
-std::string budget_table(const results::Case& one, const TextFormat& format);
+/// The error budget of a case as a text table: for each closure and marginal the L1 distance to the
+/// reference and its parts. The parts common to all chains (discretisation, sampling) have rows of
+/// their own. An asterisk marks a closure that is not ok. The sentence of the limits follows. Empty
+/// without a budget.
+/// @param format if rows exceed the width, the tail is omitted first, then the parts from the end
+///               of the chain
+std::string budget_table(const results::Case& case_result, const TextFormat& format);
 
-/// The columns of its rows that are shown; none without a budget.
-std::vector<Column> budget_columns(const results::Case& one, const TextFormat& format);
+/// The displayed columns of this table; none without a budget.
+std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format);
 
-/// A part's name as a header, which has little room: "trunc.".
+/// The short name of a part, for a narrow header: "trunc.".
 std::string part_header(const std::string& part);
 
 }  // namespace fpkcheck::report

@@ -13,9 +13,11 @@ using results::Case;
 using results::Curve;
 using transform::Variable;
 
-// Where it knows itself in smooth bins, with intervals, else null.
-const Curve* smooth_reference(const Case& one, const std::string& reference, Variable variable) {
-  const Curve* curve = one.smooth_curve(reference, variable);
+// The curve of the reference over smooth bins if it has confidence intervals in all bins, else
+// null.
+const Curve* smooth_reference(const Case& case_result, const std::string& reference,
+                              Variable variable) {
+  const Curve* curve = case_result.smooth_curve(reference, variable);
   if (curve == nullptr) return nullptr;
   const auto whole = [&](const std::vector<double>& ends) {
     return ends.size() == curve->density.size();
@@ -23,12 +25,12 @@ const Curve* smooth_reference(const Case& one, const std::string& reference, Var
   return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
 }
 
-// Nothing where it lacks one of the curves.
-std::string reference_id(const Case& one) {
-  const auto* reference = compare::reference(one.solutions);
+// Empty if the reference lacks the curve of a marginal.
+std::string reference_id(const Case& case_result) {
+  const auto* reference = compare::reference(case_result.solutions);
   if (reference == nullptr) return "";
   const bool whole = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    return one.curve(reference->id(), variable) != nullptr;
+    return case_result.curve(reference->id(), variable) != nullptr;
   });
   return whole ? reference->id() : "";
 }
@@ -57,31 +59,33 @@ Difference smooth_difference(const Curve* curve, const Curve& reference) {
   return result;
 }
 
-FigureSide make_side(const Case& one, Variable variable, const std::string& reference,
-                     const std::optional<std::set<std::string>>& shown) {
-  FigureSide side{variable, {}, {}};
-  const Curve *subtracted = one.curve(reference, variable),
-              *smooth = smooth_reference(one, reference, variable);
-  for (const auto& solution : one.solutions) {
+MarginalCurves marginal_curves(const Case& case_result, Variable variable,
+                               const std::string& reference,
+                               const std::optional<std::set<std::string>>& shown) {
+  MarginalCurves marginal{variable, {}, {}};
+  const Curve *reference_curve = case_result.curve(reference, variable),
+              *smooth = smooth_reference(case_result, reference, variable);
+  for (const auto& solution : case_result.solutions) {
     if (shown && !shown->contains(solution.id())) continue;
-    if (const Curve* curve = one.curve(solution.id(), variable)) {
-      side.curves.push_back(
+    if (const Curve* curve = case_result.curve(solution.id(), variable)) {
+      marginal.curves.push_back(
           {&solution, curve,
            smooth == nullptr
-               ? difference(*curve, subtracted)
-               : smooth_difference(one.smooth_curve(solution.id(), variable), *smooth)});
+               ? difference(*curve, reference_curve)
+               : smooth_difference(case_result.smooth_curve(solution.id(), variable), *smooth)});
     }
   }
-  std::ranges::stable_sort(side.curves, {}, [](const auto& drawn) { return drawn.look().layer; });
+  std::ranges::stable_sort(marginal.curves, {},
+                           [](const auto& drawn) { return drawn.plot_style().layer; });
 
-  std::vector<DrawnCurve> trusted;
-  std::ranges::copy_if(side.curves, std::back_inserter(trusted),
+  std::vector<DrawnCurve> ok_curves;
+  std::ranges::copy_if(marginal.curves, std::back_inserter(ok_curves),
                        [](const auto& drawn) { return drawn.solution->is_ok(); });
-  side.ranges = figure_ranges(trusted.empty() ? side.curves : trusted);
-  const FigureRanges of_differences = difference_ranges(side.curves, smooth != nullptr);
-  side.ranges.largest_difference = of_differences.largest_difference;
-  side.ranges.least_difference = of_differences.least_difference;
-  return side;
+  marginal.ranges = figure_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
+  const FigureRanges of_differences = difference_ranges(marginal.curves, smooth != nullptr);
+  marginal.ranges.largest_difference = of_differences.largest_difference;
+  marginal.ranges.least_difference = of_differences.least_difference;
+  return marginal;
 }
 
 }  // namespace
@@ -95,20 +99,22 @@ FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarith
   return differing.empty() ? figure_ranges(curves) : figure_ranges(differing);
 }
 
-FigureContent figure_content(const Case& one, const std::optional<std::set<std::string>>& shown) {
-  FigureContent content{.reference = reference_id(one), .smooth_differences = false, .sides = {}};
+FigureContent figure_content(const Case& case_result,
+                             const std::optional<std::set<std::string>>& shown) {
+  FigureContent content{
+      .reference = reference_id(case_result), .smooth_differences = false, .marginals = {}};
   content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    return smooth_reference(one, content.reference, variable) != nullptr;
+    return smooth_reference(case_result, content.reference, variable) != nullptr;
   });
   for (const auto variable : transform::kVariables) {
-    auto side = make_side(one, variable, content.reference, shown);
-    if (!side.curves.empty()) content.sides.push_back(std::move(side));
+    auto marginal = marginal_curves(case_result, variable, content.reference, shown);
+    if (!marginal.curves.empty()) content.marginals.push_back(std::move(marginal));
   }
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     const bool has_curve = std::ranges::any_of(transform::kVariables, [&](Variable variable) {
-      return one.curve(solution.id(), variable) != nullptr;
+      return case_result.curve(solution.id(), variable) != nullptr;
     });
-    if (has_curve && shown && !shown->contains(solution.id())) ++content.left_out;
+    if (has_curve && shown && !shown->contains(solution.id())) ++content.hidden_count;
   }
   return content;
 }

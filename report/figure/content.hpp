@@ -11,33 +11,34 @@
 
 namespace fpkcheck::report {
 
-/// The curves of one variable, in drawing order.
-struct FigureSide {
+/// The curves of a marginal density, in drawing order.
+struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
-  /// Ranges of the solutions that are ok, or of all when none is; those of differences are of
-  /// difference_ranges.
+  /// Ranges over the solutions with status ok, or over all solutions if none is ok. The ranges of
+  /// the differences are those of difference_ranges.
   FigureRanges ranges;
 };
 
-/// What the figure of one case shows. Points into the case.
+/// The content of the figure of a case. Holds pointers into the case.
 struct FigureContent {
-  /// Id of the solution that the others are subtracted from (compare::reference), or "".
+  /// Id of the solution subtracted from all others (compare::reference), or "".
   std::string reference;
-  /// Whether differences are those of averages over smooth bins, which the reference knows so well
-  /// that their sizes are shown, on a logarithmic axis.
+  /// Whether differences are between averages over smooth bins. There the reference has small
+  /// errors, and absolute differences are shown on a logarithmic axis.
   bool smooth_differences = false;
-  std::vector<FigureSide> sides;  ///< y and ydot, without a side that has no curve
-  std::size_t left_out = 0;  ///< solutions that have curves and are not shown: a legend counts them
+  std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
+  std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
 
-/// Ranges of the differences of these curves: a logarithmic axis holds the differences of all curves, a
-/// linear axis only those of solutions that are ok or inaccurate, as one wild curve would flatten the
-/// others. Without such solutions the ranges hold all curves.
+/// Ranges of the differences of these curves. A logarithmic axis contains the differences of all
+/// curves, a linear axis only those of solutions that are ok or inaccurate, since a single outlier
+/// would flatten the others. Without such solutions the ranges contain all curves.
 FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
-/// @param shown ids of the solutions to show; without it all
-FigureContent figure_content(const results::Case& one,
+/// The curves of a case.
+/// @param shown ids of the solutions to show; all solutions if not given
+FigureContent figure_content(const results::Case& case_result,
                              const std::optional<std::set<std::string>>& shown = {});
 
 }  // namespace fpkcheck::report

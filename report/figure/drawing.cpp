@@ -11,7 +11,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 
@@ -24,8 +24,8 @@ namespace {
 std::string first_line(const std::string& text) {
   const auto start = text.find_first_not_of(" \n");
   return start == std::string::npos
-             ? "it said nothing"
-             : base::shown(text.substr(start, text.find('\n', start) - start));
+             ? "no message"
+             : base::sanitise(text.substr(start, text.find('\n', start) - start));
 }
 
 std::string bytes_of(const fs::path& file) {
@@ -33,10 +33,11 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// @param target that gnuplot writes
-// @param picture that messages name
-void let_draw(const std::string& gnuplot, const fs::path& script, const std::string& format,
-              const fs::path& target, const fs::path& picture) {
+// Runs gnuplot on a script.
+// @param target file that gnuplot writes
+// @param picture file named in messages
+void run_script(const std::string& gnuplot, const fs::path& script, const std::string& format,
+                const fs::path& target, const fs::path& picture) {
   const auto outcome = run_gnuplot(gnuplot,
                                    {"format=" + gnuplot_string(format),
                                     "target=" + gnuplot_string(fs::absolute(target).string())},
@@ -45,15 +46,15 @@ void let_draw(const std::string& gnuplot, const fs::path& script, const std::str
   std::error_code error;
   const auto size = fs::file_size(target, error);
   if (outcome.exit_code != 0 || error || size == 0) {
-    throw std::runtime_error(fmt::format("{} was not drawn: gnuplot ended with code {} ({})",
+    throw std::runtime_error(fmt::format("{} was not drawn: gnuplot exited with code {} ({})",
                                          picture.string(), outcome.exit_code,
                                          first_line(outcome.message)));
   }
 }
 
-// gnuplot counts an SVG in pixels, and scales neither tics nor marks: so its picture is for a
-// screen, and told here how large it is on paper.
-std::string in_millimetres(std::string svg, double across) {
+// Sets the printed size of an SVG. gnuplot measures an SVG in pixels and does not scale tics and
+// marks, so that the picture itself is drawn for a screen.
+std::string set_printed_size(std::string svg, double across) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
   if (at == std::string::npos ||
@@ -66,17 +67,19 @@ std::string in_millimetres(std::string svg, double across) {
       fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
 }
 
-/// A directory of the system's for temporary files, with nothing in it.
-class Workplace {
+/// A new temporary directory, removed by the destructor.
+class TemporaryDirectory {
  public:
-  Workplace() {
+  TemporaryDirectory() {
     std::string name = (fs::temp_directory_path() / "fpkcheck-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("cannot create a temporary directory: check TMPDIR");
+    }
     path_ = name;
   }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  ~Workplace() {
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
@@ -86,21 +89,22 @@ class Workplace {
   fs::path path_;
 };
 
-// gnuplot would call what a STEM.tex includes STEM.pdf, as the picture in that format, and names it
-// with its directory: here it is STEM-tex.pdf, and LaTeX's \graphicspath finds it.
+// gnuplot names the graphics included by STEM.tex STEM.pdf, as the picture in format pdf, and
+// writes the name with its directory. Here the graphics are STEM-tex.pdf without directory, for
+// LaTeX's \graphicspath.
 void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
-  const Workplace workplace;
-  const fs::path drawn = workplace.path() / "drawn.tex", art = workplace.path() / "drawn.pdf";
-  let_draw(gnuplot, script, "tex", drawn, picture);
+  const TemporaryDirectory directory;
+  const fs::path drawn = directory.path() / "drawn.tex", graphics = directory.path() / "drawn.pdf";
+  run_script(gnuplot, script, "tex", drawn, picture);
   const std::string included = picture.stem().string() + "-tex.pdf";
   std::string text = bytes_of(drawn);
-  const std::string name = (workplace.path() / "drawn").string();
+  const std::string name = (directory.path() / "drawn").string();
   if (const auto at = text.find(name); at != std::string::npos) {
     text.replace(at, name.size(), included);
   }
   base::PendingFiles files;
   files.add(picture, text);
-  files.add(picture.parent_path() / included, bytes_of(art));
+  files.add(picture.parent_path() / included, bytes_of(graphics));
   files.commit();
 }
 
@@ -114,16 +118,16 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
     return;
   }
   base::replace_file(picture, [&](const fs::path& temporary) {
-    let_draw(gnuplot, script, format, temporary, picture);
+    run_script(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
-    const std::string svg = in_millimetres(bytes_of(temporary), millimetres(width));
+    const std::string svg = set_printed_size(bytes_of(temporary), printed_width(width));
     std::ofstream(temporary, std::ios::binary | std::ios::trunc) << svg;
   });
 }
 
-std::vector<std::string> draw_all(const std::string& gnuplot, const fs::path& figures,
-                                  const std::string& stem, const FigureOptions& options) {
-  // What went wrong, or nothing.
+std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path& figures,
+                                      const std::string& stem, const FigureOptions& options) {
+  // Draws one format; returns a warning if this failed.
   const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
       draw(gnuplot, figures / (stem + ".gp"), figures / fmt::format("{}.{}", stem, name(format)),
@@ -151,10 +155,10 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
   base::write_file(figures / (stem + ".gp"), script);
   try {
     if (base::stop_requested()) return {};
-    auto warnings = draw_all(gnuplot, figures, stem, options);
+    auto warnings = draw_formats(gnuplot, figures, stem, options);
     return base::stop_requested() ? std::vector<std::string>() : warnings;
   } catch (const GnuplotMissing& missing) {
-    return {fmt::format("no picture: {} (install gnuplot, then `cd {} && gnuplot {}.gp` draws it)",
+    return {fmt::format("no picture: {}; install gnuplot, then run `cd {} && gnuplot {}.gp`",
                         missing.what(), figures.string(), stem)};
   }
 }

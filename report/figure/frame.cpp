@@ -10,18 +10,18 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
-// Letters of 11 points are these pixels high on a screen of 96 dots per inch, and so many points on
-// paper: 7 are the least that journals print.
+// Height of letters: 11 points in pixels on a screen of 96 dpi, and points on paper, where journals
+// require at least 7.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
-// Pixels of a PNG for print, an inch.
-constexpr double kPrintedDots = 300;
+// Resolution of a PNG for print, in dpi.
+constexpr double kPrintResolution = 300;
 
-// Points that a pixel of the layout takes on paper; on a screen, of which a PDF has the size that
-// its letters ask for.
-constexpr double kPoint = kLetterPoints / kLetterPixels;
+// Points per pixel of the layout on paper, and in a PDF for the screen, whose letters have the same
+// size.
+constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
-double dots(FigureWidth medium) {
-  return medium == FigureWidth::screen ? 1 : kPoint * kPrintedDots / kPointsPerInch;
+double png_scale(FigureWidth medium) {
+  return medium == FigureWidth::screen ? 1 : kPointsPerPixel * kPrintResolution / kPointsPerInch;
 }
 
 std::string svg_terminal(const FigureSize& size) {
@@ -31,7 +31,7 @@ std::string svg_terminal(const FigureSize& size) {
 }
 
 std::string png_terminal(const FigureSize& size) {
-  const double scale = dots(size.medium);
+  const double scale = png_scale(size.medium);
   const std::string scaled =
       scale == 1 ? ""
                  : fmt::format(" fontscale {0:.4g} linewidth {0:.4g} pointscale {0:.4g}", scale);
@@ -41,21 +41,23 @@ std::string png_terminal(const FigureSize& size) {
       scale * size.width, scale * size.height, scaled);
 }
 
-// In inches. Cairo takes fonts for those of a screen, and half the width for that of a line.
+// Sizes in inches. Cairo draws lines at half their width, hence the factor 2.
 std::string cairo_scale(const FigureSize& size) {
   return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
-                     size.width * kPoint / kPointsPerInch, size.height * kPoint / kPointsPerInch,
-                     2 * kPoint, kPoint);
+                     size.width * kPointsPerPixel / kPointsPerInch,
+                     size.height * kPointsPerPixel / kPointsPerInch, 2 * kPointsPerPixel,
+                     kPointsPerPixel);
 }
 
 }  // namespace
 
 int figure_width(FigureWidth medium, int on_screen) {
   if (medium == FigureWidth::screen) return on_screen;
-  return static_cast<int>(millimetres(medium) / kMillimetresPerInch * kPointsPerInch / kPoint);
+  return static_cast<int>(printed_width(medium) / kMillimetresPerInch * kPointsPerInch /
+                          kPointsPerPixel);
 }
 
-double millimetres(FigureWidth medium) {
+double printed_width(FigureWidth medium) {
   switch (medium) {
     case FigureWidth::screen:
       return 0;
@@ -67,7 +69,7 @@ double millimetres(FigureWidth medium) {
   return 0;
 }
 
-std::string figure_output(const std::string& file_stem, const FigureSize& size) {
+std::string output_commands(const std::string& file_stem, const FigureSize& size) {
   return fmt::format(
       "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp; likewise pdf, and tex\n"
       "# for LaTeX: {0}.tex with a {0}.pdf that it includes\n"
@@ -98,13 +100,13 @@ std::string figure_output(const std::string& file_stem, const FigureSize& size) 
       "  }}\n"
       "}}\n"
       "set output target\n\n",
-      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPoint,
+      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPointsPerPixel,
       kLetterPoints, png_terminal(size), size.width, size.height, 1.2 * kLetterPoints);
 }
 
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
   constexpr int kLine = 24, kFirstLine = 36;
-  // Smaller on paper, where room is dear.
+  // A smaller font on paper saves space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
   const double letter = 0.6 * points * 96 / kPointsPerInch;
   std::vector<std::string> lines{""};
@@ -113,7 +115,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
     if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
     lines.back() += part;
   }
-  // The end of a line is one in double quotes alone.
+  // gnuplot reads \n as a line break only within double quotes.
   std::vector<std::string> shown;
   for (auto& line : lines) {
     line.erase(line.find_last_not_of(' ') + 1);
@@ -124,7 +126,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
       kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
 }
 
-// Upright: viewers of SVG drop the spaces beside a change of font.
+// All upright, without italics: viewers of SVG drop the spaces beside a change of font.
 FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::parameters_text(problem, true);

@@ -25,17 +25,18 @@ extern char** environ;
 namespace fpkcheck::report {
 namespace {
 
-[[noreturn]] void fail(int error, const char* what) {
+[[noreturn]] void throw_system_error(int error, const char* what) {
   throw std::system_error(error, std::generic_category(), what);
 }
 
 using Clock = std::chrono::steady_clock;
 
-/// The reading end of the child's standard error; of standard input there is nothing.
+/// A pipe from standard output and standard error of the child; its standard input is empty.
 class ErrorPipe {
  public:
   ErrorPipe() {
-    if (pipe2(ends_.data(), O_CLOEXEC) != 0) fail(errno, "pipe");  // two may run at once
+    // Close on exec: a second child of another thread must not inherit the ends.
+    if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
@@ -54,16 +55,16 @@ class ErrorPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Its beginning; nothing where there is no end before the deadline, or before the program is told
-  /// to stop.
-  std::optional<std::string> read_to_the_end(Clock::time_point deadline) {
-    constexpr std::size_t kMost = 10000;  // the first line is what is told
-    close(ends_[1]);                      // else the end never comes
+  /// Reads to the end of the output and returns its beginning. Nothing after the deadline or a stop
+  /// request.
+  std::optional<std::string> read_until_end(Clock::time_point deadline) {
+    constexpr std::size_t kMost = 10000;  // callers report only the first line
+    close(ends_[1]);                      // the read returns end of file only without open writers
     ends_[1] = -1;
     std::string text;
     std::array<char, 4096> buffer;
     for (;;) {
-      constexpr int kMilliseconds = 50;  // between looks at the clock and at the signals
+      constexpr int kMilliseconds = 50;  // interval of the checks of deadline and stop request
       if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
       pollfd end{.fd = ends_[0], .events = POLLIN, .revents = 0};
       const int ready = poll(&end, 1, kMilliseconds);
@@ -82,20 +83,21 @@ class ErrorPipe {
   posix_spawn_file_actions_t actions_;
 };
 
-/// What this program does with signals is not for its children: it ignores SIGPIPE.
-class UsualSignals {
+/// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit
+/// that.
+class DefaultSignals {
  public:
-  UsualSignals() {
-    sigset_t usual;
-    sigemptyset(&usual);
-    sigaddset(&usual, SIGPIPE);
+  DefaultSignals() {
+    sigset_t default_signals;
+    sigemptyset(&default_signals);
+    sigaddset(&default_signals, SIGPIPE);
     posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setsigdefault(&attributes_, &usual);
+    posix_spawnattr_setsigdefault(&attributes_, &default_signals);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
   }
-  UsualSignals(const UsualSignals&) = delete;
-  UsualSignals& operator=(const UsualSignals&) = delete;
-  ~UsualSignals() { posix_spawnattr_destroy(&attributes_); }
+  DefaultSignals(const DefaultSignals&) = delete;
+  DefaultSignals& operator=(const DefaultSignals&) = delete;
+  ~DefaultSignals() { posix_spawnattr_destroy(&attributes_); }
 
   const posix_spawnattr_t* attributes() const { return &attributes_; }
 
@@ -103,31 +105,31 @@ class UsualSignals {
   posix_spawnattr_t attributes_;
 };
 
-/// @return its exit code, -1 where a signal ended it; nothing as long as it runs
-std::optional<int> look_after(pid_t child, int options) {
+/// @return the exit code of the child, -1 if a signal ended the child; nothing while the child runs
+std::optional<int> reap_child(pid_t child, int options) {
   int status = 0;
   pid_t ended = 0;
   do {
     ended = waitpid(child, &status, options);
   } while (ended < 0 && errno == EINTR);
-  if (ended < 0) fail(errno, "waitpid");
+  if (ended < 0) throw_system_error(errno, "waitpid");
   if (ended == 0) return std::nullopt;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The same for one that has closed its output, and so is about to end: if it does not before the
-/// deadline, nor before the program is told to stop, nothing.
-std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
+/// Waits for the exit of a child that has closed its output.
+/// @return the exit code; nothing after the deadline or a stop request
+std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
-    if (const auto exit_code = look_after(child, WNOHANG)) return exit_code;
+    if (const auto exit_code = reap_child(child, WNOHANG)) return exit_code;
     if (base::stop_requested() || Clock::now() > deadline) return std::nullopt;
     std::this_thread::sleep_for(pause);
   }
 }
 
-// Ended by a null, as C wants them.
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+// A null-terminated array, for the C interface.
+std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (auto& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
@@ -145,33 +147,34 @@ std::vector<std::string> environment_without(std::string_view start) {
 }  // namespace
 
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
-                           const std::filesystem::path& script, std::chrono::milliseconds longest) {
+                           const std::filesystem::path& script,
+                           std::chrono::milliseconds time_limit) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
-  // Without a shell: no path needs quoting. Yet gnuplot takes a name that begins with '<' for a
-  // command: absolute ones begin with '/'.
+  // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as
+  // a command: the absolute path begins with '/'.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
-  auto argv = pointers_to(arguments);
+  auto argv = null_terminated_pointers(arguments);
   auto environment = environment_without("GNUTERM=");
-  auto envp = pointers_to(environment);
+  auto envp = null_terminated_pointers(environment);
 
   ErrorPipe error_pipe;
-  const UsualSignals signals;
+  const DefaultSignals signals;
   pid_t child = 0;
   const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),
                                  signals.attributes(), argv.data(), envp.data());
   if (error == ENOENT || error == EACCES) return {false, -1, ""};
-  if (error != 0) fail(error, "starting gnuplot");
-  const auto deadline = Clock::now() + longest;
-  auto message = error_pipe.read_to_the_end(deadline);
-  const auto exit_code = message ? wait_for(child, deadline) : std::nullopt;
+  if (error != 0) throw_system_error(error, "cannot start gnuplot");
+  const auto deadline = Clock::now() + time_limit;
+  auto message = error_pipe.read_until_end(deadline);
+  const auto exit_code = message ? wait_for_exit(child, deadline) : std::nullopt;
   if (!exit_code) {
     kill(child, SIGKILL);
-    look_after(child, 0);
-    return {
-        true, -1,
-        fmt::format("it took longer than {} s", std::chrono::duration<double>(longest).count())};
+    reap_child(child, 0);
+    return {true, -1,
+            fmt::format("time limit of {} s exceeded",
+                        std::chrono::duration<double>(time_limit).count())};
   }
   return {true, *exit_code, *std::move(message)};
 }
@@ -180,7 +183,7 @@ std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c))) {
-      quoted += ' ';  // a string ends at the end of its line, and what follows would be a command
+      quoted += ' ';  // a string ends with its line: the next line would be run as a command
     } else {
       quoted += c == '\'' ? "''" : std::string(1, c);
     }
@@ -188,7 +191,7 @@ std::string gnuplot_string(const std::string& text) {
   return quoted + "'";
 }
 
-std::string without_marks(const std::string& text) {
+std::string escape_enhanced_text(const std::string& text) {
   constexpr std::string_view kMarks = "_^{}@&~\\";
   std::string escaped;
   for (const char c : text) {

@@ -7,25 +7,25 @@
 
 namespace fpkcheck::report {
 
-/// How a run of gnuplot ended.
+/// The outcome of a run of gnuplot.
 struct GnuplotOutcome {
-  bool found;           ///< the program could be started
-  int exit_code;        ///< -1 when it was not found or a signal ended it
-  std::string message;  ///< what it said on standard error, as far as that is short
+  bool found;           ///< the program was started
+  int exit_code;        ///< -1 if the program was not found or was ended by a signal
+  std::string message;  ///< the beginning of its standard output and standard error
 };
 
-/// Runs a script, with assignments such as "format='svg'" made before it. What its user has set up
-/// for gnuplot (initialisation files, GNUTERM) has no part in it.
+/// Runs a gnuplot script after assignments such as "format='svg'". The user's settings of gnuplot
+/// (initialisation files, GNUTERM) are ignored.
 /// @param program name on the PATH, or a path
-/// @param longest time, whatever it does with its output; then it is ended, and the message says so
+/// @param time_limit a process that runs longer is killed; the message then states the limit
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
-                           std::chrono::milliseconds longest = std::chrono::minutes(1));
+                           std::chrono::milliseconds time_limit = std::chrono::minutes(1));
 
 /// A text as a gnuplot string constant; control characters become blanks.
 std::string gnuplot_string(const std::string& text);
 
-/// A text with the marks of enhanced text escaped, as a part of one: it is shown letter by letter.
-std::string without_marks(const std::string& text);
+/// Escapes the control characters of gnuplot's enhanced text, so that the text appears literally.
+std::string escape_enhanced_text(const std::string& text);
 
 }  // namespace fpkcheck::report

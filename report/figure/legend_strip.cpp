@@ -11,10 +11,11 @@
 namespace fpkcheck::report {
 namespace {
 
-// What gnuplot reckons with for the font of the SVG, the larger one, in pixels.
+// Letter width and line height that gnuplot assumes for the font of the SVG, the larger font, in
+// pixels.
 constexpr double kLetter = 10.5, kLine = 25.2;
 constexpr double kMargin = 16;
-constexpr double kStripLeft = 0.02, kStripRight = 0.98;  // of the width
+constexpr double kStripLeft = 0.02, kStripRight = 0.98;  // fractions of the width
 constexpr int kMostColumns = 4;
 
 int columns(const Legend& legend, int width) {

@@ -7,23 +7,22 @@
 
 namespace fpkcheck::report {
 
-/// An entry of a legend: how it is drawn ("with lines .."), of what ("NaN"), and what it is called.
+/// An entry of a legend: plot specification ("NaN with lines ..") and label.
 struct LegendEntry {
   std::string plot;
   std::string label;
 };
 
-/// The legend of a figure: a strip of its own below the panels, so that nothing is covered.
+/// The legend of a figure, in a strip below the panels, so that the legend covers no curve.
 struct Legend {
   std::vector<LegendEntry> entries;
-  int sample_length;  ///< of what is drawn beside each label, in letters
+  int sample_length;  ///< length of the line sample beside each label, in letters
 };
 
-/// Pixels that it needs at the bottom of a figure for all its entries: gnuplot leaves out those
-/// that do not fit.
+/// Height of the strip with all entries, in pixels: gnuplot omits entries that exceed the height.
 int legend_height(const Legend& legend, int width);
 
-/// Draws it there; the last plot of a multiplot.
+/// Commands that draw the legend at the bottom of a figure, as the last plot of a multiplot.
 /// @param size of the figure
 std::string legend_strip(const Legend& legend, const FigureSize& size);
 

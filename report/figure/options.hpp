@@ -5,36 +5,38 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 
-/// What whoever asks for pictures may choose.
+/// Options of pictures.
 namespace fpkcheck::report {
 
-/// `tex` is LaTeX: STEM.tex with the texts, for \input, and what they stand on in STEM-tex.pdf.
+/// `tex` is LaTeX: STEM.tex with the texts, for \input, and the graphics in STEM-tex.pdf.
 enum class FigureFormat { png, svg, pdf, tex };
-inline constexpr base::Named<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
-                                                                   {FigureFormat::svg, "svg"},
-                                                                   {FigureFormat::pdf, "pdf"},
-                                                                   {FigureFormat::tex, "tex"}};
-constexpr std::span<const base::Named<FigureFormat>> names(FigureFormat) {
+inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
+                                                                       {FigureFormat::svg, "svg"},
+                                                                       {FigureFormat::pdf, "pdf"},
+                                                                       {FigureFormat::tex, "tex"}};
+constexpr std::span<const base::EnumEntry<FigureFormat>> names(FigureFormat) {
   return kFigureFormatNames;
 }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
-/// Where a picture is to stand: what is narrow has fewer panels beside one another.
+/// The medium of a picture: a narrow picture has fewer panels side by side.
 enum class FigureWidth { screen, two_columns, one_column };
-inline constexpr base::Named<FigureWidth> kFigureWidthNames[] = {
+inline constexpr base::EnumEntry<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
     {FigureWidth::two_columns, "170", "both columns of a journal, in mm"},
     {FigureWidth::one_column, "85", "one column of a journal, in mm"}};
-constexpr std::span<const base::Named<FigureWidth>> names(FigureWidth) { return kFigureWidthNames; }
+constexpr std::span<const base::EnumEntry<FigureWidth>> names(FigureWidth) {
+  return kFigureWidthNames;
+}
 constexpr std::string_view name(FigureWidth width) { return base::name_of(width); }
 
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// Of a case's picture: ids, families or solvers, or "all"; empty for the usual choice
-  /// (report/figure/curve_choice.hpp).
+  /// Curves in the picture of a case: ids, families or solvers, or "all"; empty for the default
+  /// selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

@@ -23,170 +23,174 @@ namespace {
 using transform::Solution;
 
 constexpr const char* kTitles[] = {"displacement", "velocity"};
-constexpr const char* kOfLevels = "#555555";
+constexpr const char* kUncertaintyColour = "#555555";
 
-/// A family as its middle member looks, members that are not ok open.
-struct FamilyLook {
+/// Style of a family: that of its middle member. Members that are not ok have open marks.
+struct FamilyStyle {
   std::string colour;
   PointTypes points;
 };
 
-FamilyLook look_of(const Family& family) {
-  const auto& look = family.solutions[family.solutions.size() / 2]->identity.look;
-  return {gnuplot_string(look.colour), point_types(look.symbol)};
+FamilyStyle family_style(const Family& family) {
+  const auto& plot_style = family.solutions[family.solutions.size() / 2]->identity.plot_style;
+  return {gnuplot_string(plot_style.colour), point_types(plot_style.symbol)};
 }
 
-std::string with_family(const FamilyLook& look) {
+std::string family_line_style(const FamilyStyle& plot_style) {
   return fmt::format("with linespoints linewidth 2 linecolor rgb {} pointtype {} pointsize 1.3",
-                     look.colour, look.points.filled);
+                     plot_style.colour, plot_style.points.filled);
 }
 
-std::string with_members(const FamilyLook& look) {
+std::string open_mark_style(const FamilyStyle& plot_style) {
   return fmt::format("with points linewidth 2 linecolor rgb {} pointtype {} pointsize 1.3",
-                     look.colour, look.points.open);
+                     plot_style.colour, plot_style.points.open);
 }
 
-// A density that was brought along, at its order or across the panel.
-std::string with_guest(const Solution& guest) {
-  const std::string colour = gnuplot_string(guest.identity.look.colour);
-  if (!guest.identity.order) {
+// An external density: a mark at its order, or a horizontal line without an order.
+std::string external_density_style(const Solution& external_density) {
+  const std::string colour = gnuplot_string(external_density.identity.plot_style.colour);
+  if (!external_density.identity.order) {
     return fmt::format("with lines linewidth 2 dashtype (20,6) linecolor rgb {}", colour);
   }
-  const auto [filled, open] = point_types(guest.identity.look.symbol);
+  const auto [filled, open] = point_types(external_density.identity.plot_style.symbol);
   return fmt::format("with points linewidth 2 linecolor rgb {} pointtype {} pointsize 1.6", colour,
-                     guest.is_ok() ? filled : open);
+                     external_density.is_ok() ? filled : open);
 }
 
-std::string with_level(const Level& level) {
+std::string uncertainty_style(const UncertaintyLine& line) {
   return fmt::format("with lines linewidth 1.5 dashtype {} linecolor rgb '{}'",
-                     std::string(level.dash) == "dot" ? "(2,4)" : "(8,4)", kOfLevels);
+                     std::string(line.dash) == "dot" ? "(2,4)" : "(8,4)", kUncertaintyColour);
 }
 
-std::string name_of_block(transform::Variable variable, const char* what, std::size_t number) {
+std::string block_identifier(transform::Variable variable, const char* what, std::size_t number) {
   return fmt::format("{}_{}{}", name(variable), what, number);
 }
 
-/// What a panel shows, and its data.
+/// Data and commands of a panel.
 class OrderPanel {
  public:
-  explicit OrderPanel(const Convergence& found) : found_(found) {
-    const auto [first, last] = found.orders();
+  explicit OrderPanel(const Convergence& distances) : distances_(distances) {
+    const auto [first, last] = distances.orders();
     from_ = first - 1;
     to_ = last + 1;
-    for (const Family& family : found.families) add(family);
-    for (const Solution* guest : found.guests) add(*guest);
-    for (const Level& level : found.levels) {
-      const std::string block = put("level", across(level.l1));
-      plots_.push_back(fmt::format("${} using 1:2 {} notitle", block, with_level(level)));
+    for (const Family& family : distances.families) add(family);
+    for (const Solution* external_density : distances.external_densities) add(*external_density);
+    for (const UncertaintyLine& line : distances.uncertainty_lines) {
+      const std::string block = store_block("level", horizontal_line_rows(line.l1));
+      plots_.push_back(fmt::format("${} using 1:2 {} notitle", block, uncertainty_style(line)));
     }
   }
 
   const std::string& data() const { return data_; }
 
-  std::string commands(char letter, const Place& place) const {
+  std::string commands(char letter, const PanelBox& place) const {
     return fmt::format("set title '({}) {}'\n{}set xrange [{}:{}]\nset ylabel {}\nplot {}\n\n",
-                       letter, kTitles[found_.variable == transform::Variable::y ? 0 : 1],
-                       margins(place), from_, to_,
+                       letter, kTitles[distances_.variable == transform::Variable::y ? 0 : 1],
+                       margin_commands(place), from_, to_,
                        gnuplot_text(fmt::format("{{/:Italic L}}_1 distance of {} to {}",
-                                                density_of(found_.variable),
-                                                without_marks(found_.reference->id()))),
+                                                density_symbol(distances_.variable),
+                                                escape_enhanced_text(distances_.reference->id()))),
                        fmt::join(plots_, ", \\\n     "));
   }
 
  private:
-  // Members that are not ok are drawn over their filled marks.
+  // Members that are not ok get a white filled mark, then an open mark, over the filled mark.
   void add(const Family& family) {
     std::string all, hollow;
     for (const Solution* member : family.solutions) {
       const std::string row =
-          fmt::format("{} {:.6g}\n", *member->identity.order, found_.l1(*member));
+          fmt::format("{} {:.6g}\n", *member->identity.order, distances_.l1(*member));
       all += row;
       if (!member->is_ok()) hollow += row;
     }
-    const FamilyLook look = look_of(family);
-    plots_.push_back(
-        fmt::format("${} using 1:2 {} notitle", put("family", all), with_family(look)));
+    const FamilyStyle plot_style = family_style(family);
+    plots_.push_back(fmt::format("${} using 1:2 {} notitle", store_block("family", all),
+                                 family_line_style(plot_style)));
     if (hollow.empty()) return;
-    const std::string block = put("hollow", hollow);
+    const std::string block = store_block("hollow", hollow);
     plots_.push_back(
         fmt::format("${} using 1:2 with points linecolor rgb 'white' pointtype {} "
                     "pointsize 1.3 notitle",
-                    block, look.points.filled));
-    plots_.push_back(fmt::format("${} using 1:2 {} notitle", block, with_members(look)));
+                    block, plot_style.points.filled));
+    plots_.push_back(fmt::format("${} using 1:2 {} notitle", block, open_mark_style(plot_style)));
   }
 
-  void add(const Solution& guest) {
-    const double l1 = found_.l1(guest);
-    const auto& order = guest.identity.order;
-    const std::string block =
-        put("guest", order ? fmt::format("{} {:.6g}\n", *order, l1) : across(l1));
-    plots_.push_back(fmt::format("${} using 1:2 {} notitle", block, with_guest(guest)));
+  void add(const Solution& external_density) {
+    const double l1 = distances_.l1(external_density);
+    const auto& order = external_density.identity.order;
+    const std::string block = store_block(
+        "guest", order ? fmt::format("{} {:.6g}\n", *order, l1) : horizontal_line_rows(l1));
+    plots_.push_back(
+        fmt::format("${} using 1:2 {} notitle", block, external_density_style(external_density)));
   }
 
-  std::string across(double l1) const {
+  std::string horizontal_line_rows(double l1) const {
     return fmt::format("{0} {2:.6g}\n{1} {2:.6g}\n", from_, to_, l1);
   }
 
-  std::string put(const char* what, const std::string& rows) {
-    const std::string block = name_of_block(found_.variable, what, plots_.size());
+  std::string store_block(const char* what, const std::string& rows) {
+    const std::string block = block_identifier(distances_.variable, what, plots_.size());
     data_ += data_block(block, rows);
     return block;
   }
 
-  const Convergence& found_;
+  const Convergence& distances_;
   int from_, to_;
   std::string data_;
   std::vector<std::string> plots_;
 };
 
-Legend legend_of(const Convergence& found) {
+Legend order_legend(const Convergence& distances) {
   Legend legend{{}, 4};
   bool any_hollow = false;
-  for (const Family& family : found.families) {
-    legend.entries.push_back({"NaN " + with_family(look_of(family)), family.name});
+  for (const Family& family : distances.families) {
+    legend.entries.push_back({"NaN " + family_line_style(family_style(family)), family.name});
     any_hollow = any_hollow || !std::ranges::all_of(family.solutions, &Solution::is_ok);
   }
-  for (const Solution* guest : found.guests) {
-    legend.entries.push_back({"NaN " + with_guest(*guest), guest->id()});
+  for (const Solution* external_density : distances.external_densities) {
+    legend.entries.push_back(
+        {"NaN " + external_density_style(*external_density), external_density->id()});
   }
   if (any_hollow) {
     legend.entries.push_back(
         {"NaN with points linecolor rgb '#444444' linewidth 2 pointtype 6 pointsize 1.3",
          "open: not ok"});
   }
-  for (const Level& level : found.levels) {
-    legend.entries.push_back({"NaN " + with_level(level), level.name});
+  for (const UncertaintyLine& line : distances.uncertainty_lines) {
+    legend.entries.push_back({"NaN " + uncertainty_style(line), line.name});
   }
   return legend;
 }
 
-std::vector<Convergence> panels_of(const results::Case& one) {
+std::vector<Convergence> order_panels(const results::Case& case_result) {
   std::vector<Convergence> all;
   for (const auto variable : transform::kVariables) {
-    if (auto found = convergence(one, variable)) all.push_back(std::move(*found));
+    if (auto distances = convergence(case_result, variable)) all.push_back(std::move(*distances));
   }
   return all;
 }
 
 }  // namespace
 
-bool has_orders(const results::Case& one) { return !panels_of(one).empty(); }
+bool has_several_orders(const results::Case& case_result) {
+  return !order_panels(case_result).empty();
+}
 
-std::string order_script(const results::Case& one, const std::string& file_stem,
+std::string order_script(const results::Case& case_result, const std::string& file_stem,
                          FigureWidth width) {
   constexpr int kOnScreen = 1100;
-  const auto all = panels_of(one);
+  const auto all = order_panels(case_result);
   const bool narrow = width == FigureWidth::one_column;
-  const Legend entries = legend_of(all.front());
+  const Legend entries = order_legend(all.front());
   PanelGrid grid = panel_grid(width, kOnScreen);
   grid.columns = narrow ? 1 : static_cast<int>(all.size());
   grid.rows = narrow ? static_cast<int>(all.size()) : 1;
   grid.panel_height = narrow ? 200 : 300;
   grid.legend_height = legend_height(entries, grid.width);
-  const auto title = figure_title(one.problem, grid.size());
+  const auto title = figure_title(case_result.problem, grid.size());
   grid.title_height = title.height;
 
-  std::string text = figure_output(file_stem, grid.size());
+  std::string text = output_commands(file_stem, grid.size());
   std::string commands;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const OrderPanel panel(all[k]);
@@ -196,7 +200,7 @@ std::string order_script(const results::Case& one, const std::string& file_stem,
   text += fmt::format(
       "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\nunset key\n{}"
       "set logscale y\nset format y {}\nset xtics 2\nset xlabel {}\n{}",
-      PanelGrid::kLabels, kPowersOfTen, gnuplot_text("order {/:Italic n} of the closure"),
+      PanelGrid::kLabels, kPowerOfTenFormat, gnuplot_text("order {/:Italic n} of the closure"),
       title.command);
   return text + commands + legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
 }

@@ -7,10 +7,12 @@
 
 namespace fpkcheck::report {
 
-/// Whether some family has two orders whose distances to the reference are known.
-bool has_orders(const results::Case& one);
+/// Whether a family has at least two orders with known distances to the reference.
+bool has_several_orders(const results::Case& case_result);
 
-/// The gnuplot script that draws L1 distances of families over their orders (report/convergence.hpp).
-std::string order_script(const results::Case& one, const std::string& file_stem, FigureWidth width);
+/// A gnuplot script that draws the L1 distances of families to the reference over the order
+/// (report/convergence.hpp).
+std::string order_script(const results::Case& case_result, const std::string& file_stem,
+                         FigureWidth width);
 
 }  // namespace fpkcheck::report

@@ -16,17 +16,17 @@ namespace {
 
 using transform::Variable;
 
-std::string title(Panel panel, const FigureSide& side, char letter, const std::string& reference,
-                  bool briefly) {
-  const std::string variable(base::meaning_of(side.variable));
+std::string title(Panel panel, const MarginalCurves& marginal, char letter,
+                  const std::string& reference, bool short_title) {
+  const std::string variable(base::meaning_of(marginal.variable));
   const auto named = [&](const std::string& what) {
-    return fmt::format("({}) {}{}", letter, briefly ? "" : variable + ", ", what);
+    return fmt::format("({}) {}{}", letter, short_title ? "" : variable + ", ", what);
   };
   switch (panel) {
     case Panel::linear:
       return fmt::format("({}) {}", letter, variable);
     case Panel::logarithmic:
-      return briefly ? fmt::format("({}) {}", letter, variable) : named("logarithmic");
+      return short_title ? fmt::format("({}) {}", letter, variable) : named("logarithmic");
     case Panel::difference:
       return named("difference from " + reference);
     case Panel::smooth_difference:
@@ -35,12 +35,12 @@ std::string title(Panel panel, const FigureSide& side, char letter, const std::s
   return "";
 }
 
-std::string axes(Panel panel, const FigureSide& side) {
-  const FigureRanges& r = side.ranges;
-  const bool in_the_tail = panel == Panel::logarithmic;
-  const double from = in_the_tail ? r.logarithmic_from : r.linear_from,
-               to = in_the_tail ? r.logarithmic_to : r.linear_to;
-  const std::string variable = side.variable == Variable::y ? "{/:Italic y}" : "{/:Italic y}'";
+std::string axes(Panel panel, const MarginalCurves& marginal) {
+  const FigureRanges& r = marginal.ranges;
+  const bool is_logarithmic = panel == Panel::logarithmic;
+  const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
+               to = is_logarithmic ? r.logarithmic_to : r.linear_to;
+  const std::string variable = marginal.variable == Variable::y ? "{/:Italic y}" : "{/:Italic y}'";
   std::string density = "{/:Italic p}(" + variable + ")";
   std::string text =
       fmt::format("set xrange [{:.4g}:{:.4g}]\nset xlabel {}\n", from, to, gnuplot_text(variable));
@@ -48,7 +48,7 @@ std::string axes(Panel panel, const FigureSide& side) {
   switch (panel) {
     case Panel::linear:
       text += fmt::format("set yrange [0:{:.4g}]\n", 1.08 * r.linear_top);
-      if (const std::string beyond = beyond_the_top(r); !beyond.empty()) {
+      if (const std::string beyond = spike_note(r); !beyond.empty()) {
         text += fmt::format("set label 1 {} at first 0, graph 0.94 offset character 1,0\n",
                             gnuplot_literal(beyond));
       }
@@ -56,10 +56,10 @@ std::string axes(Panel panel, const FigureSide& side) {
     case Panel::logarithmic:
       text += fmt::format(
           "smallest = {:.4g}\nset logscale y\nset format y {}\nset yrange [smallest:{:.4g}]\n",
-          logarithmic_bottom(r), kPowersOfTen, logarithmic_top(r));
+          logarithmic_bottom(r), kPowerOfTenFormat, logarithmic_top(r));
       break;
     case Panel::difference: {
-      // Nothing but the reference itself: any range shows it.
+      // If all differences are 0, as for the reference alone, any range will do.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       text += fmt::format("set yrange [{:.4g}:{:.4g}]\n", -half, half);
       density = "Δ" + density;
@@ -68,7 +68,7 @@ std::string axes(Panel panel, const FigureSide& side) {
     case Panel::smooth_difference: {
       const auto [least, most] = difference_decades(r);
       text += fmt::format("set logscale y\nset format y {}\nset yrange [{:.0e}:{:.0e}]\n",
-                          kPowersOfTen, least, most);
+                          kPowerOfTenFormat, least, most);
       density = "|Δ" + density + "|";
       break;
     }
@@ -90,17 +90,17 @@ std::string using_columns(Panel panel, bool with_interval) {
   return "";
 }
 
-std::string plot(Panel panel, const FigureSide& side, const std::string& reference) {
-  // More points than these would hide the lines; of marks, fewer do.
+std::string plot(Panel panel, const MarginalCurves& marginal, const std::string& reference) {
+  // More points would hide the lines; marks on a line need to be fewer.
   constexpr std::size_t kPointsOnACurve = 35, kMarksOnACurve = 8;
   std::vector<std::string> parts;
   const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;
   const auto marked =
-      std::max<std::size_t>(1, std::ranges::count_if(side.curves, [](const DrawnCurve& drawn) {
-                              return is_marked(drawn.solution->identity);
+      std::max<std::size_t>(1, std::ranges::count_if(marginal.curves, [](const DrawnCurve& drawn) {
+                              return has_marks(drawn.solution->identity);
                             }));
-  std::size_t place = 0;  // among those that are marked
-  for (const auto& drawn : side.curves) {
+  std::size_t place = 0;  // index among the curves with marks
+  for (const auto& drawn : marginal.curves) {
     const Difference& difference = drawn.difference;
     if (of_differences && difference.empty()) continue;
     const bool with_interval =
@@ -108,66 +108,70 @@ std::string plot(Panel panel, const FigureSide& side, const std::string& referen
         (of_differences ? !difference.lower.empty() : !drawn.curve->lower.empty());
     const auto points = (of_differences ? difference.abscissa : drawn.curve->abscissa).size();
     const std::string block =
-        of_differences ? difference_block_name(side, drawn) : block_name(side, drawn);
-    const bool own_width = panel == Panel::smooth_difference && drawn.solution->id() == reference;
-    const bool as_points = drawn.look().as_points && !own_width;
+        of_differences ? difference_block_name(marginal, drawn) : block_name(marginal, drawn);
+    const bool is_reference_interval =
+        panel == Panel::smooth_difference && drawn.solution->id() == reference;
+    const bool as_points = drawn.plot_style().as_points && !is_reference_interval;
     const auto step = std::max<std::size_t>(1, points / kPointsOnACurve);
-    parts.push_back(fmt::format("{}{} using {} {} notitle", block,
-                                as_points ? fmt::format(" every {}", step) : "",
-                                using_columns(panel, with_interval),
-                                own_width ? kOwnWidth : drawn_with(drawn.look(), with_interval)));
-    if (as_points || own_width || !is_marked(drawn.solution->identity)) continue;
-    // Curves that nearly coincide take turns.
+    parts.push_back(fmt::format(
+        "{}{} using {} {} notitle", block, as_points ? fmt::format(" every {}", step) : "",
+        using_columns(panel, with_interval),
+        is_reference_interval ? kReferenceIntervalStyle
+                              : curve_style(drawn.plot_style(), with_interval)));
+    if (as_points || is_reference_interval || !has_marks(drawn.solution->identity)) continue;
+    // The marks of different curves are shifted: curves may nearly coincide.
     const auto between = std::max<std::size_t>(1, points / kMarksOnACurve);
     parts.push_back(fmt::format("{} every {}::{} using {} with points {} linecolor rgb {} notitle",
                                 block, between, place++ * between / marked,
-                                using_columns(panel, false), marked_with(*drawn.solution),
-                                gnuplot_string(drawn.look().colour)));
+                                using_columns(panel, false), mark_style(*drawn.solution),
+                                gnuplot_string(drawn.plot_style().colour)));
   }
   return fmt::format("plot {}\n", fmt::join(parts, ", \\\n     "));
 }
 
 }  // namespace
 
-std::string block_name(const FigureSide& side, const DrawnCurve& drawn) {
-  // Begins with a letter, as it must; the place tells ids apart that differ in other marks alone.
-  std::string name = fmt::format("{}{}_{}", transform::name(side.variable),
-                                 &drawn - side.curves.data(), drawn.curve->solution);
+std::string block_name(const MarginalCurves& marginal, const DrawnCurve& drawn) {
+  // gnuplot requires a letter first. The index keeps ids distinct that differ only in replaced
+  // characters.
+  std::string name = fmt::format("{}{}_{}", transform::name(marginal.variable),
+                                 &drawn - marginal.curves.data(), drawn.curve->solution);
   std::ranges::replace_if(
       name, [](unsigned char c) { return !std::isalnum(c); }, '_');
   return '$' + name;
 }
 
-std::string difference_block_name(const FigureSide& side, const DrawnCurve& drawn) {
-  return block_name(side, drawn) + "_difference";
+std::string difference_block_name(const MarginalCurves& marginal, const DrawnCurve& drawn) {
+  return block_name(marginal, drawn) + "_difference";
 }
 
-std::string drawn_with(const transform::Look& look, bool with_interval) {
-  // A look may come from a file: it must not end its string, nor be a command.
-  const std::string colour = gnuplot_string(look.colour);
-  if (look.as_points) {
+std::string curve_style(const transform::PlotStyle& plot_style, bool with_interval) {
+  // A style may come from a file: quoting prevents the end of the string and the injection of
+  // commands.
+  const std::string colour = gnuplot_string(plot_style.colour);
+  if (plot_style.as_points) {
     return fmt::format("with {} pointtype 6 pointsize dot linewidth {} linecolor rgb {}",
-                       with_interval ? "yerrorbars" : "points", look.width, colour);
+                       with_interval ? "yerrorbars" : "points", plot_style.width, colour);
   }
-  return fmt::format("with lines linewidth {} dashtype {} linecolor rgb {}", look.width,
-                     dash_type(look), colour);
+  return fmt::format("with lines linewidth {} dashtype {} linecolor rgb {}", plot_style.width,
+                     dash_type(plot_style), colour);
 }
 
-bool is_marked(const transform::Identity& identity) {
-  return !identity.look.as_points &&
-         (identity.role == transform::Role::closure || identity.role == transform::Role::given);
+bool has_marks(const transform::Identity& identity) {
+  return !identity.plot_style.as_points &&
+         (identity.role == transform::Role::closure || identity.role == transform::Role::external);
 }
 
-std::string marked_with(const transform::Solution& solution) {
-  const auto [filled, open] = point_types(solution.identity.look.symbol);
+std::string mark_style(const transform::Solution& solution) {
+  const auto [filled, open] = point_types(solution.identity.plot_style.symbol);
   return fmt::format("pointtype {} pointsize mark", solution.is_ok() ? filled : open);
 }
 
-std::string panel_commands(Panel panel, const FigureSide& side, char letter,
-                           const std::string& reference, bool briefly) {
+std::string panel_commands(Panel panel, const MarginalCurves& marginal, char letter,
+                           const std::string& reference, bool short_title) {
   return fmt::format("set title {}\n",
-                     gnuplot_literal(title(panel, side, letter, reference, briefly))) +
-         axes(panel, side) + plot(panel, side, reference) +
+                     gnuplot_literal(title(panel, marginal, letter, reference, short_title))) +
+         axes(panel, marginal) + plot(panel, marginal, reference) +
          "unset label 1\nunset logscale\nset format y\n\n";
 }
 

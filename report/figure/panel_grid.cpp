@@ -3,7 +3,7 @@
 namespace fpkcheck::report {
 namespace {
 
-// Of a panel with a label of its own, and of one without.
+// Left margin of a panel with tics and axis label, and with tics only.
 constexpr int kLeft = 92, kTicsAlone = 52;
 
 }  // namespace
@@ -13,13 +13,13 @@ FigureSize PanelGrid::size() const {
   return {.width = width, .height = title_height + rows * row + legend_height, .medium = medium};
 }
 
-Place PanelGrid::place(int row, int column) const {
+PanelBox PanelGrid::place(int row, int column) const {
   const double height = size().height;
-  const double of_a_column = static_cast<double>(width - at_the_left - at_the_right) / columns;
+  const double of_a_column = static_cast<double>(width - left_margin - right_margin) / columns;
   const double top = title_height + row * (above + panel_height + below) + above;
-  const int left = at_the_left > 0 ? kTicsAlone : kLeft;
-  return {.left = (at_the_left + column * of_a_column + left) / width,
-          .right = (at_the_left + (column + 1) * of_a_column - beside) / width,
+  const int left = left_margin > 0 ? kTicsAlone : kLeft;
+  return {.left = (left_margin + column * of_a_column + left) / width,
+          .right = (left_margin + (column + 1) * of_a_column - panel_right_margin) / width,
           .top = 1 - top / height,
           .bottom = 1 - (top + panel_height) / height};
 }

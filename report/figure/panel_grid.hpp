@@ -5,35 +5,35 @@
 
 namespace fpkcheck::report {
 
-/// Panels of the same size in rows below a title, above a legend. In pixels.
+/// Layout of panels of equal size in rows between the title and the legend of a figure, in pixels.
 struct PanelGrid {
   FigureWidth medium = FigureWidth::screen;
-  int width = 1100;  ///< of the picture
+  int width = 1100;  ///< width of the picture
   int columns = 1, rows = 1;
-  int panel_height = 280;  ///< of the axes alone
-  int title_height = 36;   ///< FigureTitle
-  int legend_height = 0;   ///< at the bottom
-  int above = 44;          ///< a panel: its title
-  int below = 74;          ///< a panel: tics and label
-  int at_the_right = 15;   ///< what is left free there, for a colour bar
-  int at_the_left = 0;     ///< and there, for a label of all rows
-  int beside = 12;         ///< each panel, at its right: for a colour bar of its own
+  int panel_height = 280;       ///< height of the axes
+  int title_height = 36;        ///< height of FigureTitle
+  int legend_height = 0;        ///< height of the legend at the bottom
+  int above = 44;               ///< height of the title of a panel
+  int below = 74;               ///< height of tics and axis label of a panel
+  int right_margin = 15;        ///< right margin of the picture, for a common colour bar
+  int left_margin = 0;          ///< left margin of the picture, for a common label of the rows
+  int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
-  /// Commands that keep labels and titles of neighbouring rows apart; how wide the tics of LaTeX
-  /// are gnuplot does not know.
+  /// Commands that separate labels and titles of neighbouring rows. The label offset for LaTeX is
+  /// fixed, since gnuplot has no width for tic labels set by LaTeX.
   static constexpr const char* kLabels =
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
-  Place place(int row, int column) const;
-  /// Row by row.
-  Place place(std::size_t panel) const {
+  PanelBox place(int row, int column) const;
+  /// @param panel index of the panel, counted row by row
+  PanelBox place(std::size_t panel) const {
     return place(static_cast<int>(panel) / columns, static_cast<int>(panel) % columns);
   }
 };
 
-/// As wide as the picture is to be, in a single column with less between its rows where it is one
-/// of a journal.
+/// A grid with the width of the medium; a single journal column has less space between the rows.
+/// @param on_screen width of the picture on a screen, in pixels
 PanelGrid panel_grid(FigureWidth medium, int on_screen);
 
 }  // namespace fpkcheck::report

@@ -5,11 +5,11 @@
 #include "base/files/pending_files.hpp"
 #include "base/process/stop.hpp"
 #include "report/budget/figure.hpp"
-#include "report/figure/curve_choice.hpp"
+#include "report/figure/curve_selection.hpp"
+#include "report/figure/density_script.hpp"
 #include "report/figure/drawing.hpp"
+#include "report/figure/error_source_script.hpp"
 #include "report/figure/order_script.hpp"
-#include "report/figure/script.hpp"
-#include "report/figure/sources_script.hpp"
 #include "results/directory.hpp"
 
 namespace fpkcheck::report {
@@ -20,30 +20,31 @@ std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
 std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 std::string order_stem(const std::string& stem) { return stem + "-order"; }
 
-// @param warnings gets a line for each case of which there is nothing to draw
+// @param warnings receives a line for each case without a density to draw
 std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
                                  std::vector<std::string>& warnings) {
   std::vector<Picture> pictures;
-  for (const auto& one : run.cases) {
-    FigureContent content = figure_content(one, chosen_curves(one, options.curves));
-    const std::string stem = results::file_stem(one.name());
-    if (content.sides.empty()) {
+  for (const auto& case_result : run.cases) {
+    FigureContent content = figure_content(case_result, select_curves(case_result, options.curves));
+    const std::string stem = results::file_stem(case_result.name());
+    if (content.marginals.empty()) {
       warnings.push_back(fmt::format(
-          "no picture of {}: none of its solutions {}", one.name(),
-          content.left_out == 0 ? "has a density" : "that --curves names has a density"));
+          "no picture of {}: no solution {}", case_result.name(),
+          content.hidden_count == 0 ? "has a density" : "selected by --curves has a density"));
       continue;
     }
-    if (!options.curves.empty()) content.left_out = 0;  // whoever chose knows
+    if (!options.curves.empty()) content.hidden_count = 0;  // the selection is the user's own
     const auto width = options.width;
-    pictures.push_back({stem, figure_script(one.problem, content, stem, width)});
-    if (has_budget(one)) {
-      pictures.push_back({budget_stem(stem), budget_script(one, budget_stem(stem), width)});
+    pictures.push_back({stem, density_script(case_result.problem, content, stem, width)});
+    if (has_budget(case_result)) {
+      pictures.push_back({budget_stem(stem), budget_script(case_result, budget_stem(stem), width)});
     }
-    if (has_sources(one)) {
-      pictures.push_back({sources_stem(stem), sources_script(one, sources_stem(stem), width)});
+    if (has_error_sources(case_result)) {
+      pictures.push_back(
+          {sources_stem(stem), error_source_script(case_result, sources_stem(stem), width)});
     }
-    if (has_orders(one)) {
-      pictures.push_back({order_stem(stem), order_script(one, order_stem(stem), width)});
+    if (has_several_orders(case_result)) {
+      pictures.push_back({order_stem(stem), order_script(case_result, order_stem(stem), width)});
     }
   }
   return pictures;
@@ -52,8 +53,8 @@ std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& o
 }  // namespace
 
 void remove_pictures(const fs::path& directory, const results::Run& run) {
-  for (const auto& one : run.cases) {
-    const auto stem = results::file_stem(one.name());
+  for (const auto& case_result : run.cases) {
+    const auto stem = results::file_stem(case_result.name());
     for (const auto& each : {stem, budget_stem(stem), sources_stem(stem), order_stem(stem)}) {
       remove_pictures_of(directory / "figures", each);
     }
@@ -76,15 +77,15 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
   try {
     for (const auto& picture : pictures) {
       if (base::stop_requested()) return {};
-      const auto own = draw_all(gnuplot, figures, picture.stem, options);
+      const auto own = draw_formats(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const GnuplotMissing& missing) {
     warnings.push_back(
-        fmt::format("no pictures: {} (install gnuplot, then `fpkcheck report {}` draws them)",
+        fmt::format("no pictures: {}; install gnuplot, then run `fpkcheck report {}`",
                     missing.what(), directory.string()));
   }
-  // What did not become of the last one is no news then.
+  // After a stop request the last picture is missing by intention: no warning.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

@@ -10,17 +10,17 @@
 
 namespace fpkcheck::report {
 
-/// Removes what draw_pictures made of the cases of a run.
+/// Removes the pictures and scripts that draw_pictures made for the cases of a run.
 void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
 
-/// Draws every case into DIRECTORY/figures: NAME.png, or in the formats that are asked for, and the
-/// script NAME.gp that drew them and can draw them again, NAME being its name as results::file_stem
-/// files it; NAME-budget likewise where there is an error budget, and NAME-sources where there are
-/// sources of errors. A case that cannot be drawn has no pictures afterwards.
-/// @param gnuplot the program that draws
-/// @param others  drawn after those of the cases
-/// @return warnings, one line each: pictures that could not be drawn, and why
-/// @throws std::runtime_error when a script cannot be written
+/// Draws every case into DIRECTORY/figures: NAME.png or other formats, and the script NAME.gp that
+/// draws them, with NAME = results::file_stem of the case. Likewise NAME-budget with an error
+/// budget, NAME-sources with error sources, and NAME-order with several orders of a family. Earlier
+/// pictures of a case are removed, so that a case that cannot be drawn has none.
+/// @param gnuplot name or path of the program
+/// @param others  pictures drawn after those of the cases
+/// @return warnings about pictures that could not be drawn, one line each
+/// @throws std::runtime_error if a script cannot be written
 std::vector<std::string> draw_pictures(const std::filesystem::path& directory,
                                        const results::Run& run, const FigureOptions& options = {},
                                        const std::string& gnuplot = "gnuplot",

@@ -20,10 +20,10 @@ struct Extent {
   }
 };
 
-constexpr double kVisiblePart = 1.0 / 500;
+constexpr double kVisibleFraction = 1.0 / 500;
 
-// Bin centres start half a bin beside the wall: the end of the bins is drawn where it is the wall at
-// y = 0, and where the density does not fade out before it.
+// Extends the ranges to the walls, half a bin beyond the bin centres: to the wall at y = 0, and to
+// either end of the bins if the density has not decayed there.
 void include_walls(const results::Curve& curve, double peak, Extent& linear, Extent& logarithmic) {
   const auto widths = results::bin_widths(curve);
   if (widths.empty()) return;
@@ -31,14 +31,14 @@ void include_walls(const results::Curve& curve, double peak, Extent& linear, Ext
   const double high = curve.abscissa.back() + widths.back() / 2;
   const bool at_zero = std::abs(low) < widths.front() / 100;
   constexpr double kNotFaded = 1.0 / 20;
-  const auto seen = [&](double density) { return density > kNotFaded * peak; };
+  const auto is_visible = [&](double density) { return density > kNotFaded * peak; };
   for (Extent* extent : {&linear, &logarithmic}) {
     if (at_zero) {
       extent->include(0);
-    } else if (seen(curve.density.front())) {
+    } else if (is_visible(curve.density.front())) {
       extent->include(low);
     }
-    if (seen(curve.density.back())) extent->include(high);
+    if (is_visible(curve.density.back())) extent->include(high);
   }
 }
 
@@ -60,12 +60,12 @@ std::pair<double, double> difference_decades(const FigureRanges& r) {
 }
 
 double logarithmic_bottom(const FigureRanges& ranges, double floor) {
-  // The lowest point keeps some height.
+  // The factor 0.8 leaves space below the lowest point.
   const double least = std::min(0.8 * ranges.least_density, logarithmic_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }
 
-std::string beyond_the_top(const FigureRanges& ranges) {
+std::string spike_note(const FigureRanges& ranges) {
   if (ranges.largest_density <= 1.08 * ranges.linear_top) return "";
   return fmt::format("spike up to {:.3g}", ranges.largest_density);
 }
@@ -88,7 +88,7 @@ FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
     }
     linear_top = std::max(linear_top, peak);
     for (std::size_t k = 0; k < curve->density.size(); ++k) {
-      if (curve->density[k] > kVisiblePart * peak) linear.include(curve->abscissa[k]);
+      if (curve->density[k] > kVisibleFraction * peak) linear.include(curve->abscissa[k]);
       if (curve->density[k] > kSmallestDrawnDensity) logarithmic.include(curve->abscissa[k]);
     }
     double peak_difference = 0;

@@ -10,57 +10,58 @@
 
 namespace fpkcheck::report {
 
-/// The smallest density that the logarithmic panels show, as in the paper.
+/// The smallest density on the logarithmic panels, as in the paper.
 inline constexpr double kSmallestDrawnDensity = 1e-6;
 
-/// Axis ranges of the panels of one variable.
+/// Axis ranges of the panels of one marginal.
 struct FigureRanges {
   double linear_from, linear_to;            ///< where a density exceeds 1/500 of linear_top
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
-  double linear_top;          ///< the largest density but for the narrow bins that hold a spike
-  double largest_density;     ///< in all bins
-  double least_density;       ///< in all bins; 0 where one is empty
-  double largest_difference;  ///< from the reference, but for narrow bins; 0 without one
-  double least_difference;    ///< the smallest peak of a curve of differences
+  double linear_top;          ///< the largest density, excluding the narrow bins at a spike
+  double largest_density;     ///< over all bins
+  double least_density;       ///< over all bins; 0 with an empty bin
+  double largest_difference;  ///< from the reference, excluding narrow bins; 0 without reference
+  double least_difference;    ///< the smallest maximum of a curve of differences
 };
 
-/// A curve less that of the reference. In smooth bins the size of it, and of the reference itself
-/// half the width of its 95 % intervals: what it cannot tell from 0.
+/// The difference of a curve from that of the reference. Over smooth bins the absolute difference,
+/// and for the reference the half-width of its 95 % confidence intervals, the limit of
+/// significance.
 struct Difference {
   std::vector<double> abscissa, values;
-  std::vector<double> lower, upper;  ///< ends of 95 % intervals; empty without
+  std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
 
   bool empty() const { return values.empty(); }
 };
 
-/// A curve as it goes into a figure; it looks as its solution's identity says.
+/// A curve of a figure, drawn in the style of its solution.
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::Curve* curve;
-  Difference difference;  ///< from the reference's; empty without one
+  Difference difference;  ///< from the curve of the reference; empty without reference
 
-  /// Which of its bins are not the narrow ones into which those at a spike are divided
-  /// (compare::comparison_axes): whatever they hold would press the rest to the axis.
+  /// Flags the bins of regular width. The axes divide bins at a spike into narrow bins
+  /// (compare::comparison_axes), whose large densities would compress all other values.
   std::vector<bool> broad_bins() const;
 
-  const transform::Look& look() const { return solution->identity.look; }
+  const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
 
-/// Of a logarithmic axis of differences: from two decades below the smallest peak up to the largest,
-/// eight decades at most.
+/// Range of a logarithmic axis of differences in whole decades: from two decades below the smallest
+/// maximum of a curve to the largest, at most eight decades.
 std::pair<double, double> difference_decades(const FigureRanges& ranges);
 
-/// The logarithmic axis of a density begins at a power of ten below all of it, and a decade below its
-/// own top at the least; no lower than `floor`.
+/// Lower end of the logarithmic axis of a density: a power of ten below all values and at least a
+/// decade below the upper end, but no lower than `floor`.
 double logarithmic_bottom(const FigureRanges& ranges, double floor = kSmallestDrawnDensity);
-/// And it ends above the peak.
+/// Upper end of the logarithmic axis of a density: above the peak.
 inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.largest_density; }
 
-/// What to say where a spike goes beyond the linear panel; else empty.
-std::string beyond_the_top(const FigureRanges& ranges);
+/// A note with the height of a spike that exceeds the linear panel; empty without such a spike.
+std::string spike_note(const FigureRanges& ranges);
 
-/// Ranges that hold all the curves. Pass only those that are to be trusted with the scale: one wild
-/// curve would press all others together.
+/// Ranges that contain all the curves. Pass only reliable curves: a single outlier would compress
+/// all others.
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

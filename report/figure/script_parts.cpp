@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-std::string margins(const Place& place) {
+std::string margin_commands(const PanelBox& place) {
   return fmt::format(
       "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
       "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n",
@@ -28,7 +28,7 @@ double tic_step(double from, double to, int most_steps) {
   return 10 * power;
 }
 
-std::string density_of(transform::Variable variable) {
+std::string density_symbol(transform::Variable variable) {
   return variable == transform::Variable::y ? "{/:Italic p}({/:Italic y})"
                                             : "{/:Italic p}({/:Italic y}')";
 }
@@ -44,16 +44,16 @@ PointTypes point_types(const std::string& symbol) {
   return {kCross, kPlus};
 }
 
-std::string dash_type(const transform::Look& look) {
-  const bool lengths = look.dash.find_first_not_of("(),.0123456789") == std::string::npos;
-  return lengths && !look.dash.empty() ? look.dash : "solid";
+std::string dash_type(const transform::PlotStyle& plot_style) {
+  const bool lengths = plot_style.dash.find_first_not_of("(),.0123456789") == std::string::npos;
+  return lengths && !plot_style.dash.empty() ? plot_style.dash : "solid";
 }
 
-std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identities) {
-  std::vector<SeriesLook> looks;
+std::vector<SeriesStyle> series_styles(std::span<const transform::Identity> identities) {
+  std::vector<SeriesStyle> looks;
   for (const auto& one : identities) {
-    const auto [filled, open] = point_types(one.look.symbol);
-    looks.push_back({one.look.colour, filled, open, dash_type(one.look)});
+    const auto [filled, open] = point_types(one.plot_style.symbol);
+    looks.push_back({one.plot_style.colour, filled, open, dash_type(one.plot_style)});
   }
   return looks;
 }

@@ -7,44 +7,45 @@
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
 
-/// What pictures over grids, orders and varied keys are made of: parts of gnuplot scripts.
+/// Parts of gnuplot scripts: panel positions, data blocks, tics, point and dash types.
 namespace fpkcheck::report {
 
-/// Where a panel stands, in fractions of the picture.
-struct Place {
+/// The rectangle of the axes of a panel, in fractions of the picture.
+struct PanelBox {
   double left, right, top, bottom;
 };
-std::string margins(const Place& place);
+/// Commands that set the position of a panel.
+std::string margin_commands(const PanelBox& place);
 
-/// Named data within a script.
+/// A named data block of a script.
 /// @param rows each ended by a newline
 std::string data_block(const std::string& name, const std::string& rows);
 
-/// A step of 1, 2 or 5 with zeros that makes at most so many steps of a range: the tics that a narrow
-/// panel has room for.
+/// The smallest tic distance of 1, 2 or 5 times a power of ten that divides a range into at most
+/// `most_steps` steps.
 double tic_step(double from, double to, int most_steps = 6);
 
-/// "p(y)" in enhanced text, y or y'.
-std::string density_of(transform::Variable variable);
+/// "p(y)" or "p(y')" in enhanced text.
+std::string density_symbol(transform::Variable variable);
 
-/// Point types of gnuplot: filled where a density may be trusted, else open.
+/// Point types of gnuplot: filled for status ok, else open.
 struct PointTypes {
   int filled, open;
 };
-/// Those that look as a marker of plotly.js (transform::Look::symbol) does.
+/// The point types of the same shape as a marker of plotly.js (the symbol of a plot style).
 PointTypes point_types(const std::string& symbol);
 
-/// The dash type of a look, "solid" where it is none: a look may come from a file.
-std::string dash_type(const transform::Look& look);
+/// The dash type of a plot style. "solid" for an invalid dash type, which a file may contain.
+std::string dash_type(const transform::PlotStyle& look);
 
-/// Marks tell families by their shape, dashes the members of one, for grey print.
-struct SeriesLook {
+/// Style of a series. Shapes of marks distinguish families, dashes their members, for grey print.
+struct SeriesStyle {
   std::string colour;
   int filled, open;            ///< PointTypes
   std::string dash = "solid";  ///< dash type of the line
 };
 
-/// Series look as the methods they stand for.
-std::vector<SeriesLook> series_looks(std::span<const transform::Identity> identities);
+/// The styles of series of these solutions: colours, symbols and dashes of their plot styles.
+std::vector<SeriesStyle> series_styles(std::span<const transform::Identity> identities);
 
 }  // namespace fpkcheck::report

@@ -13,89 +13,91 @@
 namespace fpkcheck::report {
 namespace {
 
-constexpr std::pair<std::string_view, std::string_view> kOfLatex[] = {
+constexpr std::pair<std::string_view, std::string_view> kLatexSymbols[] = {
     {"−", "$-$"},       {"×", "$\\times$"}, {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},
     {"σ", "$\\sigma$"}, {"Δ", "$\\Delta$"}, {"≤", "$\\le$"},     {"²", "$^2$"},
     {"′", "$'$"},       {"|", "$|$"},       {"<", "$<$"},        {">", "$>$"},
     {"#", "\\#"},       {"$", "\\$"},       {"%", "\\%"},        {"&", "\\&"},
     {"~", "\\~{}"},     {"--", "-{}-"},
 };
-// What stands after a backslash in enhanced text, as LaTeX has it.
-constexpr std::pair<char, std::string_view> kEscaped[] = {
+// LaTeX code for the character after a backslash in enhanced text.
+constexpr std::pair<char, std::string_view> kLatexEscapes[] = {
     {'_', "\\_"}, {'^', "\\^{}"}, {'{', "\\{"},   {'}', "\\}"},
     {'@', "@"},   {'&', "\\&"},   {'~', "\\~{}"}, {'\\', "\\textbackslash{}"},
 };
 
-std::string_view escaped(char c) {
-  for (const auto& [letter, latex] : kEscaped) {
+std::string_view latex_escape(char c) {
+  for (const auto& [letter, latex] : kLatexEscapes) {
     if (letter == c) return latex;
   }
   return "";
 }
 
-// What is within the braces that `at` is at, or the letter there; `at` comes to stand behind.
-std::string_view argument(std::string_view text, std::size_t& at) {
-  const bool in_braces = at < text.size() && text[at] == '{';
-  const auto from = in_braces ? at + 1 : at;
+// The text within braces that begin here, or a single letter; advances the position behind both.
+std::string_view argument(std::string_view text, std::size_t& position) {
+  const bool in_braces = position < text.size() && text[position] == '{';
+  const auto from = in_braces ? position + 1 : position;
   const auto to = in_braces ? std::min(text.find('}', from), text.size()) : from + 1;
-  at = in_braces ? to + 1 : to;
+  position = in_braces ? to + 1 : to;
   return from < text.size() ? text.substr(from, to - from) : "";
 }
 
 }  // namespace
 
-std::string with_minus(std::string number) {
+std::string with_minus_signs(std::string number) {
   boost::algorithm::replace_all(number, "-", kMinus);
   return number;
 }
 
-std::string power_text(double value) {
+std::string scientific_text(double value) {
   if (value == 0) return "0";
   const std::string text = fmt::format("{:+.1e}", value);
   const auto e = text.find('e');
-  return with_minus(
+  return with_minus_signs(
       fmt::format("{} × 10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1))));
 }
 
-const char* const kPowersOfTen = "say('10^{%L}', '$10^{%L}$')";
+const char* const kPowerOfTenFormat = "say('10^{%L}', '$10^{%L}$')";
 
-std::string latex_of(const std::string& enhanced) {
+std::string to_latex(const std::string& enhanced) {
   constexpr std::string_view kItalic = "{/:Italic ";
   const std::string_view text = enhanced;
   std::string latex;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto rest = text.substr(at);
+  for (std::size_t position = 0; position < text.size();) {
+    const auto rest = text.substr(position);
     if (rest.starts_with(kItalic)) {
       const auto end = std::min(rest.find('}'), rest.size());
       latex += fmt::format("${}$", rest.substr(kItalic.size(), end - kItalic.size()));
-      at += end + 1;
+      position += end + 1;
     } else if (rest[0] == '\\' && rest.size() > 1) {
-      latex += escaped(rest[1]);
-      at += 2;
+      latex += latex_escape(rest[1]);
+      position += 2;
     } else if (rest[0] == '_' || rest[0] == '^') {
-      ++at;
-      std::string of(argument(text, at));
-      boost::algorithm::replace_all(of, kMinus, "-");
-      latex += fmt::format("${}{{{}}}$", rest[0], of);
+      ++position;
+      std::string argument_text(argument(text, position));
+      boost::algorithm::replace_all(argument_text, kMinus, "-");
+      latex += fmt::format("${}{{{}}}$", rest[0], argument_text);
     } else {
       std::string_view from = rest.substr(0, 1), to = from;
-      for (const auto& [letter, of_latex] : kOfLatex) {
-        if (rest.starts_with(letter)) from = letter, to = of_latex;
+      for (const auto& [letter, symbol] : kLatexSymbols) {
+        if (rest.starts_with(letter)) from = letter, to = symbol;
       }
       latex += to;
-      at += from.size();
+      position += from.size();
     }
   }
   return latex;
 }
 
 std::string gnuplot_text(const std::string& enhanced) {
-  const std::string latex = latex_of(enhanced);
+  const std::string latex = to_latex(enhanced);
   return latex == enhanced
              ? gnuplot_string(enhanced)
              : fmt::format("say({}, {})", gnuplot_string(enhanced), gnuplot_string(latex));
 }
 
-std::string gnuplot_literal(const std::string& text) { return gnuplot_text(without_marks(text)); }
+std::string gnuplot_literal(const std::string& text) {
+  return gnuplot_text(escape_enhanced_text(text));
+}
 
 }  // namespace fpkcheck::report

@@ -2,29 +2,30 @@
 
 #include <string>
 
-/// Texts of pictures, which LaTeX wants in its own way.
+/// Texts of pictures, in gnuplot's enhanced text and in LaTeX.
 namespace fpkcheck::report {
 
-/// What shows the same in LaTeX as a text of ours in gnuplot's enhanced mode: italics as formulas,
-/// Greek letters, exponents, and whatever LaTeX would take for a command letter by letter.
-std::string latex_of(const std::string& enhanced);
+/// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas,
+/// Greek letters, exponents; characters with a meaning in LaTeX are escaped.
+std::string to_latex(const std::string& enhanced);
 
-/// An enhanced text as a string expression of a script (script: figure_output), for all formats.
+/// An enhanced text as a string expression in a script, for all formats. The expression uses the
+/// function say() of output_commands.
 std::string gnuplot_text(const std::string& enhanced);
 
-/// A text that is shown letter by letter, as such an expression.
+/// A plain text as such an expression; the text appears literally.
 std::string gnuplot_literal(const std::string& text);
 
-/// U+2212, which is what gnuplot's own numbers have for a minus.
+/// Minus sign U+2212, as in the numbers that gnuplot prints.
 inline constexpr const char* kMinus = "\u2212";
 
-/// A number's text with that for each hyphen.
-std::string with_minus(std::string number);
+/// The text of a number with minus signs in place of hyphens.
+std::string with_minus_signs(std::string number);
 
 /// "+1.2 × 10^{−3}" in enhanced text; "0" of 0.
-std::string power_text(double value);
+std::string scientific_text(double value);
 
-/// For `set format` of a logarithmic axis: powers of ten.
-extern const char* const kPowersOfTen;
+/// Argument of `set format` for a logarithmic axis: powers of ten.
+extern const char* const kPowerOfTenFormat;
 
 }  // namespace fpkcheck::report

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::report {
 
-/// Bytes as they may stand in a text.
+/// Base64 encoding of bytes (RFC 4648).
 std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace fpkcheck::report

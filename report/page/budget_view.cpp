@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "compare/budget.hpp"
-#include "report/budget/part_look.hpp"
+#include "report/budget/part_style.hpp"
 #include "report/page/html.hpp"
 #include "report/page/log_range.hpp"
 #include "report/page/number_text.hpp"
@@ -23,39 +23,40 @@ using compare::BudgetRow;
 using compare::ClosureBudget;
 using transform::Variable;
 
-/// A closure's row of the budget in one variable.
+/// The budget of a closure for a marginal.
 struct LabelledRow {
-  std::string label;  ///< the closure's id, marked where it is not ok
+  std::string label;  ///< id of the closure, with kNotOkMark if not ok
   const BudgetRow* row;
 };
 
-/// The rows of one variable, and the names of all parts in the order of the chain.
-struct Side {
+/// The budgets for a marginal, and the names of all parts in the order of the chain.
+struct MarginalBudget {
   Variable variable;
   std::vector<LabelledRow> rows;
   std::vector<std::string> parts;
 };
 
-constexpr const char* kMark = " *";
+constexpr const char* kNotOkMark = " *";
 
-std::vector<Side> sides_of(const results::Case& one) {
-  const auto budgets = compare::closure_budgets(one.budget, one.solutions);
-  std::vector<Side> sides;
+std::vector<MarginalBudget> marginal_budgets(const results::Case& case_result) {
+  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
+  std::vector<MarginalBudget> sides;
   for (const Variable variable : transform::kVariables) {
-    Side side{variable, {}, compare::part_names(budgets)};
+    MarginalBudget marginal{variable, {}, compare::part_names(budgets)};
     for (const auto& budget : budgets) {
       const bool is_ok = budget.status == transform::Status::ok;
       const BudgetRow* row = budget.row(variable);
-      if (row != nullptr) side.rows.push_back({budget.solution + (is_ok ? "" : kMark), row});
+      if (row != nullptr)
+        marginal.rows.push_back({budget.solution + (is_ok ? "" : kNotOkMark), row});
     }
-    if (!side.rows.empty()) sides.push_back(std::move(side));
+    if (!marginal.rows.empty()) sides.push_back(std::move(marginal));
   }
   return sides;
 }
 
-Json total_trace(const Side& side) {
+Json total_trace(const MarginalBudget& marginal) {
   Json x = Json::array(), y = Json::array();
-  for (const auto& [label, row] : side.rows) {
+  for (const auto& [label, row] : marginal.rows) {
     if (!(row->total > 0)) continue;
     x.push_back(row->total);
     y.push_back(plotly_text(label));
@@ -72,11 +73,11 @@ Json total_trace(const Side& side) {
       {"hovertemplate", "%{y}: total %{x:.3g}"}};
 }
 
-Json bars(const Side& side, const std::string& name) {
+Json bars(const MarginalBudget& marginal, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
-  for (const auto& [label, row] : side.rows) {
+  for (const auto& [label, row] : marginal.rows) {
     const BudgetPart* part = row->find(name);
-    // Nothing is drawn on a logarithmic axis of what is not positive.
+    // A logarithmic axis has positive values only.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
     y.push_back(plotly_text(label));
@@ -101,17 +102,17 @@ Json bars(const Side& side, const std::string& name) {
           {"hovertemplate", "%{y}: %{x:.3g}<br>%{customdata}"}};
 }
 
-std::string figure(const Side& side) {
+std::string figure(const MarginalBudget& marginal) {
   Json data = Json::array(), labels = Json::array();
-  for (const auto& name : side.parts) data.push_back(bars(side, name));
-  data.push_back(total_trace(side));
+  for (const auto& name : marginal.parts) data.push_back(bars(marginal, name));
+  data.push_back(total_trace(marginal));
   LogRange range;
-  for (const auto& [label, row] : side.rows) {
+  for (const auto& [label, row] : marginal.rows) {
     labels.push_back(plotly_text(label));
     range.include(row->total);
     for (const auto& part : row->parts) range.include(part.l1);
   }
-  const Json json{{"height", 140 + 44 * side.rows.size()},
+  const Json json{{"height", 140 + 44 * marginal.rows.size()},
                   {"arrays", Json::object()},
                   {"data", data},
                   {"layout",
@@ -123,7 +124,7 @@ std::string figure(const Side& side) {
                       {"dtick", 1},
                       {"exponentformat", "power"},
                       {"range", range.exponents(0.5, 0.3)},
-                      {"title", {{"text", "L1 in " + density_text(side.variable)}}}}},
+                      {"title", {{"text", "L1 in " + density_text(marginal.variable)}}}}},
                     {"yaxis",
                      {{"autorange", "reversed"},
                       {"type", "category"},
@@ -132,20 +133,21 @@ std::string figure(const Side& side) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// One cell of a table: of a part, which may be missing.
+/// Makes the cell of a part.
 using PartCell = std::function<std::string(const BudgetPart&)>;
 
-// A column for the total and one for each part.
-std::vector<HtmlColumn> columns_of(const Side& side, const std::function<std::string(double)>& text,
-                                   double BudgetRow::*total, const PartCell& cell) {
+// The columns of closures, totals and parts.
+std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
+                                            const std::function<std::string(double)>& text,
+                                            double BudgetRow::*total, const PartCell& cell) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
-  for (const auto& [label, row] : side.rows) {
+  for (const auto& [label, row] : marginal.rows) {
     columns[0].cells.push_back(label);
     columns[1].cells.push_back(text(row->*total));
   }
-  for (const auto& name : side.parts) {
+  for (const auto& name : marginal.parts) {
     HtmlColumn column{name};
-    for (const auto& [label, row] : side.rows) {
+    for (const auto& [label, row] : marginal.rows) {
       const BudgetPart* part = row->find(name);
       column.cells.push_back(part != nullptr ? cell(*part) : std::string(kNoValue));
     }
@@ -154,65 +156,68 @@ std::vector<HtmlColumn> columns_of(const Side& side, const std::function<std::st
   return columns;
 }
 
-// The last step's own account of what chance does.
-HtmlColumn chance_column(const Side& side, const std::string& header,
-                         std::optional<double> BudgetPart::*member) {
+// A column with a sampling error of the last step of the chain.
+HtmlColumn sampling_error_column(const MarginalBudget& marginal, const std::string& header,
+                                 std::optional<double> BudgetPart::*member) {
   HtmlColumn column{header};
-  for (const auto& [label, row] : side.rows) {
+  for (const auto& [label, row] : marginal.rows) {
     column.cells.push_back(l1_cell(row->parts.back().*member));
   }
   return column;
 }
 
-std::string l1_table(const Side& side) {
+std::string l1_table(const MarginalBudget& marginal) {
   const auto with_uncertainty = [](const BudgetPart& part) {
     const std::string l1 = l1_cell(part.l1);
     return part.uncertainty ? l1 + " \u00b1 " + l1_cell(part.uncertainty) : l1;
   };
-  auto columns = columns_of(side, l1_cell, &BudgetRow::total, with_uncertainty);
-  columns.push_back(chance_column(side, "L1 that chance alone makes: mean", &BudgetPart::expected));
-  columns.push_back(chance_column(side, "exceeded in 1 run of 100", &BudgetPart::in_99));
-  return table_html(fmt::format("Error budget of {}: L1", density_text(side.variable)),
+  auto columns = budget_part_columns(marginal, l1_cell, &BudgetRow::total, with_uncertainty);
+  columns.push_back(
+      sampling_error_column(marginal, "L1 of sampling error alone: mean", &BudgetPart::expected));
+  columns.push_back(sampling_error_column(marginal, "L1 of sampling error alone: 99 % quantile",
+                                          &BudgetPart::quantile_99));
+  return table_html(fmt::format("Error budget of {}: L1", density_text(marginal.variable)),
                     std::move(columns));
 }
 
-std::string tail_table(const Side& side) {
+std::string tail_table(const MarginalBudget& marginal) {
   const auto text = [](double tail) {
     return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : std::string(kNoValue);
   };
   const auto cell = [&](const BudgetPart& part) { return text(part.tail); };
   return table_html(fmt::format("Error budget of the tail of {}: mean |\u0394 log10 p|",
-                                density_text(side.variable)),
-                    columns_of(side, text, &BudgetRow::total_tail, cell));
+                                density_text(marginal.variable)),
+                    budget_part_columns(marginal, text, &BudgetRow::total_tail, cell));
 }
 
 }  // namespace
 
-std::string budget_introduction(const results::Case& one) {
-  if (one.budget.empty()) return "";
+std::string budget_introduction(const results::Case& case_result) {
+  if (case_result.budget.empty()) return "";
   return fmt::format(
-      "<p>What each step adds on the way from a closure to {}: L1, and in the tail the mean "
-      "|\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts; it is less where "
-      "they cancel. (<a href=\"#budget-terms\">What the parts are</a>)</p>\n",
-      escaped(one.budget.front().reference));
+      "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the "
+      "mean |\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts, and smaller if "
+      "parts cancel. (<a href=\"#budget-terms\">Definition of the parts</a>)</p>\n",
+      escape_html(case_result.budget.front().reference));
 }
 
-std::vector<Plot> budget_plots(const results::Case& one, const std::string& prefix) {
+std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
-  for (const auto& side : sides_of(one)) {
-    const bool marked =
-        std::ranges::any_of(side.rows, [](const auto& row) { return row.label.ends_with(kMark); });
-    plots.push_back({fmt::format("{}-budget-{}", prefix, name(side.variable)),
-                     fmt::format("Error budget of {}{}", density_text(side.variable),
+  for (const auto& marginal : marginal_budgets(case_result)) {
+    const bool marked = std::ranges::any_of(
+        marginal.rows, [](const auto& row) { return row.label.ends_with(kNotOkMark); });
+    plots.push_back({fmt::format("{}-budget-{}", prefix, name(marginal.variable)),
+                     fmt::format("Error budget of {}{}", density_text(marginal.variable),
                                  marked ? "; *: not ok" : ""),
-                     figure(side)});
+                     figure(marginal)});
   }
   return plots;
 }
 
-std::string budget_tables(const results::Case& one) {
+std::string budget_tables(const results::Case& case_result) {
   std::string html;
-  for (const auto& side : sides_of(one)) html += l1_table(side) + tail_table(side);
+  for (const auto& marginal : marginal_budgets(case_result))
+    html += l1_table(marginal) + tail_table(marginal);
   return html;
 }
 

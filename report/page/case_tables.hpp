@@ -4,25 +4,25 @@
 
 #include "results/run.hpp"
 
-/// The tables of one case.
+/// The tables of a case on the page, in HTML.
 namespace fpkcheck::report {
 
-/// A row per solution: what it solves, status, moments, distances from the reference and from the
-/// other solutions of the problem itself, energy, seconds.
-std::string results_table(const results::Case& one);
+/// A row per solution: equation and impact, status, moments, distances to the reference and to the
+/// other solutions of the full problem, mass, energy residual, seconds.
+std::string results_table(const results::Case& case_result);
 
-/// By how much each solution's moments are off, where they are outside the guaranteed bounds: the
-/// distance from the middle, known to the half-width. Empty where there are no bounds.
-std::string moment_errors_table(const results::Case& one);
+/// Errors of moments outside the guaranteed bounds: the distance from the midpoint, known to the
+/// half-width. Empty without bounds.
+std::string bound_errors_table(const results::Case& case_result);
 
-/// By how much they are off by their own residuals (results::OwnError). Empty where nobody looked.
-std::string own_errors_table(const results::Case& one);
+/// Errors of moments estimated from residuals. Empty without such estimates.
+std::string residual_errors_table(const results::Case& case_result);
 
-/// Why solutions are not ok, as a list; empty when all are.
-std::string reasons_html(const results::Case& one);
+/// The reasons of solutions that are not ok, as a list; empty if all are ok.
+std::string reasons_html(const results::Case& case_result);
 
-/// What can be said of every solution, whoever made it: mass, energy, errors stated and chance;
-/// then what each family alone says (family_tables.hpp).
-std::string diagnostics_tables(const results::Case& one);
+/// Diagnostics of all solutions: mass, energy residual, error estimates, sampling errors; then the
+/// metrics of each family (family_tables.hpp).
+std::string diagnostics_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 using transform::Solution;
 using transform::Variable;
 
-// What both plots share. Solutions that are not ok are hollow.
+// The common part of the traces of both kinds of plots. Solutions that are not ok have open marks.
 template <class L1>
 Json base_trace(const Family& family, const L1& l1, LogRange& range) {
   Json l1s = Json::array(), names = Json::array(), symbols = Json::array(), colours = Json::array();
@@ -25,8 +25,8 @@ Json base_trace(const Family& family, const L1& l1, LogRange& range) {
     l1s.push_back(l1(*solution));
     range.include(l1(*solution));
     names.push_back(legend_name(*solution));
-    colours.push_back(solution->identity.look.colour);
-    symbols.push_back(solution->identity.look.symbol + (solution->is_ok() ? "" : "-open"));
+    colours.push_back(solution->identity.plot_style.colour);
+    symbols.push_back(solution->identity.plot_style.symbol + (solution->is_ok() ? "" : "-open"));
   }
   return {{"type", "scatter"},
           {"name", plotly_text(family.name)},
@@ -37,7 +37,7 @@ Json base_trace(const Family& family, const L1& l1, LogRange& range) {
 }
 
 Json log_axis(const std::string& title, const LogRange& range) {
-  // With room for marks and their names at both ends.
+  // The range leaves room for marks and names at both ends.
   return {{"type", "log"},
           {"range", range.exponents(0.3, 0.4)},
           {"exponentformat", "power"},
@@ -49,7 +49,7 @@ Json log_axis(const std::string& title, const LogRange& range) {
 std::string figure(const Json& data, const Json& x_axis, Variable variable,
                    const Solution& reference, const LogRange& l1s) {
   const std::string y_title =
-      fmt::format("L1 of {} to {}", density_text(variable), plotly_text(reference.id()));
+      fmt::format("L1 distance of {} to {}", density_text(variable), plotly_text(reference.id()));
   const Json json{
       {"height", 340},
       {"arrays", Json::object()},
@@ -59,7 +59,8 @@ std::string figure(const Json& data, const Json& x_axis, Variable variable,
 }
 
 /// A horizontal line across the plot.
-Json level_trace(const std::string& name, double l1, const Json& line, double from, double to) {
+Json horizontal_line_trace(const std::string& name, double l1, const Json& line, double from,
+                           double to) {
   return {{"type", "scatter"},
           {"mode", "lines"},
           {"name", plotly_text(name)},
@@ -70,69 +71,71 @@ Json level_trace(const std::string& name, double l1, const Json& line, double fr
           {"hovertemplate", "%{y:.3g}"}};
 }
 
-/// A guest at its order, or as a level where it has none.
-Json guest_trace(const Solution& guest, double l1, double from, double to) {
-  const auto& look = guest.identity.look;
-  Json trace = level_trace(legend_name(guest), l1,
-                           {{"color", look.colour}, {"width", 2}, {"dash", "longdash"}}, from, to);
-  if (!guest.identity.order) return trace;
+/// An external density: a mark at its order, or a horizontal line without an order.
+Json external_density_trace(const Solution& external_density, double l1, double from, double to) {
+  const auto& plot_style = external_density.identity.plot_style;
+  Json trace = horizontal_line_trace(
+      legend_name(external_density), l1,
+      {{"color", plot_style.colour}, {"width", 2}, {"dash", "longdash"}}, from, to);
+  if (!external_density.identity.order) return trace;
   trace["mode"] = "markers";
-  trace["x"] = {*guest.identity.order};
+  trace["x"] = {*external_density.identity.order};
   trace["y"] = {l1};
-  trace["marker"] = {
-      {"color", look.colour}, {"symbol", guest.is_ok() ? "star" : "star-open"}, {"size", 13}};
+  trace["marker"] = {{"color", plot_style.colour},
+                     {"symbol", external_density.is_ok() ? "star" : "star-open"},
+                     {"size", 13}};
   trace.erase("line");
   return trace;
 }
 
-std::string order_figure(const Convergence& found) {
+std::string order_figure(const Convergence& distances) {
   Json data = Json::array();
   LogRange l1s;
-  const auto l1_of = [&](const Solution& solution) { return found.l1(solution); };
-  for (const auto& family : found.families) {
+  const auto l1_of = [&](const Solution& solution) { return distances.l1(solution); };
+  for (const auto& family : distances.families) {
     Json trace = base_trace(family, l1_of, l1s), orders = Json::array();
     for (const Solution* solution : family.solutions) orders.push_back(*solution->identity.order);
     const Solution& middle = *family.solutions[family.solutions.size() / 2];
     trace["x"] = orders;
     trace["mode"] = "lines+markers";
-    trace["line"] = {{"color", middle.identity.look.colour}, {"width", 1.5}};
+    trace["line"] = {{"color", middle.identity.plot_style.colour}, {"width", 1.5}};
     trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
     data.push_back(trace);
   }
-  const auto [first, last] = found.orders();
+  const auto [first, last] = distances.orders();
   const double from = first - 0.5, to = last + 0.5;
-  for (const Solution* guest : found.guests) {
-    const double l1 = found.l1(*guest);
+  for (const Solution* external_density : distances.external_densities) {
+    const double l1 = distances.l1(*external_density);
     l1s.include(l1);
-    data.push_back(guest_trace(*guest, l1, from, to));
+    data.push_back(external_density_trace(*external_density, l1, from, to));
   }
-  for (const auto& [name, l1, dash] : found.levels) {
+  for (const auto& [name, l1, dash] : distances.uncertainty_lines) {
     l1s.include(l1);
     const Json line{{"color", "#555555"}, {"width", 1.5}, {"dash", dash}};
-    data.push_back(level_trace(name, l1, line, from, to));
+    data.push_back(horizontal_line_trace(name, l1, line, from, to));
   }
   const Json x_axis{{"range", {from, to}},
                     {"dtick", 2},
                     {"tick0", 0},
                     {"title", {{"text", "order n of the closure"}}}};
-  return figure(data, x_axis, found.variable, *found.reference, l1s);
+  return figure(data, x_axis, distances.variable, *distances.reference, l1s);
 }
 
-// The side of a mark on which its name stands: neighbours, in a family and between families, have
-// different ones, so that fewer names fall upon each other.
+// Position of the name beside a mark: it differs between neighbours within a family and between
+// families, so that fewer names overlap.
 const char* text_position(std::size_t place_of_family, std::size_t place_in_it) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(place_of_family + place_in_it) % kSides.size()];
 }
 
-std::string cost_figure(const std::vector<Family>& away, const results::Case& one,
+std::string cost_figure(const std::vector<Family>& compared, const results::Case& case_result,
                         const Solution& reference, Variable variable) {
   Json data = Json::array();
   LogRange times, l1s;
   const auto l1_of = [&](const Solution& solution) {
-    return one.l1(solution.id(), reference.id(), variable).value_or(0);
+    return case_result.l1(solution.id(), reference.id(), variable).value_or(0);
   };
-  for (const auto& family : away) {
+  for (const auto& family : compared) {
     Json trace = base_trace(family, l1_of, l1s), seconds = Json::array(), labels = Json::array(),
          positions = Json::array();
     for (const Solution* solution : family.solutions) {
@@ -151,38 +154,39 @@ std::string cost_figure(const std::vector<Family>& away, const results::Case& on
     trace["hovertemplate"] = "%{customdata}: %{y:.3g} in %{x:.2g} s<extra></extra>";
     data.push_back(trace);
   }
-  return figure(data, log_axis("seconds", times), variable, reference, l1s);
+  return figure(data, log_axis("computing time in seconds", times), variable, reference, l1s);
 }
 
 }  // namespace
 
-std::vector<Plot> order_plots(const results::Case& one, const std::string& prefix) {
+std::vector<Plot> order_plots(const results::Case& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const Variable variable : transform::kVariables) {
-    const auto found = convergence(one, variable);
-    if (!found) continue;
-    plots.push_back(
-        {fmt::format("{}-order-{}", prefix, name(variable)),
-         fmt::format("Convergence of the closures in {}; hollow: not ok", density_text(variable)),
-         order_figure(*found)});
+    const auto distances = convergence(case_result, variable);
+    if (!distances) continue;
+    plots.push_back({fmt::format("{}-order-{}", prefix, name(variable)),
+                     fmt::format("Convergence of the closures in {}; open marks: not ok",
+                                 density_text(variable)),
+                     order_figure(*distances)});
   }
   return plots;
 }
 
-std::vector<Plot> cost_plots(const results::Case& one, const std::string& prefix) {
+std::vector<Plot> cost_plots(const results::Case& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
-  const Solution* reference = compare::reference(one.solutions);
+  const Solution* reference = compare::reference(case_result.solutions);
   if (reference == nullptr) return plots;
   for (const Variable variable : transform::kVariables) {
-    std::vector<const Solution*> away;
-    for (const auto& solution : one.solutions) {
-      if (one.l1(solution.id(), reference->id(), variable).value_or(0) > 0)
-        away.push_back(&solution);
+    std::vector<const Solution*> compared;
+    for (const auto& solution : case_result.solutions) {
+      if (case_result.l1(solution.id(), reference->id(), variable).value_or(0) > 0)
+        compared.push_back(&solution);
     }
-    if (away.empty()) continue;
-    plots.push_back({fmt::format("{}-cost-{}", prefix, name(variable)),
-                     fmt::format("Distance in {} against cost", density_text(variable)),
-                     cost_figure(families(away), one, *reference, variable)});
+    if (compared.empty()) continue;
+    plots.push_back(
+        {fmt::format("{}-cost-{}", prefix, name(variable)),
+         fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         cost_figure(families(compared), case_result, *reference, variable)});
   }
   return plots;
 }

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "report/figure/content.hpp"
-#include "report/page/first_shown.hpp"
+#include "report/page/initially_visible.hpp"
 #include "report/page/typed_array.hpp"
 
 namespace fpkcheck::report {
@@ -19,11 +19,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSmallestShown = 1e-7;
-// Ends of intervals at or below zero have no logarithm; this is far below the axis.
-constexpr double kFarBelow = 1e-12;
+// Replaces ends of intervals at or below zero, which have no logarithm; far below the axis.
+constexpr double kBelowAxis = 1e-12;
 
-/// The rows of a plot: axes "", "2", "3" of plotly.js. What differs stands at the top, curves that
-/// cannot be told from each other at the bottom.
+/// The rows of a plot, axes "", "2", "3" of plotly.js, from the bottom. The differences are at the
+/// top, since the densities nearly coincide.
 enum Row { kLinear, kLogarithmic, kDifference };
 
 std::string axis(char letter, Row row) {
@@ -37,15 +37,15 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
-  /// @param shown ids of the solutions that are not hidden at first
-  DensityPlot(const results::Case& one, const FigureSide& side, const FigureContent& content,
-              const std::set<std::string>& shown)
-      : one_(one),
-        side_(side),
+  /// @param shown ids of the initially visible solutions
+  DensityPlot(const results::Case& case_result, const MarginalCurves& marginal,
+              const FigureContent& content, const std::set<std::string>& shown)
+      : case_result_(case_result),
+        marginal_(marginal),
         reference_(content.reference),
         smooth_(content.smooth_differences),
         shown_(shown) {
-    for (const auto& drawn : side_.curves) add(drawn);
+    for (const auto& drawn : marginal_.curves) add(drawn);
   }
 
   std::string figure() const {
@@ -60,51 +60,53 @@ class DensityPlot {
   void add(const DrawnCurve& drawn) {
     const results::Curve& curve = *drawn.curve;
     const auto& [solution, variable, abscissa, density, lower, upper] = curve;
-    if (x_of(drawn) == solution + " x") put(solution + " x", abscissa);
-    put(solution + " p", density);
+    if (abscissa_name(drawn) == solution + " x") store_array(solution + " x", abscissa);
+    store_array(solution + " p", density);
     const bool has_bands = !lower.empty() && !upper.empty();
     if (has_bands) {
       add_band(drawn, kLinear, "p", lower, upper);
-      add_band(drawn, kLogarithmic, "log p", at_least(lower, kFarBelow),
-               at_least(upper, kFarBelow));
+      add_band(drawn, kLogarithmic, "log p", at_least(lower, kBelowAxis),
+               at_least(upper, kBelowAxis));
     }
     add_curve(drawn, kLinear, "p");
     add_curve(drawn, kLogarithmic, "p");
     if (drawn.difference.empty()) return;
     const Difference& difference = drawn.difference;
-    if (difference_x_of(drawn) == solution + " difference x") {
-      put(solution + " difference x", difference.abscissa);
+    if (difference_abscissa_name(drawn) == solution + " difference x") {
+      store_array(solution + " difference x", difference.abscissa);
     }
-    put(solution + " difference", difference.values);
+    store_array(solution + " difference", difference.values);
     if (!difference.lower.empty()) {
       add_band(drawn, kDifference, "difference", difference.lower, difference.upper);
     }
     add_curve(drawn, kDifference, "difference");
   }
 
-  // Nearly always the same bins: then the first curve's serve all.
-  std::string x_of(const DrawnCurve& drawn) const {
-    const results::Curve& first = *side_.curves.front().curve;
+  // Name of the array of abscissae. Curves on the bins of the first curve share its array.
+  std::string abscissa_name(const DrawnCurve& drawn) const {
+    const results::Curve& first = *marginal_.curves.front().curve;
     const bool same = drawn.curve->abscissa == first.abscissa;
     return (same ? first.solution : drawn.curve->solution) + " x";
   }
 
-  // The same for all that have one; where the first curve has none, each brings its own.
-  std::string difference_x_of(const DrawnCurve& drawn) const {
-    const DrawnCurve& first = side_.curves.front();
+  // Name of the array of abscissae of a difference. Differences on the bins of the first curve's
+  // difference share its array.
+  std::string difference_abscissa_name(const DrawnCurve& drawn) const {
+    const DrawnCurve& first = marginal_.curves.front();
     const bool same = drawn.difference.abscissa == first.difference.abscissa;
     return (same ? first : drawn).curve->solution + " difference x";
   }
 
-  void put(const std::string& name, const std::vector<double>& values) {
+  void store_array(const std::string& name, const std::vector<double>& values) {
     arrays_[name] = float_array(values);
   }
 
   Json trace(const DrawnCurve& drawn, Row row, const std::string& array) const {
     const std::string& id = drawn.curve->solution;
-    const std::string x = row == kDifference ? difference_x_of(drawn) : x_of(drawn);
-    // In legends as in tables, whatever is drawn first.
-    const auto rank = drawn.solution - one_.solutions.data();
+    const std::string x =
+        row == kDifference ? difference_abscissa_name(drawn) : abscissa_name(drawn);
+    // Legends have the order of the tables, not the drawing order.
+    const auto rank = drawn.solution - case_result_.solutions.data();
     Json json{{"type", "scatter"},           {"name", legend_name(*drawn.solution)},
               {"legendgroup", id},           {"legendrank", rank},
               {"showlegend", false},         {"x", "@" + x},
@@ -117,16 +119,19 @@ class DensityPlot {
   void add_curve(const DrawnCurve& drawn, Row row, const std::string& array) {
     Json json = trace(drawn, row, array);
     json["showlegend"] = row == kLinear;
-    const auto& look = drawn.solution->identity.look;
-    if (look.as_points) {
+    const auto& plot_style = drawn.solution->identity.plot_style;
+    if (plot_style.as_points) {
       json["mode"] = "markers";
-      // More points than these would hide the lines.
-      json["marker"] = {
-          {"color", look.colour}, {"symbol", "circle-open"}, {"size", 6}, {"maxdisplayed", 40}};
+      // More than 40 points would hide the lines.
+      json["marker"] = {{"color", plot_style.colour},
+                        {"symbol", "circle-open"},
+                        {"size", 6},
+                        {"maxdisplayed", 40}};
     } else {
       json["mode"] = "lines";
-      json["line"] = {
-          {"color", look.colour}, {"width", look.width}, {"dash", plotly_dash(look.dash)}};
+      json["line"] = {{"color", plot_style.colour},
+                      {"width", plot_style.width},
+                      {"dash", plotly_dash(plot_style.dash)}};
     }
     json["hovertemplate"] = "%{y:.4g}";
     traces_.push_back(json);
@@ -134,8 +139,8 @@ class DensityPlot {
 
   void add_band(const DrawnCurve& drawn, Row row, const std::string& array,
                 const std::vector<double>& lower, const std::vector<double>& upper) {
-    put(drawn.curve->solution + ' ' + array + " lower", lower);
-    put(drawn.curve->solution + ' ' + array + " upper", upper);
+    store_array(drawn.curve->solution + ' ' + array + " lower", lower);
+    store_array(drawn.curve->solution + ' ' + array + " upper", upper);
     Json from = trace(drawn, row, array + " lower"), to = trace(drawn, row, array + " upper");
     for (Json* edge : {&from, &to}) {
       (*edge)["mode"] = "lines";
@@ -149,8 +154,8 @@ class DensityPlot {
   }
 
   Json layout() const {
-    const FigureRanges& r = side_.ranges;
-    const std::string p = density_text(side_.variable);
+    const FigureRanges& r = marginal_.ranges;
+    const std::string p = density_text(marginal_.variable);
     const bool with_difference = !reference_.empty();
     const double gap = 0.07;
     const double rows = with_difference ? 3 : 2;
@@ -179,7 +184,7 @@ class DensityPlot {
           {"range",
            {std::log10(logarithmic_bottom(r, kSmallestShown)), std::log10(logarithmic_top(r))}},
           {"title", {{"text", p + ", logarithmic"}}}}}};
-    if (const std::string beyond = beyond_the_top(r); !beyond.empty()) {
+    if (const std::string beyond = spike_note(r); !beyond.empty()) {
       json["annotations"] = Json::array({{{"xref", "x"},
                                           {"yref", "y domain"},
                                           {"x", 0},
@@ -196,59 +201,60 @@ class DensityPlot {
                         {"exponentformat", "power"},
                         {"title", {{"text", p + " \u2212 " + plotly_text(reference_)}}}};
       if (smooth_) {
-        const auto [from, to] = difference_decades(ranges_of_shown());
+        const auto [from, to] = difference_decades(visible_ranges());
         json["yaxis3"]["type"] = "log";
         json["yaxis3"]["dtick"] = 1;
         json["yaxis3"]["range"] = {std::log10(from), std::log10(to)};
         json["yaxis3"]["title"]["text"] = fmt::format("|{} \u2212 {}|", p, plotly_text(reference_));
       }
     }
-    json["xaxis"]["title"] = {{"text", variable_text(side_.variable)}};
+    json["xaxis"]["title"] = {{"text", variable_text(marginal_.variable)}};
     return json;
   }
 
-  // Of the axis of differences: what is hidden at first does not set it.
-  FigureRanges ranges_of_shown() const {
+  // The range of the axis of differences: initially hidden curves do not affect it.
+  FigureRanges visible_ranges() const {
     std::vector<DrawnCurve> curves;
-    std::ranges::copy_if(side_.curves, std::back_inserter(curves), [&](const DrawnCurve& drawn) {
-      return shown_.contains(drawn.curve->solution);
-    });
-    return curves.empty() ? side_.ranges : difference_ranges(curves, smooth_);
+    std::ranges::copy_if(
+        marginal_.curves, std::back_inserter(curves),
+        [&](const DrawnCurve& drawn) { return shown_.contains(drawn.curve->solution); });
+    return curves.empty() ? marginal_.ranges : difference_ranges(curves, smooth_);
   }
 
-  const results::Case& one_;
-  const FigureSide& side_;
-  const std::string& reference_;  // "" without one
-  bool smooth_;                   // differences of averages over smooth bins
+  const results::Case& case_result_;
+  const MarginalCurves& marginal_;
+  const std::string& reference_;  // id, or "" without reference
+  bool smooth_;                   // differences between averages over smooth bins
   const std::set<std::string>& shown_;
   Json arrays_ = Json::object(), traces_ = Json::array();
 };
 
 }  // namespace
 
-std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
+std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,
                                 const std::set<std::string>& shown, const std::string& prefix) {
   std::vector<Plot> plots;
-  for (const auto& side : content.sides) {
-    std::string caption(base::meaning_of(side.variable));
+  for (const auto& marginal : content.marginals) {
+    std::string caption(base::meaning_of(marginal.variable));
     caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
-    caption += fmt::format(" {}: ", variable_text(side.variable));
+    caption += fmt::format(" {}: ", variable_text(marginal.variable));
     if (!content.reference.empty()) {
       caption += "difference from " + content.reference;
       if (content.smooth_differences) {
-        caption += " over smooth bins, and half the width of its own 95 % intervals";
+        caption += " over smooth bins, with the half-width of its 95 % confidence intervals";
       }
       caption += "; ";
     }
     caption += "logarithm of the density; density";
-    plots.push_back({fmt::format("{}-density-{}", prefix, name(side.variable)), caption,
-                     DensityPlot(one, side, content, shown).figure()});
+    plots.push_back({fmt::format("{}-density-{}", prefix, name(marginal.variable)), caption,
+                     DensityPlot(case_result, marginal, content, shown).figure()});
   }
   return plots;
 }
 
-std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix) {
-  return density_plots(one, figure_content(one), first_shown(one), prefix);
+std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix) {
+  return density_plots(case_result, figure_content(case_result), initially_visible(case_result),
+                       prefix);
 }
 
 }  // namespace fpkcheck::report

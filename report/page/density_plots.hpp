@@ -10,15 +10,15 @@
 
 namespace fpkcheck::report {
 
-/// p(y) and p(y'): for each variable one plot with the density linear and logarithmic and its
-/// difference from the reference; the simulation as points in its 95 % band.
-/// @param prefix how the ids of the plots begin
-std::vector<Plot> density_plots(const results::Case& one, const std::string& prefix);
+/// A plot for each marginal with three rows: the density on a linear and on a logarithmic axis, and
+/// the difference from the reference. The simulation is shown as points in a 95 % band.
+/// @param prefix of the ids of the plots
+std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix);
 
-/// The same of some of its curves.
-/// @param content of the case
-/// @param shown   ids of the solutions that are not switched off at first
-std::vector<Plot> density_plots(const results::Case& one, const FigureContent& content,
+/// The same plots for given curves.
+/// @param content the curves of the case
+/// @param shown   ids of the initially visible solutions
+std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,
                                 const std::set<std::string>& shown, const std::string& prefix);
 
 }  // namespace fpkcheck::report

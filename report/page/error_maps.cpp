@@ -19,24 +19,24 @@ using Json = nlohmann::ordered_json;
 using results::Case;
 using transform::Moments;
 
-// Colours, and what a reader is told of a cell, are no finer.
+// Resolution of the colours and of the value shown for a cell.
 constexpr int kErrorLevels = 127;
 
-struct ShownMoment {
+struct MappedMoment {
   const char* name;
   const char* text;
   double Moments::*member;
 };
-constexpr ShownMoment kMapped[] = {{"y2", "E[y\u00b2]", &Moments::y2},
-                                   {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
+constexpr MappedMoment kMappedMoments[] = {{"y2", "E[y\u00b2]", &Moments::y2},
+                                           {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
 
-// The closures that are ok, the closest first, then all others.
-std::vector<std::string> in_order(const Case& one) {
+// Ids of the closures that are ok, closest first, then of all others.
+std::vector<std::string> solutions_by_accuracy(const Case& one) {
   std::vector<std::string> ids;
-  for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
+  for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
     ids.push_back(rank.solution->id());
   }
-  for (const auto& own : one.own_errors) {
+  for (const auto& own : one.moment_error_estimates) {
     if (std::ranges::find(ids, own.solution) == ids.end()) ids.push_back(own.solution);
   }
   return ids;
@@ -44,9 +44,9 @@ std::vector<std::string> in_order(const Case& one) {
 
 ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const CellWindow& window) {
   ErrorMaps::OfSolution maps{id, {}};
-  const auto* own = one.own_error(id);
+  const auto* own = one.moment_error_estimate(id);
   if (own == nullptr) return maps;
-  for (const auto& [name, text, member] : kMapped) {
+  for (const auto& [name, text, member] : kMappedMoments) {
     const auto* source = one.error_source(id, name);
     if (source == nullptr) continue;
     maps.moments.push_back(
@@ -64,7 +64,8 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
   const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
     return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
   });
-  // The window of any density on these cells: all but the wildest have the same.
+  // The window of the reference, or of the first joint density without a reference: nearly all
+  // densities have the same window.
   const auto* measure = compare::reference(one.solutions);
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();
@@ -73,15 +74,15 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
       joint->density.v_edges != cells.v_edges) {
     return std::nullopt;
   }
-  const CellWindow window = window_above(joint->density, kSeen);
+  const CellWindow window = window_above(joint->density, kLogarithmicFraction);
   ErrorMaps maps{{cells.y_edges.begin() + std::ptrdiff_t(window.y_begin),
                   cells.y_edges.begin() + std::ptrdiff_t(window.y_end) + 1},
                  {cells.v_edges.begin() + std::ptrdiff_t(window.v_begin),
                   cells.v_edges.begin() + std::ptrdiff_t(window.v_end) + 1},
                  {}};
-  for (const auto& id : in_order(one)) {
+  for (const auto& id : solutions_by_accuracy(one)) {
     auto of_solution = maps_of(one, id, window);
-    if (of_solution.moments.size() == std::size(kMapped)) {
+    if (of_solution.moments.size() == std::size(kMappedMoments)) {
       maps.solutions.push_back(std::move(of_solution));
     }
   }
@@ -92,20 +93,20 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
 std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& one : maps.solutions) {
-    options += fmt::format("<option>{}</option>", escaped(one.solution));
+    options += fmt::format("<option>{}</option>", escape_html(one.solution));
   }
   std::string html = fmt::format(
       "<p class=\"controls\"><label>Errors of: <select id=\"{}-errors-choice\">{}</select></label>"
-      "</p>\n<p>The moment of a density less the true one is the integral of such a map: minus the "
-      "solution of the backward equation, tested against what the density leaves of its own "
-      "equation there. No other density is needed.</p>\n<div class=\"maps\">\n",
+      "</p>\n<p>The integral of a map is the error of the moment (dual-weighted residual). The map "
+      "shows minus the solution of the backward equation times the residual of the density in the "
+      "stationary equation. No other density is needed.</p>\n<div class=\"maps\">\n",
       prefix, options);
-  for (std::size_t k = 0; k < std::size(kMapped); ++k) {
+  for (std::size_t k = 0; k < std::size(kMappedMoments); ++k) {
     html += fmt::format(
         "<figure>\n<figcaption id=\"{0}-errors-caption{1}\"></figcaption>\n<div class=\"plot\" "
-        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of where the error of {2} "
-        "comes from\"></div>\n</figure>\n",
-        prefix, k, kMapped[k].text);
+        "id=\"{0}-errors-map{1}\" role=\"img\" aria-label=\"Heat map of the sources of the error "
+        "of {2}\"></div>\n</figure>\n",
+        prefix, k, kMappedMoments[k].text);
   }
   return html + "</div>\n";
 }
@@ -122,7 +123,7 @@ std::string error_maps_json(const ErrorMaps& maps, const std::string& prefix) {
                          {"error", number_text(error, 2)},
                          {"largest", values.largest},
                          {"levels", values.levels},
-                         {"steps", steps_of(values.roots)}});
+                         {"steps", successive_differences(values.roots)}});
     }
     json["solutions"].push_back({{"solution", one.solution}, {"moments", moments}});
   }

@@ -10,14 +10,14 @@
 
 namespace fpkcheck::report {
 
-/// Where the error of one moment of a solution comes from.
+/// Error source of one moment of a solution, over the phase plane.
 struct ErrorMap {
-  std::string moment;  ///< as the page writes it
+  std::string moment;  ///< symbol on the page: "E[y²]"
   double error;
-  SignedRoots values;  ///< by cells, shape (nv, ny)
+  SignedRoots values;  ///< error per area over cells, shape (nv, ny)
 };
 
-/// The sources of the errors of all solutions of a case, where the density can be seen.
+/// The error sources of all solutions of a case, over the cells with a visible density.
 struct ErrorMaps {
   struct OfSolution {
     std::string solution;  ///< id
@@ -25,16 +25,16 @@ struct ErrorMaps {
   };
   std::vector<double> y_edges;        ///< ny + 1
   std::vector<double> v_edges;        ///< nv + 1
-  std::vector<OfSolution> solutions;  ///< closures, the closest first, then the others
+  std::vector<OfSolution> solutions;  ///< closures (closest first), then the others
 };
 
-/// @return nothing where no solution has any
+/// @return nothing without error sources, or if they are not on the cells of the joint densities
 std::optional<ErrorMaps> error_maps(const results::Case& one);
 
-/// The heat maps with their control, to be filled by page.js.
+/// HTML elements of the heat maps with their control; page.js draws the maps.
 std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix);
 
-/// As page.js reads them, in JSON.
+/// The maps in JSON, the input of page.js.
 std::string error_maps_json(const ErrorMaps& maps, const std::string& prefix);
 
 }  // namespace fpkcheck::report

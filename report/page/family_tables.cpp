@@ -14,35 +14,35 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Observation;
+using transform::Metric;
 using transform::Solution;
 
 constexpr int kDigits = 4;
 
-bool repeats_an_option(const Observation& observation, const Solution& solution) {
+bool is_repeated_option(const Metric& observation, const Solution& solution) {
   return std::ranges::find(solution.options,
                            base::NamedValue{observation.path, observation.value}) !=
          solution.options.end();
 }
 
-// "support" of "support.edge_density"; nothing of a path that stands by itself.
+// "support" for "support.edge_density"; empty for a path without group.
 std::string_view group_of(const std::string& path) {
   const auto dot = path.find('.');
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
-// Paths of what tells anything, each where it stands in the solution that has it first; groups
-// after the others, by name, since a file keeps the order within a group only.
-std::vector<std::string> told_paths(const Family& family) {
+// Paths of the metrics with a value that repeats no option, in the order of the first solution with
+// the metric. Groups follow, sorted by name, since a file keeps the order only within a group.
+std::vector<std::string> metric_paths(const Family& family) {
   std::vector<std::string> paths;
   std::set<std::string> told;
   for (const Solution* solution : family.solutions) {
     auto at = paths.begin();
-    for (const auto& observation : solution->observations) {
+    for (const auto& observation : solution->metrics) {
       if (observation.path.find('[') != std::string::npos) continue;
       const auto known = std::ranges::find(paths, observation.path);
       at = (known != paths.end() ? known : paths.insert(at, observation.path)) + 1;
-      if (!base::is_nothing(observation.value) && !repeats_an_option(observation, *solution)) {
+      if (!base::is_unset(observation.value) && !is_repeated_option(observation, *solution)) {
         told.insert(observation.path);
       }
     }
@@ -52,8 +52,8 @@ std::vector<std::string> told_paths(const Family& family) {
   return paths;
 }
 
-// "support.edge_density" is "support: edge density".
-std::string readable(const std::string& path) {
+// "support.edge_density" becomes "support: edge density".
+std::string path_text(const std::string& path) {
   std::string text;
   for (const char c : path) {
     if (c == '.') text += ':';
@@ -62,36 +62,36 @@ std::string readable(const std::string& path) {
   return text;
 }
 
-// Where Q_n rises but a fixed term holds the exponent down, the radius alone would read like the reason
-// for a rejection.
+// Text of a metric. In a confined closure Q_n may rise while a fixed term keeps the exponent
+// decreasing: the radius alone would look like the reason for status inadmissible.
 std::string told(const Solution& solution, const std::string& path) {
-  const Observation* found = find(solution.observations, path);
+  const Metric* found = find(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);
-  const bool is_confined = transform::word(solution.observations, "tail.kind") == "confined";
+  const bool is_confined = transform::word(solution.metrics, "tail.kind") == "confined";
   if (path == "support.rises_from" && is_confined && text != kNoValue) {
-    text = fmt::format("confined (Q_n from {})", text);
+    text = fmt::format("confined (Q_n rises from {})", text);
   }
   return text;
 }
 
 std::string family_table(const Family& family) {
-  const auto paths = told_paths(family);
+  const auto paths = metric_paths(family);
   std::vector<HtmlColumn> table{{"quantity", Align::left}};
-  for (const auto& path : paths) table.front().cells.push_back(readable(path));
+  for (const auto& path : paths) table.front().cells.push_back(path_text(path));
   for (const Solution* solution : family.solutions) {
     table.push_back({transform::short_name(solution->identity)});
     for (const auto& path : paths) {
       table.back().cells.push_back(told(*solution, path));
     }
   }
-  return table_html(fmt::format("What {} says of itself", family.name), std::move(table));
+  return table_html(fmt::format("Metrics of {}", family.name), std::move(table));
 }
 
 }  // namespace
 
-std::string family_tables(const results::Case& one) {
+std::string family_tables(const results::Case& case_result) {
   std::string html;
-  for (const auto& family : families(one.solutions)) html += family_table(family);
+  for (const auto& family : families(case_result.solutions)) html += family_table(family);
   return html.empty() ? "" : "<div class=\"families\">\n" + html + "</div>\n";
 }
 

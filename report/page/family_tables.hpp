@@ -6,10 +6,10 @@
 
 namespace fpkcheck::report {
 
-/// What the solvers alone know of their solutions: for each family a table with a column for each
-/// solution and a row for each observation, groups ("support.edge_density") below the others. Left
-/// out are lists (coefficients, quantiles), what no solution of the family has, and what only
-/// repeats the options that were asked for.
-std::string family_tables(const results::Case& one);
+/// Tables of the metrics of the solvers: for each family a table with a column for each solution
+/// and a row for each metric, with groups ("support.edge_density") below the others. Omitted are
+/// lists (coefficients, quantiles), metrics without a value in the family, and metrics that repeat
+/// an option.
+std::string family_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

@@ -13,13 +13,14 @@ namespace fpkcheck::report {
 std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
-  // Of its codes only lack of memory can occur: the parameters are right, and there is room for all.
+  // The only possible error is lack of memory: the parameters are valid and the buffer is large
+  // enough.
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
   }
   std::vector<std::byte> bytes(deflateBound(&stream, text.size()));
-  // zlib reads no byte of the input but as const.
+  // zlib does not modify the input.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(bytes.data());

@@ -5,8 +5,8 @@
 
 namespace fpkcheck::report {
 
-/// A text in gzip's format (RFC 1952) and base64: what page.js unpacks by DecompressionStream. The
-/// same text gives the same bytes.
+/// A text compressed by gzip (RFC 1952) and encoded in base64; page.js unpacks it by
+/// DecompressionStream. Equal texts give equal results.
 /// @throws std::bad_alloc
 std::string gzip_base64(std::string_view text);
 

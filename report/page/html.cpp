@@ -12,21 +12,21 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
-// A status in a frame of its colour: by a class of its letters.
-std::string chip(const std::string& status) {
+// A status in a coloured frame. The name of the status is the CSS class, which sets the colour.
+std::string status_chip(const std::string& status) {
   std::string letters = status;
   std::ranges::replace_if(
       letters, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return fmt::format("<span class=\"chip {}\">{}</span>", letters, status);
 }
 
-bool says_nothing(const HtmlColumn& column) {
+bool is_empty_column(const HtmlColumn& column) {
   return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
 }
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string escape_html(std::string_view text) {
   std::string html;
   html.reserve(text.size());
   for (const char c : text) {
@@ -54,33 +54,34 @@ std::string escaped(std::string_view text) {
 }
 
 std::string element(std::string_view tag, std::string_view text) {
-  return fmt::format("<{0}>{1}</{0}>\n", tag, escaped(text));
+  return fmt::format("<{0}>{1}</{0}>\n", tag, escape_html(text));
 }
 
-std::string folded(std::string_view id, std::string_view summary, const std::string& html) {
+std::string details_html(std::string_view id, std::string_view summary, const std::string& html) {
   if (html.empty()) return "";
-  return fmt::format("<details id=\"{}\">\n<summary>{}</summary>\n{}</details>\n", escaped(id),
-                     escaped(summary), html);
+  return fmt::format("<details id=\"{}\">\n<summary>{}</summary>\n{}</details>\n", escape_html(id),
+                     escape_html(summary), html);
 }
 
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns) {
   if (columns.empty() || columns.front().cells.empty()) return "";
-  std::erase_if(columns, says_nothing);
+  std::erase_if(columns, is_empty_column);
   if (columns.size() < 2) return "";
   std::string html = fmt::format(
       "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\">\n"
       "<table>\n<caption>{0}</caption>\n<thead><tr>",
-      escaped(caption));
+      escape_html(caption));
   for (const auto& column : columns) {
-    html += fmt::format("<th scope=\"col\"{}>{}</th>", css_class(column), escaped(column.header));
+    html +=
+        fmt::format("<th scope=\"col\"{}>{}</th>", css_class(column), escape_html(column.header));
   }
   html += "</tr></thead>\n<tbody>\n";
   for (std::size_t row = 0; row < columns.front().cells.size(); ++row) {
-    html += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(columns.front().cells[row]));
+    html += fmt::format("<tr><th scope=\"row\">{}</th>", escape_html(columns.front().cells[row]));
     for (std::size_t c = 1; c < columns.size(); ++c) {
-      const std::string cell = escaped(columns[c].cells.at(row));
+      const std::string cell = escape_html(columns[c].cells.at(row));
       html += fmt::format("<td{}>{}</td>", css_class(columns[c]),
-                          columns[c].is_status ? chip(cell) : cell);
+                          columns[c].is_status ? status_chip(cell) : cell);
     }
     html += "</tr>\n";
   }

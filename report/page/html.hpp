@@ -6,33 +6,32 @@
 
 namespace fpkcheck::report {
 
-/// A text as it may stand in HTML, between tags and in a quoted attribute.
-std::string escaped(std::string_view text);
+/// Escapes a text for HTML, between tags and within a quoted attribute.
+std::string escape_html(std::string_view text);
 
-/// <tag>text</tag>, the text escaped.
+/// <tag>text</tag>, with escapes in the text.
 std::string element(std::string_view tag, std::string_view text);
 
-/// <details>, closed, with what it is to show; empty where there is nothing.
+/// A closed <details> element with this content; empty without content.
 /// @param id of the element, for links
-std::string folded(std::string_view id, std::string_view summary, const std::string& html);
+std::string details_html(std::string_view id, std::string_view summary, const std::string& html);
 
-/// What a cell shows where there is no value.
+/// Text of a cell without a value.
 inline constexpr std::string_view kNoValue = "\u2013";
 
 enum class Align { left, right };
 
-/// One column of a table: plain texts, a cell for each row.
+/// A column of a table: plain text, a cell for each row.
 struct HtmlColumn {
   std::string header;
   Align align = Align::right;
   std::vector<std::string> cells = {};
-  /// Cells are statuses: in colour, by what they mean.
+  /// Cells are names of statuses, coloured by status.
   bool is_status = false;
 };
 
-/// A table in a box of its own, which scrolls where the screen is narrow. The first column names
-/// the rows. Columns without a single value are left out, and nothing is made of a table without
-/// rows, or with nothing but names.
+/// A table in a box that scrolls on a narrow screen. The first column has the names of the rows.
+/// Columns without a value are omitted. Empty without rows, or without columns beside the names.
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns);
 
 }  // namespace fpkcheck::report

@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Of a difference a map shows what is above 1e-8 of its largest: in the tails, where it draws ratios,
-// less than a density has there.
+// Resolves differences down to 1e-8 of the largest. Logarithmic maps show ratios in the tails,
+// where densities are larger than this resolution.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -51,10 +51,11 @@ const JointDensity* find(const results::Case& one, const std::string& solution) 
   return found == one.joints.end() ? nullptr : &*found;
 }
 
-// Closures, the closest first, then the others that are ok.
-std::vector<std::string> compared(const results::Case& one, const std::string& reference) {
+// Ids of the closures, closest first, then of the other solutions that are ok.
+std::vector<std::string> compared_solutions(const results::Case& one,
+                                            const std::string& reference) {
   std::vector<std::string> ids;
-  for (const auto& rank : compare::closures_by_distance(one.solutions, one.pairs)) {
+  for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
     ids.push_back(rank.solution->id());
   }
   for (const auto& solution : one.solutions) {
@@ -64,17 +65,18 @@ std::vector<std::string> compared(const results::Case& one, const std::string& r
   return ids;
 }
 
-bool on_the_same_cells(const GridDensity& a, const GridDensity& b) {
+bool has_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
-// The reference, but a simulation's cells have all the noise that its smooth bins have lost: then
-// the solution known best among the others that have a joint density.
+// The reference of the joint densities: the solution of the full problem with the smallest error
+// estimate. Control variates reduce the sampling error of smooth bins, not of cells: a simulation
+// with control variates comes last.
 const transform::Solution* joint_reference(const results::Case& one) {
   const transform::Solution* best = nullptr;
   const auto error = [](const transform::Solution& solution) {
     return solution.smooth_sampling ? std::numeric_limits<double>::infinity()
-                                    : compare::own_error(solution);
+                                    : compare::error_estimate(solution);
   };
   for (const auto* solution : references(one)) {
     if (find(one, solution->id()) == nullptr) continue;
@@ -90,7 +92,8 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
   const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;
-  const CellWindow window = window_above(density, kSeen), bulk = window_above(density, kBulk);
+  const CellWindow window = window_above(density, kLogarithmicFraction),
+                   bulk = window_above(density, kLinearFraction);
   JointMaps maps{
       reference->solution,
       {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
@@ -99,11 +102,11 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
       {density.y_edges[bulk.y_begin], density.y_edges[bulk.y_end]},
       {density.v_edges[bulk.v_begin], density.v_edges[bulk.v_end]},
       {}};
-  for (const auto& id : compared(one, reference->solution)) {
+  for (const auto& id : compared_solutions(one, reference->solution)) {
     const JointDensity* joint = find(one, id);
-    if (joint == nullptr || !on_the_same_cells(joint->density, density)) continue;
+    if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
-    // Atoms of rest are at different points of the plane.
+    // The atoms are points of the plane, outside the integral over cells.
     maps.differences.back().l1 += compare::atom_distance(
         transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
   }
@@ -114,17 +117,17 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& one : maps.differences) {
-    options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escaped(one.solution),
+    options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escape_html(one.solution),
                            l1_cell(one.l1));
   }
-  const std::string reference = escaped(maps.reference);
-  const std::string first = escaped(maps.differences.front().solution);
+  const std::string reference = escape_html(maps.reference);
+  const std::string first = escape_html(maps.differences.front().solution);
   std::string html = fmt::format(
       "<p class=\"controls\"><label>Compared with {0}: <select id=\"{1}-joint-choice\">{2}</select>"
       "</label>\n"
       "<label>Colours: <select id=\"{1}-joint-scale\"><option value=\"linear\">linear</option>"
       "<option value=\"logarithmic\">logarithmic</option></select></label></p>\n"
-      "<p>L1 is here the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
+      "<p>Here L1 is the integral of |p(y, y\u2032) \u2212 reference| over the plane.</p>\n"
       "<div class=\"maps\">\n",
       reference, prefix, options);
   const std::string parts[][2] = {
@@ -134,8 +137,8 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
       {"difference",
        fmt::format("<span id=\"{}-joint-caption\">{} \u2212 {}</span>", prefix, first, reference)}};
   const char* const spoken[] = {"Heat map of the joint density of the reference",
-                                "Heat map of the joint density of the solution chosen",
-                                "Heat map of the difference of both joint densities"};
+                                "Heat map of the joint density of the selected solution",
+                                "Heat map of the difference between both joint densities"};
   for (std::size_t k = 0; k < std::size(parts); ++k) {
     html += fmt::format(
         "<figure>\n<figcaption>{}</figcaption>\n<div class=\"plot\" id=\"{}-joint-{}\" "
@@ -151,7 +154,7 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
             {"reference", maps.reference},
             {"y_edges", float_array(maps.y_edges)},
             {"v_edges", float_array(maps.v_edges)},
-            {"decades", -std::log10(kSeen)},
+            {"decades", -std::log10(kLogarithmicFraction)},
             {"y_bulk", maps.y_bulk},
             {"v_bulk", maps.v_bulk},
             {"density", float_array(maps.reference_density)},
@@ -160,7 +163,7 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
     json["differences"].push_back({{"solution", one.solution},
                                    {"largest", one.values.largest},
                                    {"levels", one.values.levels},
-                                   {"steps", steps_of(one.values.roots)}});
+                                   {"steps", successive_differences(one.values.roots)}});
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -10,9 +10,9 @@
 namespace fpkcheck::report {
 namespace {
 
-bool is_there(const std::optional<double>& value) { return value && std::isfinite(*value); }
+bool is_finite_number(const std::optional<double>& value) { return value && std::isfinite(*value); }
 
-// "1.2e-05" is "1.2e-5".
+// "1.2e-05" becomes "1.2e-5".
 std::string without_padded_exponent(std::string text) {
   const auto e = text.find('e');
   if (e == std::string::npos || e + 2 >= text.size()) return text;
@@ -21,8 +21,8 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// "#" keeps zeros, and a point with nothing (or, by some versions, one zero) behind it: "150." and
-// "150.0" of three digits are "150".
+// The format flag "#" keeps zeros and a bare point, in some versions of fmt with a zero: "150." and
+// "150.0" with three digits become "150".
 std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
   if (point == std::string::npos) return text;
@@ -34,7 +34,7 @@ std::string without_bare_point(std::string text, int digits) {
 }  // namespace
 
 std::string number_text(const std::optional<double>& value, int digits) {
-  if (!is_there(value)) return std::string(kNoValue);
+  if (!is_finite_number(value)) return std::string(kNoValue);
   if (*value == 0) return "0";
   if (digits == 1) return without_padded_exponent(fmt::format("{:.0e}", *value));
   return without_padded_exponent(
@@ -53,7 +53,7 @@ std::string value_text(const base::Value& value, int digits) {
 std::string l1_cell(const std::optional<double>& l1) { return number_text(l1, 2); }
 
 std::string seconds_text(const std::optional<double>& seconds) {
-  if (!is_there(seconds)) return std::string(kNoValue);
+  if (!is_finite_number(seconds)) return std::string(kNoValue);
   if (*seconds < 10) return number_text(seconds, 2);
   return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
 }

@@ -5,21 +5,21 @@
 
 #include "base/options/value.hpp"
 
-/// Numbers as the page shows them; a dash for what is absent or not finite.
+/// Texts of numbers on the page; a dash for a missing or non-finite number.
 namespace fpkcheck::report {
 
-/// With exactly this many significant digits, zeros too: 0.4450, 1.2e-5. A single digit, that of
-/// residuals, always has its power of ten: 4e-4.
+/// A number with exactly this many significant digits, including zeros: 0.4450, 1.2e-5. A single
+/// digit, as for residuals, always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
-/// Whatever a parameter or an observation holds: a count with all its digits, a number with those
-/// it has, at most so many, yes or no, a word as it is.
+/// The value of a parameter or metric: an integer with all digits, a number with at most `digits`
+/// digits, a Boolean as yes or no, text unchanged.
 std::string value_text(const base::Value& value, int digits = 6);
 
 /// An L1 distance: 0.0044, 6.0e-6.
 std::string l1_cell(const std::optional<double>& l1);
 
-/// Of seconds: 0.0042, 0.21, 16.9, 130.
+/// A time in seconds: 0.0042, 0.21, 16.9, 130.
 std::string seconds_text(const std::optional<double>& seconds);
 
 }  // namespace fpkcheck::report

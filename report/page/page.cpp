@@ -32,63 +32,69 @@ std::string list_html(const std::vector<std::string>& sentences) {
 }
 
 constexpr const char* kSimulationHint =
-    "<p>Circles in a grey band: the simulation with its 95 % intervals, before any noise is taken "
-    "out of it.</p>\n";
+    "<p>Circles in a grey band: the simulation with its 95 % confidence intervals, without control "
+    "variates.</p>\n";
 constexpr const char* kLegendHint =
-    "<p class=\"on-screen\">A click on a name in a legend switches that solution off or on in all "
-    "plots of this case, a double click shows it alone.</p>\n";
-bool has_a_simulation(const results::Case& one) {
-  return std::ranges::any_of(one.solutions, [](const transform::Solution& solution) {
+    "<p class=\"on-screen\">A click on a name in a legend hides or shows the solution in all plots "
+    "of this case; a double click hides all other solutions.</p>\n";
+bool has_simulation(const results::Case& case_result) {
+  return std::ranges::any_of(case_result.solutions, [](const transform::Solution& solution) {
     return solution.identity.role == transform::Role::simulation && solution.is_ok();
   });
 }
 
-/// A part of a case's section that the menu leads to.
+/// A part of the section of a case, with a link in the menu.
 struct Part {
   std::string anchor, name;
 };
 
-/// The section of one case, and what page.js draws in it. First what differs; what most readers can do
-/// without is folded.
+/// The section of a case with the plots for page.js. The densities come first; the rest is in closed
+/// <details> elements.
 class CaseSection {
  public:
-  CaseSection(const results::Run& run, const results::Case& one, const std::string& id) : id_(id) {
-    const std::string reference = compare::reference_text(one.solutions);
-    const std::string parameters =
-        run.cases.size() > 1 ? what_varies(run, one) : problem::parameters_text(one.problem, true);
+  CaseSection(const results::Run& run, const results::Case& case_result, const std::string& id)
+      : id_(id) {
+    const std::string reference = compare::reference_text(case_result.solutions);
+    const std::string parameters = run.cases.size() > 1
+                                       ? varying_parameters(run, case_result)
+                                       : problem::parameters_text(case_result.problem, true);
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{} <small>{}</small></h2>\n", id,
-                        escaped(one.name()), escaped(parameters));
-    const std::string hint = has_a_simulation(one) ? kSimulationHint : "";
-    add_plots("densities", "What differs", hint + kLegendHint, density_plots(one, id));
+                        escape_html(case_result.name()), escape_html(parameters));
+    const std::string hint = has_simulation(case_result) ? kSimulationHint : "";
+    add_plots("densities", "Densities and differences", hint + kLegendHint,
+              density_plots(case_result, id));
     begin("results", "Results");
-    html_ += element("p", reference) + results_table(one) + reasons_html(one);
-    auto said = findings(one);
-    std::erase(said, reference);  // stands above the table
-    if (!one.limits.empty()) said.push_back(one.limits);
-    html_ += list_html(said);
-    add_plots("budget", "Error budget", budget_introduction(one), budget_plots(one, id));
-    html_ += folded(id + "-budget-table", "The error budget in numbers", budget_tables(one));
-    add_plots("convergence", "Convergence", "", order_plots(one, id));
-    if (const auto maps = joint_maps(one)) {
-      fold("joint", "Joint densities", joint_maps_html(*maps, id));
+    html_ += element("p", reference) + results_table(case_result) + reasons_html(case_result);
+    auto sentences = findings(case_result);
+    std::erase(sentences, reference);  // already above the table
+    if (!case_result.limits.empty()) sentences.push_back(case_result.limits);
+    html_ += list_html(sentences);
+    add_plots("budget", "Error budget", budget_introduction(case_result),
+              budget_plots(case_result, id));
+    html_ += details_html(id + "-budget-table", "The error budget in numbers",
+                          budget_tables(case_result));
+    add_plots("convergence", "Convergence", "", order_plots(case_result, id));
+    if (const auto maps = joint_maps(case_result)) {
+      add_details("joint", "Joint densities", joint_maps_html(*maps, id));
       maps_ = joint_maps_json(*maps, id);
     }
-    if (const auto maps = error_maps(one)) {
-      fold("sources", "Where the errors of moments come from", error_maps_html(*maps, id));
+    if (const auto maps = error_maps(case_result)) {
+      add_details("sources", "Sources of the errors of moments", error_maps_html(*maps, id));
       errors_ = error_maps_json(*maps, id);
     }
-    const auto cost = cost_plots(one, id);
-    if (!cost.empty()) fold("cost", "Distance against cost", plots_html(cost));
+    const auto cost = cost_plots(case_result, id);
+    if (!cost.empty()) add_details("cost", "L1 distance against computing time", plots_html(cost));
     plots_.insert(plots_.end(), cost.begin(), cost.end());
-    fold("diagnostics", "Diagnostics",
-         moment_errors_table(one) + own_errors_table(one) + diagnostics_tables(one));
+    add_details("diagnostics", "Diagnostics",
+                bound_errors_table(case_result) + residual_errors_table(case_result) +
+                    diagnostics_tables(case_result));
     html_ += "</section>\n";
   }
 
   const std::string& html() const { return html_; }
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// In JSON.
+  /// The plots and maps of the section in JSON.
   std::string plots() const {
     return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
                        errors_);
@@ -97,12 +103,12 @@ class CaseSection {
  private:
   void begin(const std::string& anchor, const std::string& heading) {
     parts_.push_back({id_ + '-' + anchor, heading});
-    html_ += fmt::format("<h3 id=\"{}\">{}</h3>\n", parts_.back().anchor, escaped(heading));
+    html_ += fmt::format("<h3 id=\"{}\">{}</h3>\n", parts_.back().anchor, escape_html(heading));
   }
-  void fold(const std::string& anchor, const std::string& heading, const std::string& html) {
+  void add_details(const std::string& anchor, const std::string& heading, const std::string& html) {
     if (html.empty()) return;
     parts_.push_back({id_ + '-' + anchor + "-part", heading});
-    html_ += folded(parts_.back().anchor, heading, html);
+    html_ += details_html(parts_.back().anchor, heading, html);
   }
   void add_plots(const std::string& anchor, const std::string& heading,
                  const std::string& introduction, const std::vector<Plot>& plots) {
@@ -121,27 +127,27 @@ class CaseSection {
 std::string case_id(std::size_t place) { return fmt::format("case-{}", place + 1); }
 
 std::string link(std::string_view anchor, std::string_view text) {
-  return fmt::format("<a href=\"#{}\">{}</a>", escaped(anchor), escaped(text));
+  return fmt::format("<a href=\"#{}\">{}</a>", escape_html(anchor), escape_html(text));
 }
 
 std::string section_html(const PageSection& section) {
-  return fmt::format("<section id=\"{}\">\n", escaped(section.anchor)) +
+  return fmt::format("<section id=\"{}\">\n", escape_html(section.anchor)) +
          element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Few cases stand beside each other; all of them, with parameters and parts, in a menu.
+// Links to the sections: a few cases directly, all cases with parameters and parts in a menu.
 std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
                        const std::vector<PageSection>& others) {
-  constexpr std::size_t kBesideEachOther = 6;
+  constexpr std::size_t kMaxDirectLinks = 6;
   std::string html = "<nav aria-label=\"Sections\">\n" + link("verdict", "Verdict") + '\n';
   for (const auto& other : others) html += link(other.anchor, other.heading) + '\n';
   html += link("problem", "Problem") + '\n';
   std::string menu;
   for (std::size_t k = 0; k < sections.size(); ++k) {
     const std::string& name = run.cases[k].name();
-    if (sections.size() <= kBesideEachOther) html += link(case_id(k), name) + '\n';
-    menu += "<li>" + link(case_id(k), name) + ' ' + escaped(what_varies(run, run.cases[k])) +
-            "<span class=\"parts\">";
+    if (sections.size() <= kMaxDirectLinks) html += link(case_id(k), name) + '\n';
+    menu += "<li>" + link(case_id(k), name) + ' ' +
+            escape_html(varying_parameters(run, run.cases[k])) + "<span class=\"parts\">";
     for (const auto& [anchor, part] : sections[k].parts()) menu += link(anchor, part) + ' ';
     menu += "</span></li>\n";
   }
@@ -150,19 +156,20 @@ std::string navigation(const results::Run& run, const std::vector<CaseSection>& 
              "<details class=\"menu\"><summary>{}</summary>\n<ul>\n{}</ul>\n</details>\n",
              sections.size() == 1 ? "Contents" : fmt::format("All {} cases", sections.size()),
              menu) +
-         link("repeat", "Timings, command") + "\n</nav>\n";
+         link("repeat", "Timings and command") + "\n</nav>\n";
 }
 
-std::string repetition(const results::Run& run) {
-  return "<section id=\"repeat\">\n" + element("h2", "Timings, and how to repeat this") +
-         timings_table(run) +
-         fmt::format("<p>Made by {} {} with</p>\n<pre><code>{}</code></pre>\n</section>\n",
-                     escaped(run.program.name), escaped(run.program.version),
-                     escaped(run.program.command));
+std::string timings_section(const results::Run& run) {
+  return "<section id=\"repeat\">\n" + element("h2", "Timings and command") + timings_table(run) +
+         fmt::format(
+             "<p>Command of this run, by {} {}:</p>\n<pre><code>{}</code></pre>\n</section>\n",
+             escape_html(run.program.name), escape_html(run.program.version),
+             escape_html(run.program.command));
 }
 
-// The frame with its {{places}} filled, in one pass: what is put in is not searched again.
-std::string filled(std::string_view frame, const std::map<std::string, std::string_view>& parts) {
+// Replaces the {{placeholders}} of the frame in a single pass: inserted texts are not searched.
+std::string fill_template(std::string_view frame,
+                          const std::map<std::string, std::string_view>& parts) {
   std::string page;
   while (true) {
     const auto begin = frame.find("{{");
@@ -192,8 +199,8 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       plots += fmt::format(R"({}{{"plots":{}}})", plots.empty() ? "" : ",", plots_json(group));
     }
   }
-  const bool with_walls = std::ranges::any_of(run.cases, [](const results::Case& one) {
-    return one.problem.system.left() || one.problem.system.right();
+  const bool with_walls = std::ranges::any_of(run.cases, [](const results::Case& case_result) {
+    return case_result.problem.system.left() || case_result.problem.system.right();
   });
   const std::string title = std::string("fpkcheck: stationary densities of ") +
                             (with_walls ? "a vibro-impact oscillator" : "an oscillator");
@@ -203,16 +210,16 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       (supplement.summary.empty() ? "" : answer_html(supplement.summary.front())) +
       verdict_html(run, anchors) + others + "<section id=\"problem\">\n" +
       element("h2", "The problem") + problem_html(run) +
-      folded("names", "What the names mean", glossary_html(run)) + "</section>\n" + cases +
-      repetition(run) + "</main>\n";
-  // It does not change while the program runs.
+      details_html("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
+      timings_section(run) + "</main>\n";
+  // Compressed once per process: plotly.js is constant.
   static const std::string plotly = gzip_base64(plotly_script());
-  return filled(page_frame(), {{"title", title},
-                               {"style", page_style()},
-                               {"body", body},
-                               {"plots", gzip_base64('[' + plots + ']')},
-                               {"plotly", plotly},
-                               {"script", page_script()}});
+  return fill_template(page_frame(), {{"title", title},
+                                      {"style", page_style()},
+                                      {"body", body},
+                                      {"plots", gzip_base64('[' + plots + ']')},
+                                      {"plotly", plotly},
+                                      {"script", page_script()}});
 }
 
 }  // namespace fpkcheck::report

@@ -7,11 +7,11 @@
 
 namespace fpkcheck::report {
 
-/// report.html: one page that needs nothing but itself, neither files nor the network. The problem
-/// in words and numbers; for each case the solutions, what they say, densities, joint densities,
-/// error budget, convergence and diagnostics; timings, and the command that repeats the run.
-/// Parts that the run did not save, as the joint densities of older ones, are left out.
-/// @param supplement its summary opens the page, its sections stand before the problem
+/// The self-contained page report.html, which loads no file and uses no network. Contents: verdict;
+/// problem; for each case densities, results, findings, error budget, convergence, joint densities
+/// and diagnostics; timings and the command of the run. Parts that the run did not save are
+/// omitted, such as the joint densities of older runs.
+/// @param supplement its summary opens the page, its sections precede the problem
 std::string page(const results::Run& run, const Supplement& supplement = {});
 
 }  // namespace fpkcheck::report

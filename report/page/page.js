@@ -1,13 +1,13 @@
-// Draws the plots of the page with plotly.js. All numbers and sentences were made beforehand: the element
-// #plots holds, for each case, "plots" (figures of plotly.js; "@name" stands for a shared array) and "maps"
-// (joint densities) and "errors" (where the errors of moments come from). What is folded is drawn when it is opened.
-// When all that is to be seen is drawn, <html data-plots="drawn">.
+// Draws the plots of the page with plotly.js. All numbers and sentences are computed beforehand: the element
+// #plots contains for each case "plots" (figures of plotly.js; "@name" refers to a shared array), "maps" (joint
+// densities) and "errors" (error sources of moments). Plots in a closed <details> element are drawn when it opens.
+// <html data-plots="drawn"> states that all visible plots are drawn.
 'use strict';
 
 const narrow = () => window.innerWidth < 600;
 const onPaper = () => document.body.classList.contains('on-paper');
 
-// Those of page.css, which paper has always light.
+// The colours of page.css; paper always has the light colours.
 const light = {ink: '#222222', paper: '#ffffff', grid: '#e4e4e4', zero: '#b0b0b0', line: '#555555', nothing: '#d9d9d9',
                band: 'rgba(0,0,0,0.18)'};
 const dark = {ink: '#dddddd', paper: '#15181c', grid: '#2f353d', zero: '#606770', line: '#9aa0a8', nothing: '#3a4048',
@@ -15,7 +15,7 @@ const dark = {ink: '#dddddd', paper: '#15181c', grid: '#2f353d', zero: '#606770'
 const wantsDark = window.matchMedia('(prefers-color-scheme: dark)');
 const theme = () => wantsDark.matches && !onPaper() ? dark : light;
 
-// A colour that was chosen for paper: on a dark page what is too dark there is lighter, by the same hue.
+// Adapts a colour to the theme: on a dark page a dark colour is mixed with white.
 function seen(colour) {
   const parts = /^#(..)(..)(..)$/.exec(colour);
   if (!parts || theme() === light) return colour;
@@ -27,7 +27,7 @@ function seen(colour) {
   return '#' + rgb.map(c => Math.round(c + share * (255 - c)).toString(16).padStart(2, '0')).join('');
 }
 
-// The same wherever a trace or a layout names a colour.
+// Adapts all colours in a trace or a layout.
 function themed(value) {
   if (typeof value === 'string') return value === light.band ? theme().band : seen(value);
   if (Array.isArray(value)) return value.map(themed);
@@ -38,14 +38,14 @@ function themed(value) {
 const font = () => ({family: 'system-ui, "Segoe UI", Roboto, Helvetica, Arial, sans-serif', size: 12, color: theme().ink});
 const axis = () => ({gridcolor: theme().grid, zerolinecolor: theme().zero, linecolor: theme().line, ticks: 'outside',
                      ticklen: 4, showline: true, automargin: true});
-// Nothing may leave the page: neither a button nor an address to send a plot to.
+// The page sends no data: neither a button nor a server address for uploads of plots.
 const config = () => ({displaylogo: false, displayModeBar: narrow() ? false : 'hover', plotlyServerURL: '',
                        modeBarButtons: [['toImage', 'zoom2d', 'pan2d', 'zoomIn2d', 'zoomOut2d', 'resetScale2d']]});
 
-// Paper has no switches: what is off there is not to be had.
+// On paper hidden traces are omitted: a reader cannot show them.
 const isLeftOut = trace => onPaper() && trace.visible === 'legendonly';
 
-// The legend stands below the plot: how many lines it takes decides the height.
+// Height of the legend below the plot, from its number of lines.
 function legendHeight(figure, width) {
   let lines = 1, used = 0;
   for (const trace of figure.data) {
@@ -62,7 +62,7 @@ function legendHeight(figure, width) {
 
 function sizeOf(div, figure) {
   const width = div.clientWidth, legend = legendHeight(figure, width);
-  // On paper two plots stand beside each other, each half as wide as on a screen.
+  // On paper two plots are side by side, each half as wide as on a screen.
   return {width, height: (onPaper() ? 0.6 : 1) * figure.height + legend, bottom: 50 + legend};
 }
 
@@ -91,7 +91,7 @@ function withArrays(trace, arrays) {
   return {...themed(trace), x: resolved(trace.x), y: resolved(trace.y)};
 }
 
-// A solution switched off or on in one plot is so in all plots of its case.
+// Applies the visibility of the solutions in a changed plot to all plots of its case.
 function followLegend(changed, divs) {
   const visible = new Map(changed.data.map(trace => [trace.legendgroup, trace.visible ?? true]));
   for (const div of divs) {
@@ -107,7 +107,7 @@ function followLegend(changed, divs) {
   }
 }
 
-// Each drawable has an element in which it is, fit(), which sizes that, and draw(); both may be called again.
+// The drawables of a case: HTML element, fit(), which sets its size, and draw(). Both may be called repeatedly.
 function drawables(one) {
   const divs = one.plots.map(plot => document.getElementById(plot.id));
   const plots = one.plots.map(({figure}, index) => {
@@ -115,7 +115,7 @@ function drawables(one) {
     const fit = () => { div.style.height = `${sizeOf(div, figure).height}px`; };
     const draw = () => {
       const first = !div.data;
-      // What the reader switched off or on stays so.
+      // Keeps the visibility chosen by the reader.
       const data = figure.data.map((trace, k) => ({...withArrays(trace, figure.arrays),
                                                    ...(first ? {} : {visible: div.data[k].visible})}))
                               .map(trace => isLeftOut(trace) ? {...trace, showlegend: false} : trace);
@@ -130,18 +130,18 @@ function drawables(one) {
 const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
 const numbers = array => new Float32Array(bytesOf(array.bdata).buffer);
 
-// As report/page/signed_roots.hpp packs them: from -1 to 1, and the values themselves.
+// Unpacks signed roots (report/page/signed_roots.hpp): the roots from -1 to 1, then the values.
 function roots({steps, levels}) {
   let sum = 0;
   return Float64Array.from(steps, step => (sum += step) / levels);
 }
 const signedNumbers = packed => roots(packed).map(q => Math.sign(q) * q * q * packed.largest);
 
-// Both ends stay apart for colour-blind readers, and the middle is paper.
+// A diverging colour scale, distinct for colour-blind readers, with white for 0.
 const diverging = [[0, '#053061'], [0.2, '#2166ac'], [0.4, '#92c5de'], [0.5, '#ffffff'], [0.6, '#f4a582'],
                    [0.8, '#b2182b'], [1, '#67001f']];
 
-// Row by row, as heat maps want it.
+// The values as rows, the input of heat maps.
 function rows(values, length) {
   const result = [];
   for (let k = 0; k < values.length; k += length) result.push(Array.from(values.slice(k, k + length)));
@@ -150,11 +150,11 @@ function rows(values, length) {
 
 const ends = edges => [edges[0], edges.at(-1)];
 
-// Square, or as on a desktop where there is room.
+// Height of a map: square axes, at most 440 pixels in all.
 const mapHeight = div => Math.min(440, Math.round(div.clientWidth - 64) + 142);
 
-// A heat map over the cells between the edges y and v.
-// @param told: what is said of each cell, where that is not the value drawn, under this name
+// Draws a heat map over the cells between the edges y and v.
+// @param told: the values in the hover label, with this name, if different from the drawn values
 function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = values, name = title}) {
   const trace = {
     type: 'heatmap', x: y, y: v, z: rows(values, y.length - 1), customdata: rows(told, y.length - 1), ...colours,
@@ -165,7 +165,7 @@ function drawMap(div, y, v, values, {colours, title, ticks, ranges, told = value
   const layout = {
     font: font(), paper_bgcolor: theme().paper, plot_bgcolor: theme().nothing, width: div.clientWidth, height: mapHeight(div),
     margin: {l: 50, r: 14, t: 32, b: 110},
-    // The colour bar's own title would stand on its ticks.
+    // An annotation instead of the title of the colour bar, which would overlap the ticks.
     annotations: [{text: title, showarrow: false, xref: 'paper', x: 0.5, yref: 'paper', y: -110 / (mapHeight(div) - 142),
                    yanchor: 'bottom'}],
     dragmode: narrow() ? false : 'zoom', showlegend: false,
@@ -194,7 +194,7 @@ function mapDrawables(maps) {
 
   function drawAll() {
     const difference = signedNumbers(chosen());
-    // Where less is left than the rounding of the difference, there is nothing: no sample of a simulation.
+    // A density below the rounding error of the difference is 0: a cell without samples of a simulation.
     const rounding = d => 1.01 * Math.sqrt(Math.abs(d) * chosen().largest) / chosen().levels;
     const density = reference.map((p, k) => p + difference[k] > rounding(difference[k]) ? p + difference[k] : 0);
     const log = logarithmic();
@@ -209,7 +209,7 @@ function mapDrawables(maps) {
          log ? 'log<sub>10</sub> of the ratio' : 'difference');
     const name = chosen().solution;
     part('name').textContent = name;
-    part('caption').textContent = log ? `${name} / ${maps.reference}, drawn up to a factor of 10; grey: nothing` : `${name} − ${maps.reference}`;
+    part('caption').textContent = log ? `${name} / ${maps.reference}, colours up to a factor of 10; grey: no density` : `${name} − ${maps.reference}`;
   }
 
   part('choice').addEventListener('change', drawAll);
@@ -218,7 +218,8 @@ function mapDrawables(maps) {
   return [{element: part('reference'), fit, draw: drawAll}];
 }
 
-// Values at equal steps of 1, 2 or 5 with zeros between -largest and largest, as texts in units of a power of ten.
+// Tic values between -largest and largest at equal steps of 1, 2 or 5 times a power of ten, and their texts in units
+// of a power of ten.
 function equalSteps(largest) {
   const least = largest / 5, power = Math.floor(Math.log10(least) + 1e-9);
   const step = [1, 2, 5, 10].map(digit => digit * 10 ** power).find(step => step >= least * (1 - 1e-9));
@@ -232,14 +233,14 @@ function errorDrawables(errors) {
   const part = name => document.getElementById(`${errors.id}-${name}`);
   const y = Array.from(numbers(errors.y_edges)), v = Array.from(numbers(errors.v_edges));
   const maps = () => errors.solutions[part('choice').selectedIndex].moments;
-  // Colours go by the root, which keeps what is small beside the wall's share in sight.
+  // Colours show the signed root, so that values small relative to those at the wall remain visible.
   const drawAll = () => maps().forEach((map, k) => {
     const {values, texts, unit} = equalSteps(map.largest || 1);
     drawMap(part(`map${k}`), y, v, Array.from(roots(map)), {
       colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: `error per area${unit}`, ranges: [ends(y), ends(v)],
       ticks: {tickvals: values.map(value => Math.sign(value) * Math.sqrt(Math.abs(value) / (map.largest || 1))), ticktext: texts},
       told: signedNumbers(map), name: 'error per area'});
-    part(`caption${k}`).textContent = `${map.moment}: off by ${map.error.replaceAll('-', '−')}`;
+    part(`caption${k}`).textContent = `${map.moment}: error ${map.error.replaceAll('-', '−')}`;
   });
   part('choice').addEventListener('change', drawAll);
   const fit = () => maps().forEach((map, k) => { part(`map${k}`).style.height = `${mapHeight(part(`map${k}`))}px`; });
@@ -247,10 +248,10 @@ function errorDrawables(errors) {
 }
 
 let all = [], waiting = [];
-// Browsers differ in whether what is folded has a width.
+// Test by the ancestors: browsers differ in the width of elements within a closed <details>.
 const isSeen = one => one.element.closest('details:not([open])') === null;
 
-// One after another, so that the page can be read and scrolled meanwhile.
+// Draws the plots one after another, so that the page remains responsive.
 function drawNext() {
   const next = waiting.shift();
   if (next) {
@@ -279,7 +280,7 @@ function redraw() {
   }
 }
 
-// What a link leads to may be folded.
+// Opens the <details> elements around the target of a link.
 function reveal() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
   for (let e = target; e; e = e.parentElement) if (e.tagName === 'DETAILS') e.open = true;
@@ -322,14 +323,14 @@ wantsDark.addEventListener('change', redraw);
 
 let resized, lastWidth = window.innerWidth;
 window.addEventListener('resize', () => {
-  // On a phone, scrolling changes the height.
+  // Only for a new width: on a phone, scrolling changes the height.
   if (window.innerWidth === lastWidth) return;
   lastWidth = window.innerWidth;
   clearTimeout(resized);
   resized = setTimeout(redraw, 150);
 });
 
-// Paper has a width of its own (page.css).
+// The page has a fixed width on paper (page.css).
 window.addEventListener('beforeprint', () => {
   document.body.classList.add('on-paper');
   redraw();

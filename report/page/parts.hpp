@@ -2,21 +2,21 @@
 
 #include <string_view>
 
-/// The files that report.html is put together from, compiled in so that the program needs none of
-/// them where it runs.
+/// The source files of report.html, compiled in, so that the program does not need them at run
+/// time.
 namespace fpkcheck::report {
 
-/// page.html: the frame, with {{title}}, {{style}}, {{body}}, {{plots}}, {{plotly}} and {{script}}
-/// where the parts go.
+/// page.html: the frame, with the placeholders {{title}}, {{style}}, {{body}}, {{plots}},
+/// {{plotly}} and {{script}}.
 std::string_view page_frame();
 
-/// page.css
+/// page.css: the style sheet.
 std::string_view page_style();
 
 /// page.js: draws the plots.
 std::string_view page_script();
 
-/// third_party/plotly: the library that page.js draws with.
+/// third_party/plotly: the plotting library used by page.js.
 std::string_view plotly_script();
 
 }  // namespace fpkcheck::report

@@ -15,7 +15,7 @@ std::string plots_html(const std::vector<Plot>& plots) {
     html += fmt::format(
         "<figure>\n<figcaption>{0}</figcaption>\n"
         "<div class=\"plot\" id=\"{1}\" role=\"img\" aria-label=\"{0}\"></div>\n</figure>\n",
-        escaped(plot.caption), escaped(plot.id));
+        escape_html(plot.caption), escape_html(plot.id));
   }
   return html + "</div>\n";
 }

@@ -8,34 +8,34 @@
 
 namespace fpkcheck::report {
 
-/// One plot of the page.
+/// A plot of the page.
 struct Plot {
-  std::string id;       ///< of its element in the page
+  std::string id;       ///< id of its HTML element
   std::string caption;  ///< plain text
-  /// JSON for plotly.js, "data" (traces) and "layout"; and "arrays", numbers that several traces
-  /// share: a trace's "@name" stands for the array of that name. "height" is in pixels, without the
-  /// legend. Traces with the same "legendgroup" are switched together in all plots of a case.
+  /// JSON for plotly.js: "data" (traces), "layout", and "arrays", numbers shared by several traces.
+  /// "@name" in a trace refers to the array of this name. "height" is in pixels, without the
+  /// legend. Traces with the same "legendgroup" are hidden or shown together in all plots of a
+  /// case.
   std::string figure;
 };
 
-/// Plots beside each other where the screen is wide enough, else below each other: the elements
-/// that page.js draws into.
+/// HTML elements of the plots, in which page.js draws: side by side on a wide screen, else stacked.
 std::string plots_html(const std::vector<Plot>& plots);
 
-/// The plots of one case as page.js reads them, in JSON: {"id", "figure"} each.
+/// The plots of one case in JSON, the input of page.js: {"id", "figure"} each.
 std::string plots_json(const std::vector<Plot>& plots);
 
-/// A text as plotly.js is to show it: it takes names, titles and labels for a kind of HTML.
+/// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string plotly_text(std::string_view text);
 
-/// A name for legends, as plotly.js is to show it: the id, with the status of a solution that is
-/// not ok.
+/// The name of a solution in legends for plotly.js, see plotly_text: the id, with the status unless
+/// ok.
 std::string legend_name(const transform::Solution& solution);
 
-/// A dash type of gnuplot, "(10,4)", as plotly.js has it: "10px,4px".
+/// Converts a dash type of gnuplot, "(10,4)", to plotly.js: "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 
-/// A variable as the page writes it, and its density: y' and p(y').
+/// The symbol of a variable on the page, "y" or "y′", and of its density, "p(y)" or "p(y′)".
 std::string variable_text(transform::Variable variable);
 std::string density_text(transform::Variable variable);
 

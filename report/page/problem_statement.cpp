@@ -15,8 +15,8 @@ namespace {
 using problem::Problem;
 using problem::SystemCoefficients;
 
-constexpr const char* kOriginal =
-    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is kicked by random
+constexpr const char* kBaseClassStatement =
+    R"html(<p>A particle on a hardening spring bounces off a wall at its equilibrium position and is driven by random
 impulses:</p>
 <p class="formula">y″ + c y′ + k y + μ y³ = Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>) &nbsp; for y &gt; 0,
 &emsp; y′<sub>+</sub> = −r y′<sub>−</sub> &nbsp; at y = 0.</p>
@@ -25,9 +25,9 @@ constexpr const char* kImpulses =
     "The impulses arrive as a Poisson process of rate λ; their amplitudes Y are independent and "
     "follow one law. ";
 constexpr const char* kNoise = "W is Gaussian white noise of unit intensity. ";
-constexpr const char* kSought =
-    "Sought is the\nstationary probability density p(y, y′) of displacement and velocity, and from "
-    "it p(y) and p(y′). All quantities are\nnon-dimensional.";
+constexpr const char* kUnknownText =
+    "The unknown is the\nstationary probability density p(y, y′) of displacement and velocity, "
+    "with the marginal densities p(y) and p(y′). All quantities are\nnon-dimensional.";
 
 struct Term {
   double SystemCoefficients::*coefficient;
@@ -47,8 +47,8 @@ class Statement {
   explicit Statement(std::span<const Problem* const> problems) : problems_(problems) {}
 
   std::string html() const {
-    const bool impulses = any([](const Problem& p) { return p.impulses.present(); });
-    const bool noise = any([](const Problem& p) { return p.noise.present(); });
+    const bool impulses = any([](const Problem& p) { return p.impulses.is_present(); });
+    const bool noise = any([](const Problem& p) { return p.noise.is_present(); });
     std::vector<std::string> excitation;
     if (impulses) excitation.emplace_back("Σ<sub>k</sub> Y<sub>k</sub> δ(t − τ<sub>k</sub>)");
     if (noise) excitation.emplace_back("√(2D) W(t)");
@@ -56,7 +56,7 @@ class Statement {
         "<p>An oscillator {}, {}:</p>\n<p class=\"formula\">y″{}{} = {}{}</p>\n<p>{}{}{}</p>\n",
         walls_in_words(), excitation_in_words(impulses, noise), damping(), force(),
         fmt::join(excitation, " + "), walls(), impulses ? kImpulses : "", noise ? kNoise : "",
-        kSought);
+        kUnknownText);
   }
 
  private:
@@ -91,7 +91,7 @@ class Statement {
   bool right() const {
     return any([](const Problem& p) { return p.system.right().has_value(); });
   }
-  // A file of the old form has its wall at 0 and r.
+  // A problem without wall parameters has the single wall of the base class, at y = 0 with r.
   bool only_at_zero() const {
     return !right() && !any([](const Problem& p) { return !p.system.wall_parameters().empty(); });
   }
@@ -115,7 +115,7 @@ class Statement {
   }
   static std::string excitation_in_words(bool impulses, bool noise) {
     if (impulses && noise) return "under random impulses and white noise";
-    return impulses ? "kicked by random impulses" : "under white noise";
+    return impulses ? "under random impulses" : "under white noise";
   }
 
   std::span<const Problem* const> problems_;
@@ -124,9 +124,10 @@ class Statement {
 }  // namespace
 
 std::string problem_statement(std::span<const Problem* const> problems) {
-  const bool original =
-      std::ranges::all_of(problems, [](const Problem* p) { return problem::of_the_paper(*p); });
-  if (original) return fmt::format("{}<p>{}{}</p>\n", kOriginal, kImpulses, kSought);
+  const bool is_paper_oscillator_only = std::ranges::all_of(
+      problems, [](const Problem* p) { return problem::is_paper_oscillator(*p); });
+  if (is_paper_oscillator_only)
+    return fmt::format("{}<p>{}{}</p>\n", kBaseClassStatement, kImpulses, kUnknownText);
   return Statement(problems).html();
 }
 

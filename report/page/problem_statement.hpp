@@ -7,7 +7,7 @@
 
 namespace fpkcheck::report {
 
-/// What is solved, in words and as a formula, with the terms that some of the problems have.
+/// The problem in words and as a formula, with all terms that occur in some of the problems.
 /// @param problems at least one
 std::string problem_statement(std::span<const problem::Problem* const> problems);
 

@@ -15,30 +15,33 @@
 namespace fpkcheck::report {
 namespace {
 
+using problem::DisplayedParameter;
 using problem::Problem;
-using problem::ShownParameter;
 using transform::Solution;
 
 constexpr const char* kColumns =
-    R"html(<dt>L1</dt><dd>Integral of |p − other p|: 0 for equal densities, 2 for disjoint ones.</dd>
-<dt>energy residual</dt><dd>Of the balance of power between impulses, damping and impacts, relative to the input.</dd>
+    R"html(<dt>L1</dt>
+<dd>Integral of the absolute difference of two densities: 0 for equal, 2 for disjoint densities.</dd>
+<dt>energy residual</dt>
+<dd>Residual of the power balance of impulses, damping and impacts, relative to the input.</dd>
 )html";
 
 constexpr const char* kUncertainty =
-    R"html(<dt>±</dt><dd>Discretisation errors of both ends of a step, added: a part below it may be nought. If all else is right,
-the step to the simulation is chance alone, which makes the mean L1 of the last columns; to a simulation without noise it is the
-discretisation as measured, over smooth bins.</dd>
+    R"html(<dt>±</dt><dd>Sum of the discretisation errors of both ends of a step: a smaller part may be
+zero. The step to a simulation is sampling error alone if all else is exact; the last columns have the
+mean and the 99 % quantile of this L1. The step to a simulation with control variates is the measured
+discretisation error over smooth bins.</dd>
 )html";
 
 std::string term(std::string_view name, const std::string& meaning) {
-  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(meaning));
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(meaning));
 }
 
-/// The solutions of all cases, the first of each id.
+/// The first solution of each id, over all cases.
 std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   std::vector<const Solution*> all;
-  for (const auto& one : run.cases) {
-    for (const auto& solution : one.solutions) {
+  for (const auto& case_result : run.cases) {
+    for (const auto& solution : case_result.solutions) {
       if (std::ranges::find(all, solution.id(), &Solution::id) == all.end()) {
         all.push_back(&solution);
       }
@@ -57,9 +60,9 @@ std::string families_html(const std::vector<const Solution*>& solutions) {
   return html;
 }
 
-// The values of an enum that some solution has, under "solves".
+// Glossary entries of the values of an enum that occur in the column "solves".
 template <class Enum>
-std::string solved_html(const std::vector<const Solution*>& solutions,
+std::string solves_html(const std::vector<const Solution*>& solutions,
                         std::optional<Enum> transform::Identity::*member, const char* form,
                         const char* what) {
   std::string html;
@@ -77,7 +80,7 @@ std::string statuses_html() {
   std::string html = "<dt>status</dt><dd>";
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     html += fmt::format("{}<b>{}</b>", status == transform::Status::ok ? "" : "; ", name);
-    if (!meaning.empty()) html += ": " + escaped(meaning);
+    if (!meaning.empty()) html += ": " + escape_html(meaning);
   }
   return html + ".</dd>\n";
 }
@@ -90,9 +93,9 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
-// The value of a parameter in another problem; nothing where it has none.
-std::optional<base::Value> value_in(const Problem& other, const ShownParameter& parameter) {
-  for (const auto& candidate : problem::shown_parameters(other)) {
+// The value of the same parameter in another problem, if present.
+std::optional<base::Value> value_in(const Problem& other, const DisplayedParameter& parameter) {
+  for (const auto& candidate : problem::displayed_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
       return candidate.value;
     }
@@ -100,14 +103,14 @@ std::optional<base::Value> value_in(const Problem& other, const ShownParameter& 
   return std::nullopt;
 }
 
-bool varies(const results::Run& run, const ShownParameter& parameter) {
-  return std::ranges::any_of(run.cases, [&](const results::Case& one) {
-    return value_in(one.problem, parameter) != parameter.value;
+bool varies(const results::Run& run, const DisplayedParameter& parameter) {
+  return std::ranges::any_of(run.cases, [&](const results::Case& case_result) {
+    return value_in(case_result.problem, parameter) != parameter.value;
   });
 }
 
-// "λ, impulses per unit of time"; a word has no symbol.
-std::string label(const ShownParameter& parameter) {
+// "λ, impulses per unit of time", or the meaning alone for a parameter without symbol.
+std::string label(const DisplayedParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;
 }
@@ -116,10 +119,10 @@ std::string label(const ShownParameter& parameter) {
 
 std::string problem_html(const results::Run& run) {
   std::vector<HtmlColumn> columns{{"parameter", Align::left}};
-  for (const auto& one : run.cases) columns.push_back({one.name()});
+  for (const auto& case_result : run.cases) columns.push_back({case_result.name()});
   std::vector<std::string> same;
   if (!run.cases.empty()) {
-    for (const auto& parameter : problem::shown_parameters(run.cases.front().problem)) {
+    for (const auto& parameter : problem::displayed_parameters(run.cases.front().problem)) {
       if (!varies(run, parameter)) {
         same.push_back(fmt::format("{} = {}", label(parameter), value_text(parameter.value)));
         continue;
@@ -132,18 +135,19 @@ std::string problem_html(const results::Run& run) {
     }
   }
   std::vector<const Problem*> problems;
-  for (const auto& one : run.cases) problems.push_back(&one.problem);
+  for (const auto& case_result : run.cases) problems.push_back(&case_result.problem);
   std::string html = problem_statement(problems);
   if (!same.empty()) {
-    html += element("p", fmt::format("{}: {}.", run.cases.size() > 1 ? "In all cases" : "Here",
-                                     fmt::join(same, "; ")));
+    html += element(
+        "p", fmt::format("{}: {}.", run.cases.size() > 1 ? "Parameters of all cases" : "Parameters",
+                         fmt::join(same, "; ")));
   }
-  return html + table_html("What varies", std::move(columns));
+  return html + table_html("Parameters that differ between cases", std::move(columns));
 }
 
-std::string what_varies(const results::Run& run, const results::Case& one) {
+std::string varying_parameters(const results::Run& run, const results::Case& case_result) {
   std::vector<std::string> parts;
-  for (const auto& parameter : problem::shown_parameters(one.problem)) {
+  for (const auto& parameter : problem::displayed_parameters(case_result.problem)) {
     if (!varies(run, parameter)) continue;
     const std::string& symbol = parameter.typeset.empty() ? parameter.meaning : parameter.typeset;
     parts.push_back(fmt::format("{} = {}", symbol, value_text(parameter.value)));
@@ -155,13 +159,13 @@ std::string glossary_html(const results::Run& run) {
   using transform::Identity;
   const auto solutions = distinct_solutions(run);
   std::string html = "<dl>\n" + families_html(solutions);
-  html += solved_html(solutions, &Identity::equation, "solves {}/\u2026", "Excitation");
-  html += solved_html(solutions, &Identity::impact, "solves \u2026/{}", "Impact");
+  html += solves_html(solutions, &Identity::equation, "solves {}/\u2026", "Excitation");
+  html += solves_html(solutions, &Identity::impact, "solves \u2026/{}", "Impact");
   const auto given = std::ranges::find_if(
       solutions, [](const Solution* s) { return !s->identity.equation || !s->identity.impact; });
   if (given != solutions.end()) {
-    html += term("solves " + solves_text((*given)->identity),
-                 "Its equation or its impact is not known.");
+    html += term("solves " + equation_and_impact_text((*given)->identity),
+                 "The equation or the impact is unknown.");
   }
   return html + kColumns + statuses_html() + "</dl>\n" + parts_html();
 }
@@ -171,11 +175,11 @@ std::string timings_table(const results::Run& run) {
   for (const Solution* solution : distinct_solutions(run)) {
     columns.front().cells.push_back(solution->id());
   }
-  for (const auto& one : run.cases) {
-    HtmlColumn column{one.name()};
+  for (const auto& case_result : run.cases) {
+    HtmlColumn column{case_result.name()};
     double all = 0;
     for (const auto& id : columns.front().cells) {
-      const Solution* solution = one.find(id);
+      const Solution* solution = case_result.find(id);
       if (solution != nullptr && std::isfinite(solution->seconds)) all += solution->seconds;
       column.cells.push_back(
           seconds_text(solution ? std::optional(solution->seconds) : std::nullopt));

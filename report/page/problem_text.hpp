@@ -4,17 +4,17 @@
 
 #include "results/run.hpp"
 
-/// What was solved, and how.
+/// Texts of the page on the problem, the names and the timings.
 namespace fpkcheck::report {
 
-/// The system in words and formulas, and its numbers: those that all cases share in a sentence, the
-/// others in a table.
+/// The problem in words and formulas with its parameters: those equal in all cases in a sentence,
+/// the others in a table.
 std::string problem_html(const results::Run& run);
 
-/// The parameters of a case in which the cases of the run differ: "μ = 1, λE[Y²] = 0.1".
-std::string what_varies(const results::Run& run, const results::Case& one);
+/// The parameters of a case that differ between the cases of the run: "μ = 1, λE[Y²] = 0.1".
+std::string varying_parameters(const results::Run& run, const results::Case& case_result);
 
-/// What the names of solutions, equations, impacts and columns mean: those of this run.
+/// The glossary of this run: names of solutions, equations, impacts, columns, statuses.
 std::string glossary_html(const results::Run& run);
 
 /// The seconds of each solution in each case.

@@ -16,7 +16,7 @@ SignedRoots signed_roots(std::span<const double> values, int levels) {
   return result;
 }
 
-std::vector<int> steps_of(std::span<const int> values) {
+std::vector<int> successive_differences(std::span<const int> values) {
   std::vector<int> steps(values.size());
   std::adjacent_difference(values.begin(), values.end(), steps.begin());
   return steps;

@@ -5,18 +5,20 @@
 
 namespace fpkcheck::report {
 
-/// Numbers of either sign as whole ones: sign(q) (q / levels)^2 times the largest. The root keeps
-/// small ones, those of the tails.
+/// Signed numbers quantised to integers q: a value is sign(q) (q / levels)^2 times the largest
+/// magnitude. The square root resolves the small values of the tails.
 struct SignedRoots {
-  double largest;  ///< in magnitude
+  double largest;  ///< largest magnitude
   int levels;
   std::vector<int> roots;  ///< from -levels to levels
 };
 
-/// @param levels the smallest that is told from nought is the largest over 4 levels^2
+/// Quantises values.
+/// @param levels number of steps; magnitudes below the largest / (4 levels^2) become 0
 SignedRoots signed_roots(std::span<const double> values, int levels);
 
-/// Each number less the one before it: what is smooth becomes small numbers, which pack well.
-std::vector<int> steps_of(std::span<const int> values);
+/// Differences of successive numbers, after the first number: small for smooth data, which
+/// compresses well.
+std::vector<int> successive_differences(std::span<const int> values);
 
 }  // namespace fpkcheck::report

@@ -7,12 +7,12 @@
 
 namespace fpkcheck::report {
 
-/// A sentence of the answer, as it opens the page.
+/// A paragraph of the answer, in the style of the top of the page.
 std::string answer_html(const std::string& sentence);
 
-/// What a reader meets first: the answer, solutions over cases with their distances, the picture of
-/// these, what became of each closure, and whom to trust.
-/// @param anchors ids of the sections of the cases, in their order
+/// The first section of the page: the answer, the matrix of distances and its picture, the outcome
+/// of each method, and the recommendation.
+/// @param anchors ids of the sections of the cases, in the order of the cases
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors);
 
 }  // namespace fpkcheck::report

@@ -25,7 +25,7 @@ std::string without_trailing_spaces(std::string line) {
 
 fmt::text_style status_style(const std::string& cell) {
   using transform::Status;
-  const auto status = base::value_named<Status>(cell);
+  const auto status = base::enum_from_name<Status>(cell);
   if (status == Status::ok) return fmt::fg(fmt::terminal_color::green);
   if (status == Status::failed || status == Status::ill_posed) {
     return fmt::fg(fmt::terminal_color::red);
@@ -83,7 +83,7 @@ std::size_t Column::width() const {
 
 Column status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
-std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format) {
+std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format) {
   while (total_width(columns, 1) > format.width) {
     const int least = std::ranges::min_element(columns, {}, &Column::importance)->importance;
     if (least == kAlwaysShown) break;
@@ -92,7 +92,7 @@ std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& forma
   return columns;
 }
 
-std::string left_out(const std::vector<Column>& all, const std::vector<Column>& shown) {
+std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown) {
   std::vector<std::string> names;
   for (const auto& column : all) {
     const auto same = [&](const Column& other) {
@@ -106,7 +106,7 @@ std::string left_out(const std::vector<Column>& all, const std::vector<Column>& 
 }
 
 std::string rows(std::vector<Column> columns, const TextFormat& format) {
-  columns = fitting(std::move(columns), format);
+  columns = fit_columns(std::move(columns), format);
   if (columns.empty()) return "";
   const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
   std::string head;

@@ -8,36 +8,36 @@
 
 namespace fpkcheck::report {
 
-/// What stands for a value that is absent.
+/// Text of a cell without a value.
 inline constexpr const char* kAbsent = "-";
 
 /// A column of a plain-text table.
 struct Column {
-  std::string group;  ///< stands over neighbouring columns of the same group
+  std::string group;  ///< common header above neighbouring columns of the same group
   std::string header;
   bool left_aligned;
-  int importance;  ///< columns of equal importance come and go together
+  int importance;  ///< columns of equal importance are omitted together
   std::vector<std::string> cells = {};
-  /// Cells are statuses: in colour, by what they mean.
+  /// Cells are names of statuses, coloured by status.
   bool is_status = false;
 
   std::size_t width() const;
 };
 
-/// The importance of a column that is never left out.
+/// The importance of a column that is never omitted.
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
-/// The column of a table that holds the solutions' statuses.
+/// An empty column for the statuses of solutions.
 Column status_column();
 
-/// The columns that are shown: where all do not fit into the width, the least important ones go.
-std::vector<Column> fitting(std::vector<Column> columns, const TextFormat& format);
+/// The displayed columns: if all exceed the width, the least important columns are omitted.
+std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format);
 
-/// What was left out of `all`, for a sentence: "L1 to fd-kf, energy"; empty where nothing was.
-std::string left_out(const std::vector<Column>& all, const std::vector<Column>& shown);
+/// Names of the columns of `all` that are not in `shown`: "L1 to fd-kf, energy"; empty if none.
+std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown);
 
-/// The columns side by side under their headers, one line per row. Where they do not fit into the
-/// width, the least important ones go.
+/// The columns side by side under their headers, one line per row. If the columns exceed the width,
+/// the least important are omitted.
 std::string rows(std::vector<Column> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::report

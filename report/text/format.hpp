@@ -4,14 +4,14 @@
 
 namespace fpkcheck::report {
 
-/// How text is laid out for whoever reads it.
+/// Layout of text output.
 struct TextFormat {
-  // Not explicit: most callers care for the width alone.
+  // Not explicit: most callers set only the width.
   TextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
       : width(characters), colour(with_colour) {}
 
   std::size_t width;  ///< characters per line
-  bool colour;        ///< ANSI colours: for a terminal that wants them
+  bool colour;        ///< ANSI colours, for a terminal with colour support
 };
 
 }  // namespace fpkcheck::report

@@ -18,28 +18,28 @@ constexpr char kSame = '=', kNone = ' ';
 
 }  // namespace
 
-char mark_of(const Stand& stand) {
-  if (stand.solution == nullptr) return kNone;
+char entry_mark(const AgreementEntry& entry) {
+  if (entry.solution == nullptr) return kNone;
   const auto found =
-      std::ranges::find(kStatusMarks, stand.solution->status, &std::pair<Status, char>::first);
+      std::ranges::find(kStatusMarks, entry.solution->status, &std::pair<Status, char>::first);
   if (found != std::end(kStatusMarks)) return found->second;
-  return stand.standing == Standing::indistinguishable ? kSame : kNone;
+  return entry.agreement == Agreement::indistinguishable ? kSame : kNone;
 }
 
-std::vector<std::string> meanings_of_marks(const std::vector<Record>& records) {
-  const auto stands_somewhere = [&](char mark) {
-    return std::ranges::any_of(records, [&](const Record& record) {
-      return std::ranges::any_of(record.stands,
-                                 [&](const Stand& stand) { return mark_of(stand) == mark; });
+std::vector<std::string> mark_meanings(const std::vector<AgreementRow>& agreement_rows) {
+  const auto occurs = [&](char mark) {
+    return std::ranges::any_of(agreement_rows, [&](const AgreementRow& row) {
+      return std::ranges::any_of(
+          row.entries, [&](const AgreementEntry& entry) { return entry_mark(entry) == mark; });
     });
   };
   std::vector<std::string> meanings;
   for (const auto& [status, mark] : kStatusMarks) {
-    if (stands_somewhere(mark)) meanings.push_back(fmt::format("{} {}", mark, name(status)));
+    if (occurs(mark)) meanings.push_back(fmt::format("{} {}", mark, name(status)));
   }
-  if (stands_somewhere(kSame)) {
-    meanings.push_back(
-        fmt::format("{} indistinguishable: nearer to the reference than that knows itself", kSame));
+  if (occurs(kSame)) {
+    meanings.push_back(fmt::format(
+        "{} indistinguishable: distance within the error estimate of the reference", kSame));
   }
   return meanings;
 }

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "report/verdict/standing.hpp"
+#include "report/verdict/agreement.hpp"
 
 namespace fpkcheck::report {
 
-/// What stands beside the distances of a solution in the matrix: of its status, or that it cannot be
-/// told from the reference; a blank where it is ok.
-char mark_of(const Stand& stand);
+/// The mark beside the distances of a solution in the matrix: for its status, or for a solution
+/// indistinguishable from the reference. A blank for any other solution with status ok.
+char entry_mark(const AgreementEntry& entry);
 
-/// What the marks mean that stand somewhere in the records: "~ inaccurate".
-std::vector<std::string> meanings_of_marks(const std::vector<Record>& records);
+/// The meanings of the marks that occur in the rows: "~ inaccurate".
+std::vector<std::string> mark_meanings(const std::vector<AgreementRow>& agreement_rows);
 
 }  // namespace fpkcheck::report

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "report/text/columns.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "report/verdict/marks.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-// "0.0043", "7.2e-4": two digits in six characters, so that four cases fit into 80 columns.
-std::string short_l1(const std::optional<double>& l1) {
+// "0.0043", "7.2e-4": two digits in six characters, so that four cases fit into 80 characters.
+std::string short_l1_text(const std::optional<double>& l1) {
   if (!l1) return kAbsent;
   if (*l1 == 0 || *l1 >= 0.001) return fmt::format("{:.2g}", *l1);
   std::string text = fmt::format("{:.1e}", *l1);
@@ -23,21 +23,21 @@ std::string short_l1(const std::optional<double>& l1) {
   return text;
 }
 
-Column names_of_records(const std::vector<Record>& all) {
+Column solution_column(const std::vector<AgreementRow>& all) {
   Column column{"", "solution", true, kAlwaysShown};
-  for (const auto& record : all) column.cells.push_back(record.identity->id);
+  for (const auto& row : all) column.cells.push_back(row.identity->id);
   return column;
 }
 
-// Both marginals of one case.
-std::pair<Column, Column> columns_of_case(const std::vector<Record>& all, std::size_t k,
-                                          const std::string& name) {
+// The columns of both marginals for case k.
+std::pair<Column, Column> case_columns(const std::vector<AgreementRow>& all, std::size_t k,
+                                       const std::string& name) {
   Column y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
-  for (const auto& record : all) {
-    const Stand& stand = record.stands[k];
-    const bool is_reference = stand.standing == Standing::reference;
-    y.cells.push_back(is_reference ? "ref" : short_l1(stand.y));
-    ydot.cells.push_back((is_reference ? "ref" : short_l1(stand.ydot)) + mark_of(stand));
+  for (const auto& row : all) {
+    const AgreementEntry& entry = row.entries[k];
+    const bool is_reference = entry.agreement == Agreement::reference;
+    y.cells.push_back(is_reference ? "ref" : short_l1_text(entry.y));
+    ydot.cells.push_back((is_reference ? "ref" : short_l1_text(entry.ydot)) + entry_mark(entry));
   }
   return {std::move(y), std::move(ydot)};
 }
@@ -48,52 +48,53 @@ std::size_t total_width_of(const std::vector<Column>& columns) {
   return total - 1;
 }
 
-// As many cases beside each other as fit, and the rest below.
-std::string matrix_blocks(const results::Run& run, const std::vector<Record>& all,
+// As many cases as fit into the width form a block; further blocks follow below.
+std::string matrix_blocks(const results::Run& run, const std::vector<AgreementRow>& all,
                           const TextFormat& format) {
   std::string text;
-  std::vector<Column> block{names_of_records(all)};
-  const auto put_block = [&] {
+  std::vector<Column> block{solution_column(all)};
+  const auto flush_block = [&] {
     text += rows(block, format);
     block.resize(1);
   };
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
-    auto [y, ydot] = columns_of_case(all, k, run.cases[k].name());
-    auto with_it = block;
-    with_it.push_back(y);
-    with_it.push_back(ydot);
-    if (block.size() > 1 && total_width_of(with_it) > format.width) put_block();
+    auto [y, ydot] = case_columns(all, k, run.cases[k].name());
+    auto extended_block = block;
+    extended_block.push_back(y);
+    extended_block.push_back(ydot);
+    if (block.size() > 1 && total_width_of(extended_block) > format.width) flush_block();
     block.push_back(std::move(y));
     block.push_back(std::move(ydot));
   }
-  put_block();
+  flush_block();
   return text;
 }
 
 }  // namespace
 
-std::string answer_text(const Verdict& said, const TextFormat& format) {
+std::string answer_text(const Verdict& run_verdict, const TextFormat& format) {
   std::string text;
-  for (const auto& sentence : said.answer) text += wrapped(sentence, format.width);
+  for (const auto& sentence : run_verdict.answer) text += wrap_text(sentence, format.width);
   return text;
 }
 
-std::string verdict_text(const results::Run& run, const Verdict& said, const TextFormat& format) {
+std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
+                         const TextFormat& format) {
   std::string text;
   if (run.cases.size() > 1) {
-    text += matrix_blocks(run, said.records, format);
-    auto marks = meanings_of_marks(said.records);
-    marks.insert(marks.begin(), "L1 to the reference (ref) of each case");
-    text += wrapped(fmt::format("{}.", fmt::join(marks, "; ")), format.width) + '\n';
+    text += matrix_blocks(run, run_verdict.agreement_rows, format);
+    auto marks = mark_meanings(run_verdict.agreement_rows);
+    marks.insert(marks.begin(), "L1 distance to the reference (ref) of each case");
+    text += wrap_text(fmt::format("{}.", fmt::join(marks, "; ")), format.width) + '\n';
   }
   std::size_t longest = 0;
-  for (const auto& line : said.lines) longest = std::max(longest, line.subject.size());
-  for (const auto& line : said.lines) {
+  for (const auto& line : run_verdict.lines) longest = std::max(longest, line.subject.size());
+  for (const auto& line : run_verdict.lines) {
     std::string lines =
-        wrapped(std::string(longest + 2, ' ') + line.outcome, format.width, longest + 2);
+        wrap_text(std::string(longest + 2, ' ') + line.outcome, format.width, longest + 2);
     text += lines.replace(0, line.subject.size(), line.subject);
   }
-  for (const auto& sentence : said.trust) text += wrapped(sentence, format.width);
+  for (const auto& sentence : run_verdict.recommendation) text += wrap_text(sentence, format.width);
   return text;
 }
 

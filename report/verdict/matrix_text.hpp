@@ -8,12 +8,13 @@
 
 namespace fpkcheck::report {
 
-/// The verdict in plain text: the answer, wrapped.
-std::string answer_text(const Verdict& said, const TextFormat& format);
+/// The answer of the verdict in plain text with line breaks.
+std::string answer_text(const Verdict& run_verdict, const TextFormat& format);
 
-/// A row for each solution and a column for each case: both L1 distances to the case's reference, as
-/// many cases beside each other as fit, with what its marks mean; then the verdict's lines and whom
-/// to trust. Plain ASCII.
-std::string verdict_text(const results::Run& run, const Verdict& said, const TextFormat& format);
+/// The matrix of several cases: a row for each solution, and for each case both L1 distances to its
+/// reference, as many cases side by side as fit, with the meanings of the marks. The lines of the
+/// verdict and the recommendation follow. Plain ASCII.
+std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
+                         const TextFormat& format);
 
 }  // namespace fpkcheck::report

@@ -11,50 +11,52 @@ namespace {
 
 using transform::Status;
 
-// Of a status that leaves no density.
-std::string_view words_for(Status status) {
+// Meaning of a status without a density.
+std::string_view status_meaning(Status status) {
   switch (status) {
     case Status::not_converged:
       return "no solution found";
     case Status::inadmissible:
       return "no probability density";
     case Status::ill_posed:
-      return "the discrete problem grows without bound";
+      return "the discrete solution grows without bound";
     case Status::not_offered:
-      return "does not treat such a problem";
+      return "the method does not apply to the problem";
     default:
       return "the solver broke down";
   }
 }
 
-// "off by up to .. in 2 of 4 cases", of those that stand so.
-std::string distance_text(const Record& record, Standing standing, const char* how, int cases) {
+// "L1 distance up to .. in 2 of 4 cases", over the cases with this agreement.
+std::string distance_text(const AgreementRow& row, Agreement agreement, const char* how,
+                          int cases) {
   MarginalDistances most{};
-  for (const auto& stand : record.stands) {
-    if (stand.standing == standing) most.widen(stand.y, stand.ydot);
+  for (const auto& entry : row.entries) {
+    if (entry.agreement == agreement) most.take_maximum(entry.y, entry.ydot);
   }
-  const int count = record.count(standing);
-  return fmt::format("off by {}{}{}", cases == 1 ? "" : how, text_of(most),
-                     count == cases ? "" : in_cases(count, cases));
+  const int count = row.count(agreement);
+  return fmt::format("L1 distance {}{}{}", cases == 1 ? "" : how, distances_text(most),
+                     count == cases ? "" : cases_phrase(count, cases));
 }
 
-std::vector<std::string> without_density(const Record& record, int cases) {
+std::vector<std::string> missing_density_texts(const AgreementRow& row, int cases) {
   std::vector<std::string> parts;
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
-    const auto count = std::ranges::count_if(record.stands, [status = status](const Stand& stand) {
-      return stand.standing == Standing::no_density && stand.solution->status == status;
-    });
+    const auto count =
+        std::ranges::count_if(row.entries, [status = status](const AgreementEntry& entry) {
+          return entry.agreement == Agreement::no_density && entry.solution->status == status;
+        });
     if (count == 0) continue;
-    parts.push_back(
-        fmt::format("{}{}: {}", name, in_cases(static_cast<int>(count), cases), words_for(status)));
+    parts.push_back(fmt::format("{}{}: {}", name, cases_phrase(static_cast<int>(count), cases),
+                                status_meaning(status)));
   }
   return parts;
 }
 
 }  // namespace
 
-void MarginalDistances::widen(const std::optional<double>& other_y,
-                              const std::optional<double>& other_ydot) {
+void MarginalDistances::take_maximum(const std::optional<double>& other_y,
+                                     const std::optional<double>& other_ydot) {
   const auto larger = [](std::optional<double>& mine, const std::optional<double>& other) {
     if (other) mine = std::max(mine.value_or(*other), *other);
   };
@@ -62,44 +64,44 @@ void MarginalDistances::widen(const std::optional<double>& other_y,
   larger(ydot, other_ydot);
 }
 
-std::string text_of(const MarginalDistances& distances) {
+std::string distances_text(const MarginalDistances& distances) {
   const auto& [y, ydot] = distances;
   if (!ydot) return fmt::format("{:.2g} in p(y)", y.value_or(0));
   if (!y) return fmt::format("{:.2g} in p(y')", *ydot);
   return fmt::format("{:.2g} in p(y) and {:.2g} in p(y')", *y, *ydot);
 }
 
-std::string in_cases(int count, int cases) {
+std::string cases_phrase(int count, int cases) {
   if (cases == 1) return "";
   if (count == cases) return fmt::format(" in {} {} cases", cases == 2 ? "both of" : "all", cases);
   return fmt::format(" in {} of {} cases", count, cases);
 }
 
-std::string outcome(const Record& record, const std::string& reference, int cases) {
-  const int close = record.count(Standing::close);
-  const int same = record.count(Standing::indistinguishable) + record.count(Standing::reference);
+std::string outcome(const AgreementRow& row, const std::string& reference, int cases) {
+  const int close = row.count(Agreement::close);
+  const int same = row.count(Agreement::indistinguishable) + row.count(Agreement::reference);
   std::vector<std::string> parts;
   if (same > 0) {
-    parts.push_back(fmt::format("nearer to {} than that knows itself{}", reference,
-                                same == cases ? "" : in_cases(same, cases)));
+    parts.push_back(fmt::format("within the error estimate of {}{}", reference,
+                                same == cases ? "" : cases_phrase(same, cases)));
   }
-  if (close > 0) parts.push_back(distance_text(record, Standing::close, "at most ", cases));
-  if (record.count(Standing::off) > 0) {
-    parts.push_back(distance_text(record, Standing::off, "up to ", cases));
+  if (close > 0) parts.push_back(distance_text(row, Agreement::close, "at most ", cases));
+  if (row.count(Agreement::distant) > 0) {
+    parts.push_back(distance_text(row, Agreement::distant, "up to ", cases));
   }
-  if (const int unjudged = record.count(Standing::unjudged); unjudged > 0) {
-    parts.push_back("nothing to measure it by" + in_cases(unjudged, cases));
+  if (const int no_reference = row.count(Agreement::no_reference); no_reference > 0) {
+    parts.push_back("no reference" + cases_phrase(no_reference, cases));
   }
-  std::ranges::move(without_density(record, cases), std::back_inserter(parts));
-  const bool all = record.reproduced() == record.present();
-  const char* const start = all                       ? "reproduced: "
-                            : record.reproduced() > 0 ? "reproduced in part: "
-                                                      : "not reproduced: ";
+  std::ranges::move(missing_density_texts(row, cases), std::back_inserter(parts));
+  const bool all = row.reproduced_count() == row.case_count();
+  const char* const start = all                          ? "reproduced: "
+                            : row.reproduced_count() > 0 ? "reproduced in part: "
+                                                         : "not reproduced: ";
   return fmt::format("{}{}", start, fmt::join(parts, "; "));
 }
 
-std::string brief_outcome(const Record& record, int cases) {
-  const auto parts = without_density(record, cases);
+std::string brief_outcome(const AgreementRow& row, int cases) {
+  const auto parts = missing_density_texts(row, cases);
   return parts.empty() ? "unknown" : parts.front();
 }
 

@@ -21,246 +21,261 @@ using transform::Variable;
 
 using Words = std::vector<std::string>;
 
-std::string listed(const Words& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+std::string comma_separated(const Words& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
 
 // "mcs", or where cases differ "mcs (fd-kf in case2)".
-std::string names_of_references(const results::Run& run) {
+std::string reference_names(const results::Run& run) {
   std::map<std::string, Words> cases;
-  for (const auto& one : run.cases) {
-    if (const auto* chosen = compare::reference(one.solutions)) {
-      cases[chosen->id()].push_back(one.name());
+  for (const auto& case_result : run.cases) {
+    if (const auto* chosen = compare::reference(case_result.solutions)) {
+      cases[chosen->id()].push_back(case_result.name());
     }
   }
   const auto most =
       std::ranges::max_element(cases, {}, [](const auto& entry) { return entry.second.size(); });
   std::string text = most->first;
   for (const auto& [id, names] : cases) {
-    if (id != most->first) text += fmt::format(" ({} in {})", id, listed(names));
+    if (id != most->first) text += fmt::format(" ({} in {})", id, comma_separated(names));
   }
   return text;
 }
 
-/// What the run knows, at its worst case.
-struct Known {
-  int judged = 0;           ///< cases with a reference
-  double y = 0, ydot = 0;   ///< own errors of the references
-  std::string second = {};  ///< the other solution of the problem itself, if it is always the same
-  int checked = 0;          ///< cases that have it
-  int contradicted = 0;     ///< cases in which it and the reference do not agree
-  MarginalDistances apart{};  ///< its distances to the reference
+/// Accuracy of the references of a run, as maxima over the cases.
+struct ReferenceAccuracy {
+  int judged = 0;             ///< cases with a reference
+  double y = 0, ydot = 0;     ///< error estimates of the references
+  std::string second = {};    ///< id of a second solution of the full problem
+  int checked = 0;            ///< cases with this second solution
+  int contradicted = 0;       ///< cases in which the second solution and the reference disagree
+  MarginalDistances apart{};  ///< distances of the second solution to the reference
 };
 
-Known known_of(const results::Run& run) {
-  Known known;
-  for (const auto& one : run.cases) {
-    const auto all = references(one);
+ReferenceAccuracy reference_accuracy(const results::Run& run) {
+  ReferenceAccuracy known;
+  for (const auto& case_result : run.cases) {
+    const auto all = references(case_result);
     if (all.empty()) continue;
     ++known.judged;
-    known.y = std::max(known.y, compare::own_error(*all.front(), Variable::y));
-    known.ydot = std::max(known.ydot, compare::own_error(*all.front(), Variable::ydot));
+    known.y = std::max(known.y, compare::error_estimate(*all.front(), Variable::y));
+    known.ydot = std::max(known.ydot, compare::error_estimate(*all.front(), Variable::ydot));
     if (all.size() < 2) continue;
     const Solution& second = *all.back();
     if (known.second.empty()) known.second = second.id();
     if (known.second != second.id()) continue;
     ++known.checked;
-    if (!compare::agree(*all.front(), second, one.pairs)) ++known.contradicted;
-    known.apart.widen(one.l1(second.id(), all.front()->id(), Variable::y),
-                      one.l1(second.id(), all.front()->id(), Variable::ydot));
+    if (!compare::has_agreement(*all.front(), second, case_result.pairs)) ++known.contradicted;
+    known.apart.take_maximum(case_result.l1(second.id(), all.front()->id(), Variable::y),
+                             case_result.l1(second.id(), all.front()->id(), Variable::ydot));
   }
   return known;
 }
 
-std::string what_is_known(const results::Run& run, const Known& known) {
+std::string reference_sentence(const results::Run& run, const ReferenceAccuracy& known) {
   const int cases = static_cast<int>(run.cases.size());
   if (known.judged == 0) {
-    return "Nothing here solves the problem itself and is ok, so that no answer can be judged by "
-           "another: each states its own error at best.";
+    return "There is no reference: no solution of the full problem has status ok. Only the error "
+           "estimate of each solution is available.";
   }
   std::string text =
-      fmt::format("The reference{} is {}", in_cases(known.judged, cases), names_of_references(run));
+      fmt::format("The reference{} is {}", cases_phrase(known.judged, cases), reference_names(run));
   if (std::isfinite(known.y + known.ydot)) {
-    text += fmt::format(", known to L1 {:.1g} in p(y) and {:.1g} in p(y')", known.y, known.ydot);
+    text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", known.y,
+                        known.ydot);
   }
   if (known.checked > 0 && known.apart.any()) {
-    text += fmt::format("; {}, which shares nothing with it but the problem, is {} from it",
-                        known.second, text_of(known.apart));
+    text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
+                        known.second, distances_text(known.apart));
   }
   return text + '.';
 }
 
 // "4, 8, 12".
-std::string orders_text(const std::vector<const Record*>& members) {
+std::string orders_text(const std::vector<const AgreementRow*>& members) {
   Words orders;
-  for (const Record* record : members) {
-    orders.push_back(fmt::format("{}", *record->identity->order));
+  for (const AgreementRow* row : members) {
+    orders.push_back(fmt::format("{}", *row->identity->order));
   }
-  return listed(orders);
+  return comma_separated(orders);
 }
 
-bool is_by_order(const Record& record) { return transform::is_by_order(*record.identity); }
+bool is_distinguished_by_order(const AgreementRow& row) {
+  return transform::is_distinguished_by_order(*row.identity);
+}
 
-int order_of(const Record* record) { return *record->identity->order; }
+int order_of(const AgreementRow* row) { return *row->identity->order; }
 
-std::vector<std::vector<const Record*>> families_of(const std::vector<Record>& all) {
-  std::vector<std::vector<const Record*>> families;
-  for (const auto& record : all) {
-    if (!is_by_order(record)) continue;
+std::vector<std::vector<const AgreementRow*>> closure_families(
+    const std::vector<AgreementRow>& all) {
+  std::vector<std::vector<const AgreementRow*>> families;
+  for (const auto& row : all) {
+    if (!is_distinguished_by_order(row)) continue;
     const auto same = std::ranges::find_if(families, [&](const auto& members) {
-      return members.front()->identity->family == record.identity->family &&
-             members.front()->identity->formulation == record.identity->formulation;
+      return members.front()->identity->family == row.identity->family &&
+             members.front()->identity->formulation == row.identity->formulation;
     });
     if (same == families.end()) {
-      families.push_back({&record});
+      families.push_back({&row});
     } else {
-      same->push_back(&record);
+      same->push_back(&row);
     }
   }
   for (auto& members : families) std::ranges::stable_sort(members, {}, order_of);
   return families;
 }
 
-// The closure of the paper solves the equations of an impact to first order.
-bool is_the_papers(const Record& record) {
-  return is_by_order(record) && !transform::is_guest(*record.identity) &&
-         record.identity->impact == problem::Impact::delta;
+// The closure of the paper has the impact to first order in 1-r.
+bool is_paper_closure(const AgreementRow& row) {
+  return is_distinguished_by_order(row) && !transform::is_external(*row.identity) &&
+         row.identity->impact == problem::Impact::delta;
 }
 
-// Brought along, in no family of several orders.
-bool is_single_guest(const Record& record) {
-  return transform::is_guest(*record.identity) && !is_by_order(record);
+// An external density that belongs to no family of several orders.
+bool is_single_external_density(const AgreementRow& row) {
+  return transform::is_external(*row.identity) && !is_distinguished_by_order(row);
 }
 
-// "epc-gaussian (the paper's) at n = 6, not at 2, 4, 8", and whether any order does.
-std::string orders_that_do(const std::vector<const Record*>& members, bool& any) {
-  std::vector<const Record*> good, bad;
-  for (const Record* record : members) {
-    (record->reproduced() == record->present() ? good : bad).push_back(record);
+// "epc-gaussian (the paper's closure) at n = 6, not at n = 2, 4, 8".
+// @param any set to whether some order reproduces the references
+std::string reproducing_orders_text(const std::vector<const AgreementRow*>& members, bool& any) {
+  std::vector<const AgreementRow*> good, bad;
+  for (const AgreementRow* row : members) {
+    (row->reproduced_count() == row->case_count() ? good : bad).push_back(row);
   }
   any = !good.empty();
   const std::string subject =
       fmt::format("{}{}", members.front()->identity->family,
-                  is_the_papers(*members.front()) ? " (the paper's closure)" : "");
+                  is_paper_closure(*members.front()) ? " (the paper's closure)" : "");
   if (good.empty()) return fmt::format("{} at n = {}", subject, orders_text(members));
   return fmt::format("{} at n = {}{}", subject, orders_text(good),
-                     bad.empty() ? "" : fmt::format(", not at {}", orders_text(bad)));
+                     bad.empty() ? "" : fmt::format(", not at n = {}", orders_text(bad)));
 }
 
-std::string who_reproduces_it(const results::Run& run, const std::vector<Record>& all) {
+std::string reproduction_sentence(const results::Run& run, const std::vector<AgreementRow>& all) {
   Words yes, no;
-  for (const auto& record : all) {
-    if (!is_single_guest(record)) continue;
-    (record.reproduced() == record.present() ? yes : no).push_back(record.identity->id);
+  for (const auto& row : all) {
+    if (!is_single_external_density(row)) continue;
+    (row.reproduced_count() == row.case_count() ? yes : no).push_back(row.identity->id);
   }
-  for (const auto& members : families_of(all)) {
+  for (const auto& members : closure_families(all)) {
     bool any = false;
-    const std::string text = orders_that_do(members, any);
+    const std::string text = reproducing_orders_text(members, any);
     (any ? yes : no).push_back(text);
   }
   if (yes.empty() && no.empty()) return "";
   const int cases = static_cast<int>(run.cases.size());
-  const std::string within = fmt::format("Within L1 {} of it{}", kCloseL1, in_cases(cases, cases));
+  const std::string within =
+      fmt::format("Within L1 {} of the reference{}", kCloseL1, cases_phrase(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
   return fmt::format("{}: {}{}.", within, fmt::join(yes, "; "),
                      no.empty() ? "" : fmt::format("; not {}", fmt::join(no, "; ")));
 }
 
-VerdictLine line_of(const Record& record, const std::string& reference, int cases) {
-  return {record.identity->id, record.reproduced() == record.present(),
-          outcome(record, reference, cases)};
+VerdictLine verdict_line(const AgreementRow& row, const std::string& reference, int cases) {
+  return {row.identity->id, row.reproduced_count() == row.case_count(),
+          outcome(row, reference, cases)};
 }
 
-// Of a formulation: how far each order comes, "n = 4 is off by at most 0.0089, 8 by 0.0017".
-VerdictLine line_of(const std::vector<const Record*>& members, int cases) {
+// The largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089, 8 has
+// 0.0017".
+VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
-  for (const Record* record : members) {
-    all = all && record->reproduced() == record->present();
-    const auto farthest = record->farthest();
-    const std::string order = fmt::format("{}{}", first ? "n = " : "", *record->identity->order);
-    parts.push_back(farthest
-                        ? fmt::format("{}{} by {:.2g}", order, first ? " is off" : "", *farthest)
-                        : fmt::format("{} {}", order, brief_outcome(*record, cases)));
+  for (const AgreementRow* row : members) {
+    all = all && row->reproduced_count() == row->case_count();
+    const auto largest_l1 = row->largest_l1();
+    const std::string order = fmt::format("{}{}", first ? "n = " : "", *row->identity->order);
+    parts.push_back(
+        largest_l1 ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *largest_l1)
+                   : fmt::format("{} is {}", order, brief_outcome(*row, cases)));
     first = false;
   }
-  return {members.front()->identity->family, all,
-          fmt::format("{}{}", all ? "reproduced: " : "reproduced in part: ", listed(parts))};
+  return {
+      members.front()->identity->family, all,
+      fmt::format("{}{}", all ? "reproduced: " : "reproduced in part: ", comma_separated(parts))};
 }
 
-std::vector<VerdictLine> lines_of(const results::Run& run, const std::vector<Record>& all) {
+std::vector<VerdictLine> verdict_lines(const results::Run& run,
+                                       const std::vector<AgreementRow>& all) {
   const int cases = static_cast<int>(run.cases.size());
-  const std::string reference = names_of_references(run);
+  const std::string reference = reference_names(run);
   std::vector<VerdictLine> lines;
-  for (const auto& record : all) {
-    if (is_single_guest(record)) lines.push_back(line_of(record, reference, cases));
+  for (const auto& row : all) {
+    if (is_single_external_density(row)) lines.push_back(verdict_line(row, reference, cases));
   }
-  for (const auto& members : families_of(all)) {
-    if (members.size() > 1 && !is_the_papers(*members.front())) {
-      lines.push_back(line_of(members, cases));
+  for (const auto& members : closure_families(all)) {
+    if (members.size() > 1 && !is_paper_closure(*members.front())) {
+      lines.push_back(verdict_line(members, cases));
     } else {
-      for (const Record* record : members) lines.push_back(line_of(*record, reference, cases));
+      for (const AgreementRow* row : members) lines.push_back(verdict_line(*row, reference, cases));
     }
   }
-  for (const auto& record : all) {
-    const bool solves_it = std::ranges::any_of(record.stands, [](const Stand& stand) {
-      return stand.solution != nullptr && compare::solves_the_problem(*stand.solution);
+  for (const auto& row : all) {
+    const bool solves_it = std::ranges::any_of(row.entries, [](const AgreementEntry& entry) {
+      return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
     });
-    const Role role = record.identity->role;
+    const Role role = row.identity->role;
     if (solves_it || (role != Role::equation && role != Role::simulation)) continue;
-    lines.push_back(line_of(record, reference, cases));
+    lines.push_back(verdict_line(row, reference, cases));
   }
   return lines;
 }
 
-// The quickest that says ok in every case and is within the accuracy of the reference there.
-const Record* quickest(const std::vector<Record>& all, double accuracy, double known) {
-  const Record* best = nullptr;
-  for (const auto& record : all) {
-    const bool good = std::ranges::all_of(record.stands, [&](const Stand& stand) {
-      if (stand.standing == Standing::reference) return known <= accuracy;
-      return stand.solution != nullptr && stand.solution->is_ok() && stand.y && stand.ydot &&
-             *stand.farthest() + known <= accuracy;
+// The fastest solution with status ok and total error within the accuracy in every case: its
+// distance to the reference plus the error estimate of the reference.
+const AgreementRow* fastest_row(const std::vector<AgreementRow>& all, double accuracy,
+                                double known) {
+  const AgreementRow* best = nullptr;
+  for (const auto& row : all) {
+    const bool good = std::ranges::all_of(row.entries, [&](const AgreementEntry& entry) {
+      if (entry.agreement == Agreement::reference) return known <= accuracy;
+      return entry.solution != nullptr && entry.solution->is_ok() && entry.y && entry.ydot &&
+             *entry.largest_l1() + known <= accuracy;
     });
-    if (!good || transform::is_guest(*record.identity)) continue;
-    if (best == nullptr || record.seconds() < best->seconds()) best = &record;
+    if (!good || transform::is_external(*row.identity)) continue;
+    if (best == nullptr || row.seconds() < best->seconds()) best = &row;
   }
   return best;
 }
 
-Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, const Known& known) {
+Words recommendation(const results::Run& run, const std::vector<AgreementRow>& all,
+                     const ReferenceAccuracy& known) {
   const int cases = static_cast<int>(run.cases.size());
   if (known.judged < cases) {
     return {
-        fmt::format("Trust nothing{} further than it states of itself: add fd-kf and mcs to the "
-                    "methods, or raise what they may take (--max-seconds, --time).",
-                    in_cases(cases - known.judged, cases))};
+        fmt::format("There is no reference{}: rely on the error estimate of each solution. Add "
+                    "fd-kf and mcs to --methods, or raise their limits (--max-seconds, --time).",
+                    cases_phrase(cases - known.judged, cases))};
   }
   Words sentences;
   std::string first = fmt::format(
-      "For the values themselves {}: it solves the problem as it stands, all jumps and "
-      "the exact impact, and of those that do it is known best",
-      names_of_references(run));
+      "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
+      "with the smallest error estimate",
+      reference_names(run));
   if (known.contradicted > 0) {
-    first += fmt::format("; but {} differs from it by more than the errors of both explain{}",
-                         known.second, in_cases(known.contradicted, cases));
+    first += fmt::format("; {} differs by more than the errors of both explain{}", known.second,
+                         cases_phrase(known.contradicted, cases));
   } else if (known.checked == cases) {
-    first += fmt::format("; {} confirms it", known.second);
+    first += fmt::format("; {} confirms these values", known.second);
   } else {
-    first += "; nothing independent confirms it in this run";
+    first += "; no independent solution in this run confirms these values";
   }
   sentences.push_back(first + '.');
   const double error = std::max(known.y, known.ydot);
   Words parts;
-  const Record* last = nullptr;
+  const AgreementRow* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {
-    const Record* found = quickest(all, accuracy, std::isfinite(error) ? error : 0);
+    const AgreementRow* found = fastest_row(all, accuracy, std::isfinite(error) ? error : 0);
     if (found == nullptr || found == last) continue;
     parts.push_back(fmt::format("within L1 {}{}, {} ({:.2g} s)", accuracy,
-                                parts.empty() ? in_cases(cases, cases) : "", found->identity->id,
-                                found->seconds()));
+                                parts.empty() ? cases_phrase(cases, cases) : "",
+                                found->identity->id, found->seconds()));
     last = found;
   }
   if (!parts.empty()) {
-    sentences.push_back(fmt::format("The quickest that is ok: {}.", fmt::join(parts, "; ")));
+    sentences.push_back(
+        fmt::format("Fastest solution with status ok: {}.", fmt::join(parts, "; ")));
   }
   return sentences;
 }
@@ -268,25 +283,28 @@ Words whom_to_trust(const results::Run& run, const std::vector<Record>& all, con
 }  // namespace
 
 Verdict verdict(const results::Run& run) {
-  Verdict said{.records = records(run), .answer = {}, .lines = {}, .trust = {}};
-  if (run.cases.empty()) return said;
-  const auto& all = said.records;
-  const Known known = known_of(run);
-  for (const auto& one : run.cases) {
-    if (!one.bounds) continue;
-    for (const auto& outside : compare::contradictions(*one.bounds, one.solutions)) {
-      said.answer.push_back(
-          fmt::format("{}: {} is wrong, its {} contradicts the guaranteed bounds.", one.name(),
-                      outside.solution->id(), outside.bound->functional));
+  Verdict run_verdict{
+      .agreement_rows = agreement_rows(run), .answer = {}, .lines = {}, .recommendation = {}};
+  if (run.cases.empty()) return run_verdict;
+  const auto& all = run_verdict.agreement_rows;
+  const ReferenceAccuracy known = reference_accuracy(run);
+  for (const auto& case_result : run.cases) {
+    if (!case_result.bounds) continue;
+    for (const auto& outside :
+         compare::contradictions(*case_result.bounds, case_result.solutions)) {
+      run_verdict.answer.push_back(
+          fmt::format("{}: {} is wrong, its {} contradicts the guaranteed bounds.",
+                      case_result.name(), outside.solution->id(), outside.bound->functional));
     }
   }
-  said.answer.push_back(what_is_known(run, known));
+  run_verdict.answer.push_back(reference_sentence(run, known));
   if (known.judged > 0) {
-    if (auto text = who_reproduces_it(run, all); !text.empty()) said.answer.push_back(text);
-    said.lines = lines_of(run, all);
+    if (auto text = reproduction_sentence(run, all); !text.empty())
+      run_verdict.answer.push_back(text);
+    run_verdict.lines = verdict_lines(run, all);
   }
-  said.trust = whom_to_trust(run, all, known);
-  return said;
+  run_verdict.recommendation = recommendation(run, all, known);
+  return run_verdict;
 }
 
 }  // namespace fpkcheck::report

@@ -3,28 +3,30 @@
 #include <string>
 #include <vector>
 
-#include "report/verdict/standing.hpp"
+#include "report/verdict/agreement.hpp"
 
 namespace fpkcheck::report {
 
-/// What stands of one method, or of one order of a closure, in a line.
+/// The outcome of a method, or of one order of a closure, in one line.
 struct VerdictLine {
   std::string subject;  ///< "epc-gaussian-n6", "epc-polar"
-  bool reproduced;      ///< the reference of every case that it solved
-  std::string outcome;  ///< "reproduced: off by at most 0.0061 in p(y) and 0.0051 in p(y')"
+  bool reproduced;      ///< the references of all cases with this solution are reproduced
+  std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
 };
 
-/// The answer of a run, before any table.
+/// The main result of a run, shown before all tables.
 struct Verdict {
-  std::vector<Record> records;  ///< of all solutions: the rows of the matrix; points into the run
-  /// One sentence or two: what is known and how well, and who reproduces it.
+  std::vector<AgreementRow>
+      agreement_rows;  ///< rows of the matrix, for all solutions; point into the run
+  /// Paragraphs: contradictions with the guaranteed bounds, the reference and its accuracy, the
+  /// solutions that reproduce it.
   std::vector<std::string> answer;
-  /// A line for each order of the closure of first-order impact (the paper's), for each other
-  /// formulation, each equation that is not the problem's own, and each density of a user's, or family
-  /// of several orders of these.
+  /// A line for each order of the closure with first-order impact (the paper's), each other
+  /// formulation, each approximate equation, and each external density or family of external
+  /// densities.
   std::vector<VerdictLine> lines;
-  /// Which method to trust, which is the quickest that is as good, and why.
-  std::vector<std::string> trust;
+  /// The recommended method, the fastest method of sufficient accuracy, and the reasons.
+  std::vector<std::string> recommendation;
 };
 
 Verdict verdict(const results::Run& run);

@@ -6,7 +6,7 @@
 namespace fpkcheck::results {
 
 void write_parameters(NetCdfWriter& file, const problem::Problem& problem, int variable) {
-  for (const auto& parameter : problem::shown_parameters(problem)) {
+  for (const auto& parameter : problem::displayed_parameters(problem)) {
     const std::string name =
         parameter.section == "system" ? parameter.name : parameter.section + '_' + parameter.name;
     if (const auto* word = std::get_if<std::string>(&parameter.value)) {

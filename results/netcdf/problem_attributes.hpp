@@ -5,9 +5,9 @@
 
 namespace fpkcheck::results {
 
-/// The parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
+/// Writes the parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
 /// `impulse_rate`, `impulse_law`, ..
 void write_parameters(NetCdfWriter& file, const problem::Problem& problem,
-                      int variable = NetCdfWriter::kFile);
+                      int variable = NetCdfWriter::kGlobal);
 
 }  // namespace fpkcheck::results

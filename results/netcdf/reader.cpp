@@ -11,12 +11,12 @@
 namespace fpkcheck::results {
 namespace {
 
-// Of one variable: all solutions of a case on their cells are less than a million.
-constexpr std::size_t kMostValues = std::size_t{1} << 24;
-constexpr std::size_t kMostLabels = 10000;
-constexpr std::size_t kLongestAttribute = 10000;
+// Limit for one variable: all solutions of a case have less than a million values on their cells.
+constexpr std::size_t kMaxValues = std::size_t{1} << 24;
+constexpr std::size_t kMaxLabels = 10000;
+constexpr std::size_t kMaxAttributeLength = 10000;
 
-void check_read(int status, const std::string& what) {
+void check_read_status(int status, const std::string& what) {
   if (status != NC_NOERR) {
     throw std::runtime_error(fmt::format("{}: {}", what, nc_strerror(status)));
   }
@@ -25,22 +25,22 @@ void check_read(int status, const std::string& what) {
 }  // namespace
 
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
-  // All that this program writes is HDF5; readers of the older forms trust their headers.
-  if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("no netCDF-4");
-  // From memory: libnetcdf takes some paths for addresses in the network, and changes others.
-  check_read(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
-             "cannot be opened");
+  // This program writes HDF5 only. libnetcdf does not validate the headers of the older formats.
+  if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("not netCDF-4");
+  // From memory: libnetcdf interprets some paths as network addresses, and changes others.
+  check_read_status(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
+                    "cannot be opened");
 }
 
 NetCdfReader::~NetCdfReader() { nc_close(id_); }
 
 std::vector<std::string> NetCdfReader::variables() const {
   int count = 0;
-  check_read(nc_inq_nvars(id_, &count), "variables");
+  check_read_status(nc_inq_nvars(id_, &count), "variables");
   std::vector<std::string> names;
   for (int variable = 0; variable < count; ++variable) {
     char name[NC_MAX_NAME + 1];
-    check_read(nc_inq_varname(id_, variable, name), "names of variables");
+    check_read_status(nc_inq_varname(id_, variable, name), "names of variables");
     names.emplace_back(name);
   }
   return names;
@@ -48,15 +48,15 @@ std::vector<std::string> NetCdfReader::variables() const {
 
 int NetCdfReader::variable(const std::string& name) const {
   int variable = 0;
-  check_read(nc_inq_varid(id_, name.c_str(), &variable), name);
+  check_read_status(nc_inq_varid(id_, name.c_str(), &variable), name);
   return variable;
 }
 
 std::vector<int> NetCdfReader::dimension_ids(const std::string& name) const {
   int count = 0;
-  check_read(nc_inq_varndims(id_, variable(name), &count), name);
+  check_read_status(nc_inq_varndims(id_, variable(name), &count), name);
   std::vector<int> ids(count);
-  check_read(nc_inq_vardimid(id_, variable(name), ids.data()), name);
+  check_read_status(nc_inq_vardimid(id_, variable(name), ids.data()), name);
   return ids;
 }
 
@@ -64,7 +64,7 @@ std::vector<std::string> NetCdfReader::dimensions(const std::string& name) const
   std::vector<std::string> names;
   for (const int dimension : dimension_ids(name)) {
     char text[NC_MAX_NAME + 1];
-    check_read(nc_inq_dimname(id_, dimension, text), name);
+    check_read_status(nc_inq_dimname(id_, dimension, text), name);
     names.emplace_back(text);
   }
   return names;
@@ -73,58 +73,59 @@ std::vector<std::string> NetCdfReader::dimensions(const std::string& name) const
 std::vector<std::size_t> NetCdfReader::shape(const std::string& name) const {
   std::vector<std::size_t> lengths;
   for (const int dimension : dimension_ids(name)) {
-    check_read(nc_inq_dimlen(id_, dimension, &lengths.emplace_back()), name);
+    check_read_status(nc_inq_dimlen(id_, dimension, &lengths.emplace_back()), name);
   }
   return lengths;
 }
 
-std::size_t NetCdfReader::count_of(const std::string& name) {
+std::size_t NetCdfReader::value_count(const std::string& name) {
   const int id = variable(name);
   std::size_t count = 1;
   const auto lengths = shape(name);
   for (const std::size_t length : lengths) {
-    if (length > kMostValues / std::max<std::size_t>(count, 1)) {
-      throw std::runtime_error(fmt::format("{}: more than {} values", name, kMostValues));
+    if (length > kMaxValues / std::max<std::size_t>(count, 1)) {
+      throw std::runtime_error(fmt::format("{}: more than {} values", name, kMaxValues));
     }
     count *= length;
   }
-  // A file of a kilobyte may claim any number of values: those that nobody wrote are not in it.
-  constexpr std::size_t kMostPerByte = 260;  // of single precision, as deflate compresses
-  asked_for_ += count;
-  if (asked_for_ > kMostPerByte * bytes_.size()) {
-    throw std::runtime_error(fmt::format("{}: more values than the file can hold", name));
+  // A file of one kilobyte may declare any number of values, since unwritten values take no space.
+  // kMaxValuesPerByte is the limit for single precision with the highest compression of deflate.
+  constexpr std::size_t kMaxValuesPerByte = 260;
+  requested_values_ += count;
+  if (requested_values_ > kMaxValuesPerByte * bytes_.size()) {
+    throw std::runtime_error(fmt::format("{}: more values than the file can contain", name));
   }
   nc_type type = NC_NAT;
-  check_read(nc_inq_vartype(id_, id, &type), name);
+  check_read_status(nc_inq_vartype(id_, id, &type), name);
   if (type != NC_CHAR && type != NC_FLOAT && type != NC_DOUBLE) {
     throw std::runtime_error(fmt::format("{}: neither numbers nor texts", name));
   }
   int storage = NC_CONTIGUOUS;
   std::vector<std::size_t> chunk(lengths.size());
-  check_read(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
+  check_read_status(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
   if (storage != NC_CHUNKED) return count;
-  // A chunk is held in memory as a whole, however few of its values there are.
+  // The library allocates whole chunks, even if few of their values exist.
   for (std::size_t k = 0; k < chunk.size(); ++k) {
     if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
-      throw std::runtime_error(fmt::format("{}: chunks beyond its values", name));
+      throw std::runtime_error(fmt::format("{}: a chunk exceeds the dimensions", name));
     }
   }
   return count;
 }
 
 std::vector<double> NetCdfReader::values(const std::string& name) {
-  std::vector<double> values(count_of(name));
-  check_read(nc_get_var_double(id_, variable(name), values.data()), name);
+  std::vector<double> values(value_count(name));
+  check_read_status(nc_get_var_double(id_, variable(name), values.data()), name);
   return values;
 }
 
 std::vector<std::string> NetCdfReader::labels(const std::string& name) {
   const auto lengths = shape(name);
-  if (lengths.size() != 2 || lengths[0] > kMostLabels) {
-    throw std::runtime_error(fmt::format("{}: no texts", name));
+  if (lengths.size() != 2 || lengths[0] > kMaxLabels) {
+    throw std::runtime_error(fmt::format("{}: not a list of texts", name));
   }
-  std::string characters(count_of(name), '\0');
-  check_read(nc_get_var_text(id_, variable(name), characters.data()), name);
+  std::string characters(value_count(name), '\0');
+  check_read_status(nc_get_var_text(id_, variable(name), characters.data()), name);
   std::vector<std::string> texts;
   for (std::size_t n = 0; n < lengths[0]; ++n) {
     const std::string padded = characters.substr(n * lengths[1], lengths[1]);
@@ -144,7 +145,7 @@ std::vector<double> NetCdfReader::edges(const std::string& coordinate) {
   for (std::size_t cell = 0; cell < lengths[0]; ++cell) {
     const double lower = ends[2 * cell], upper = ends[2 * cell + 1];
     if (lower != edges.back() || !(upper > lower)) {
-      throw std::runtime_error(fmt::format("{}: the cells do not join", bounds));
+      throw std::runtime_error(fmt::format("{}: the cells do not adjoin", bounds));
     }
     edges.push_back(upper);
   }
@@ -156,12 +157,12 @@ std::string NetCdfReader::text(const std::string& name, const std::string& attri
   const int id = variable(name);
   std::size_t length = 0;
   nc_type type = NC_NAT;
-  check_read(nc_inq_att(id_, id, attribute.c_str(), &type, &length), what);
-  if (type != NC_CHAR || length > kLongestAttribute) {
-    throw std::runtime_error(fmt::format("{}: no short text", what));
+  check_read_status(nc_inq_att(id_, id, attribute.c_str(), &type, &length), what);
+  if (type != NC_CHAR || length > kMaxAttributeLength) {
+    throw std::runtime_error(fmt::format("{}: not a short text", what));
   }
   std::string text(length, '\0');
-  check_read(nc_get_att_text(id_, id, attribute.c_str(), text.data()), what);
+  check_read_status(nc_get_att_text(id_, id, attribute.c_str(), text.data()), what);
   return text;
 }
 

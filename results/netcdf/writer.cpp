@@ -14,39 +14,40 @@
 namespace fpkcheck::results {
 namespace {
 
-void check_written(int status, const std::string& what) {
+void check_write_status(int status, const std::string& what) {
   if (status != NC_NOERR) {
-    throw std::runtime_error(fmt::format("netCDF: {} ({})", what, nc_strerror(status)));
+    throw std::runtime_error(fmt::format("netCDF: {}: {}", what, nc_strerror(status)));
   }
 }
 
 int define(int file, const std::string& name, nc_type type, const std::vector<int>& dimensions) {
   int variable = 0;
-  check_written(nc_def_var(file, name.c_str(), type, static_cast<int>(dimensions.size()),
-                           dimensions.data(), &variable),
-                fmt::format("variable {}", name));
+  check_write_status(nc_def_var(file, name.c_str(), type, static_cast<int>(dimensions.size()),
+                                dimensions.data(), &variable),
+                     fmt::format("variable {}", name));
   return variable;
 }
 
 void deflate(int file, int variable, const std::string& name) {
-  constexpr int kLevel = 4;
-  check_written(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kLevel),
-                fmt::format("compression of {}", name));
+  constexpr int kCompressionLevel = 4;
+  check_write_status(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kCompressionLevel),
+                     fmt::format("compression of {}", name));
 }
 
 template <class Number>
 void fill_with_nan(int file, int variable, const std::string& name) {
   const auto fill = std::numeric_limits<Number>::quiet_NaN();
-  check_written(nc_def_var_fill(file, variable, NC_FILL, &fill),
-                fmt::format("fill value of {}", name));
+  check_write_status(nc_def_var_fill(file, variable, NC_FILL, &fill),
+                     fmt::format("fill value of {}", name));
 }
 
 }  // namespace
 
 NetCdfWriter::NetCdfWriter() {
-  static_assert(kFile == NC_GLOBAL);
-  constexpr std::size_t kFirstSize = 1 << 20;  // it grows
-  check_written(nc_create_mem("in memory", NC_NETCDF4, kFirstSize, &id_), "cannot begin");
+  static_assert(kGlobal == NC_GLOBAL);
+  constexpr std::size_t kInitialSize = 1 << 20;  // initial size; the library extends it
+  check_write_status(nc_create_mem("in memory", NC_NETCDF4, kInitialSize, &id_),
+                     "cannot create the file");
 }
 
 NetCdfWriter::~NetCdfWriter() {
@@ -55,8 +56,8 @@ NetCdfWriter::~NetCdfWriter() {
 
 int NetCdfWriter::dimension(const std::string& name, std::size_t length) {
   int dimension = 0;
-  check_written(nc_def_dim(id_, name.c_str(), length, &dimension),
-                fmt::format("dimension {}", name));
+  check_write_status(nc_def_dim(id_, name.c_str(), length, &dimension),
+                     fmt::format("dimension {}", name));
   return dimension;
 }
 
@@ -67,7 +68,8 @@ int NetCdfWriter::variable(const std::string& name, const std::vector<int>& dime
     attribute("long_name", long_name, variable);
     attribute("units", "1", variable);
   }
-  check_written(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));
+  check_write_status(nc_put_var_double(id_, variable, values.data()),
+                     fmt::format("values of {}", name));
   return variable;
 }
 
@@ -86,33 +88,35 @@ int NetCdfWriter::cells(const std::string& name, const std::string& long_name, i
   return length;
 }
 
-int NetCdfWriter::compressed(const std::string& name, const std::vector<int>& dimensions,
-                             const std::string& long_name, std::span<const float> values) {
+int NetCdfWriter::compressed_float(const std::string& name, const std::vector<int>& dimensions,
+                                   const std::string& long_name, std::span<const float> values) {
   const int variable = define(id_, name, NC_FLOAT, dimensions);
   std::vector<std::size_t> chunk;
   for (const int dimension : dimensions) {
-    check_written(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
-                  fmt::format("chunks of {}", name));
+    check_write_status(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
+                       fmt::format("chunks of {}", name));
   }
   chunk.front() = 1;
-  check_written(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
-                fmt::format("chunks of {}", name));
+  check_write_status(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
+                     fmt::format("chunks of {}", name));
   deflate(id_, variable, name);
   fill_with_nan<float>(id_, variable, name);
   attribute("long_name", long_name, variable);
   attribute("units", "1", variable);
-  check_written(nc_put_var_float(id_, variable, values.data()), fmt::format("values of {}", name));
+  check_write_status(nc_put_var_float(id_, variable, values.data()),
+                     fmt::format("values of {}", name));
   return variable;
 }
 
-int NetCdfWriter::packed(const std::string& name, const std::vector<int>& dimensions,
-                         const std::string& long_name, std::span<const double> values) {
+int NetCdfWriter::compressed_double(const std::string& name, const std::vector<int>& dimensions,
+                                    const std::string& long_name, std::span<const double> values) {
   const int variable = define(id_, name, NC_DOUBLE, dimensions);
   deflate(id_, variable, name);
   fill_with_nan<double>(id_, variable, name);
   attribute("long_name", long_name, variable);
   attribute("units", "1", variable);
-  check_written(nc_put_var_double(id_, variable, values.data()), fmt::format("values of {}", name));
+  check_write_status(nc_put_var_double(id_, variable, values.data()),
+                     fmt::format("values of {}", name));
   return variable;
 }
 
@@ -125,29 +129,29 @@ void NetCdfWriter::labels(const std::string& name, int dimension,
   const int characters_of_a_text = this->dimension(name + "_length", length);
   const int variable = define(id_, name, NC_CHAR, {dimension, characters_of_a_text});
   attribute("_Encoding", "utf-8", variable);
-  check_written(nc_put_var_text(id_, variable, characters.data()),
-                fmt::format("values of {}", name));
+  check_write_status(nc_put_var_text(id_, variable, characters.data()),
+                     fmt::format("values of {}", name));
 }
 
 void NetCdfWriter::attribute(const std::string& name, const std::string& text, int variable) {
-  check_written(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()),
-                fmt::format("attribute {}", name));
+  check_write_status(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()),
+                     fmt::format("attribute {}", name));
 }
 
 void NetCdfWriter::attribute(const std::string& name, double value, int variable) {
-  check_written(nc_put_att_double(id_, variable, name.c_str(), NC_DOUBLE, 1, &value),
-                fmt::format("attribute {}", name));
+  check_write_status(nc_put_att_double(id_, variable, name.c_str(), NC_DOUBLE, 1, &value),
+                     fmt::format("attribute {}", name));
 }
 
 void NetCdfWriter::attribute(const std::string& name, int value, int variable) {
-  check_written(nc_put_att_int(id_, variable, name.c_str(), NC_INT, 1, &value),
-                fmt::format("attribute {}", name));
+  check_write_status(nc_put_att_int(id_, variable, name.c_str(), NC_INT, 1, &value),
+                     fmt::format("attribute {}", name));
 }
 
 std::string NetCdfWriter::bytes() {
   open_ = false;
   NC_memio file = {};
-  check_written(nc_close_memio(id_, &file), "cannot finish");
+  check_write_status(nc_close_memio(id_, &file), "cannot close the file");
   const std::unique_ptr<void, decltype(&std::free)> owner(file.memory, &std::free);
   return {static_cast<const char*>(file.memory), file.size};
 }

@@ -6,54 +6,56 @@
 
 namespace fpkcheck::results {
 
-/// A netCDF-4 file being made, in memory: HDF5 does not survive a disk that is full, and netCDF takes
-/// some names of files for addresses. Readers find its variables in the order of their names. Every
-/// member throws std::runtime_error on one line.
+/// Writes a netCDF-4 file in memory, since HDF5 does not recover from a full disk, and netCDF
+/// interprets some file names as network addresses. Readers list the variables in the order of
+/// their names. Every member throws std::runtime_error on one line.
 class NetCdfWriter {
  public:
-  static constexpr int kFile = -1;  ///< stands for the file where a variable is asked for
+  static constexpr int kGlobal = -1;  ///< in place of a variable's id: attributes of the file
 
   NetCdfWriter();
   NetCdfWriter(const NetCdfWriter&) = delete;
   NetCdfWriter& operator=(const NetCdfWriter&) = delete;
   ~NetCdfWriter();
 
+  /// Defines a dimension.
   /// @return its id
   int dimension(const std::string& name, std::size_t length);
 
-  /// A variable of double precision with its values, row by row; its units are "1".
+  /// Writes a variable of double precision; values are row-major, units are "1".
   /// @param long_name empty for the bounds of a coordinate, which have no attributes
   /// @return its id
   int variable(const std::string& name, const std::vector<int>& dimensions,
                const std::string& long_name, std::span<const double> values);
 
-  /// A coordinate of cells by that name, with its dimension, at the centres; the edges are its
-  /// bounds, NAME_bounds.
+  /// Writes a coordinate of cells and its dimension, both called `name`. The values are the
+  /// centres; the edges are the bounds, `name`_bounds.
   /// @param bounds the id of a dimension of length 2
   /// @return the id of the dimension
   int cells(const std::string& name, const std::string& long_name, int bounds,
             std::span<const double> edges);
 
-  /// A variable of single precision, compressed, in chunks of one element of its first dimension.
-  /// NaN is its fill value; its units are "1".
+  /// Writes a deflated variable of single precision, in chunks of one element of the first
+  /// dimension. NaN is the fill value; units are "1".
   /// @return its id
-  int compressed(const std::string& name, const std::vector<int>& dimensions,
-                 const std::string& long_name, std::span<const float> values);
+  int compressed_float(const std::string& name, const std::vector<int>& dimensions,
+                       const std::string& long_name, std::span<const float> values);
 
-  /// A variable of double precision, compressed; NaN is its fill value, its units are "1".
+  /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
   /// @return its id
-  int packed(const std::string& name, const std::vector<int>& dimensions,
-             const std::string& long_name, std::span<const double> values);
+  int compressed_double(const std::string& name, const std::vector<int>& dimensions,
+                        const std::string& long_name, std::span<const double> values);
 
-  /// Texts along a dimension as UTF-8 characters, padded with zeros: what every reader understands.
+  /// Writes texts along a dimension as UTF-8 characters, padded with zeros. All readers support
+  /// this form.
   void labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
-  /// Of a variable, or of the file.
-  void attribute(const std::string& name, const std::string& text, int variable = kFile);
-  void attribute(const std::string& name, double value, int variable = kFile);
-  void attribute(const std::string& name, int value, int variable = kFile);
+  /// Writes an attribute of a variable, or of the file.
+  void attribute(const std::string& name, const std::string& text, int variable = kGlobal);
+  void attribute(const std::string& name, double value, int variable = kGlobal);
+  void attribute(const std::string& name, int value, int variable = kGlobal);
 
-  /// The whole file; nothing can be added any more.
+  /// Closes the file and returns its bytes. No member may be called afterwards.
   std::string bytes();
 
  private:

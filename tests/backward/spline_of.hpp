@@ -7,7 +7,7 @@
 
 namespace fpkcheck::backward {
 
-/// numerics::BernsteinCoefficients of x^n, n <= degree: the mean of the products of n of a function's inner knots.
+/// Spline coefficients of x^n, n <= degree: means of the products of n inner knots of a function.
 inline Eigen::VectorXd power_coefficients(const numerics::SplineBasis& basis, int n) {
   const int p = basis.degree();
   Eigen::VectorXd c(basis.size());
@@ -24,7 +24,7 @@ inline Eigen::VectorXd power_coefficients(const numerics::SplineBasis& basis, in
   return c;
 }
 
-/// numerics::BernsteinCoefficients of v^n on [-u_max, r u_max].
+/// Spline coefficients of v^n on [-u_max, r u_max].
 inline Eigen::VectorXd power_coefficients(const ImpactBasis& basis, int n) {
   const Eigen::VectorXd speed = power_coefficients(basis.speeds(), n);
   Eigen::VectorXd c(basis.size());

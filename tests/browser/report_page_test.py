@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Opens the report.html of a run in headless Chromium and checks what a reader would meet.
+"""Opens report.html of a run in headless Chromium and tests its contents and behaviour.
 
-usage: report_page_test.py DIR      DIR: what `fpkcheck run --out DIR` left
+usage: report_page_test.py DIR      DIR: directory of `fpkcheck run --out DIR`
 
 Exit code 77 (skipped) when Chromium, its driver or Selenium is not installed.
 """
@@ -30,7 +30,7 @@ if not CHROMIUM or not DRIVER:
     sys.exit(SKIPPED)
 
 DESKTOP, PHONE = (1280, 900), (390, 844)
-# Numbers are kept as 32-bit floating point.
+# The page stores numbers as 32-bit floating point.
 RELATIVE_ROUNDING = 6e-8
 DIRECTORY = None  # set by main
 
@@ -69,9 +69,9 @@ class ReportPage(unittest.TestCase):
         cls.wait_until_drawn()
         folded = cls.script('return [...document.querySelectorAll(".case details:not([open]) .plot")].map('
                             'plot => plot.innerHTML).join("")')
-        assert folded == '', 'what is folded is drawn when it is opened, not before'
+        assert folded == '', 'plots in closed sections must not be drawn before they are opened'
         cls.script('document.querySelectorAll(".case details").forEach(details => { details.open = true; })')
-        time.sleep(0.1)  # until they tell
+        time.sleep(0.1)  # until the toggle events are dispatched
         cls.wait_until_drawn()
 
     @classmethod
@@ -84,7 +84,7 @@ class ReportPage(unittest.TestCase):
         return cls.browser.execute_script(code, *arguments)
 
     def traces(self, plot):
-        """Of a drawn plot: name, group, axis, visibility and numbers of each trace."""
+        """Name, group, axis, visibility and numbers of each trace of a plot."""
         return self.script('''
             const plot = document.getElementById(arguments[0]);
             return plot._fullData.map(t => ({name: t.name, group: t.legendgroup, axis: t.yaxis, visible: t.visible,
@@ -95,7 +95,7 @@ class ReportPage(unittest.TestCase):
         return {t['group']: t for t in self.traces(plot) if t['axis'] == axis and not t['skip']}
 
     def marginals(self, name='marginals.csv'):
-        """abscissa, density and half the width of its interval by (case, variable, solution)"""
+        """{(case, variable, solution): (abscissa, density, half-width of the interval)}"""
         found = {}
         with open(DIRECTORY / name, newline='') as file:
             for row in csv.DictReader(file):
@@ -111,10 +111,10 @@ class ReportPage(unittest.TestCase):
         for a, b in zip(found, expected):
             self.assertLessEqual(abs(a - b), RELATIVE_ROUNDING * abs(b) + slack, what)
 
-    def test_1_loads_without_a_word_on_the_console(self):
+    def test_1_loads_without_console_messages(self):
         self.assertEqual(self.browser.get_log('browser'), [])
 
-    def test_2_asks_for_nothing_but_itself(self):
+    def test_2_requests_no_other_resources(self):
         self.assertEqual(self.script('return performance.getEntriesByType("resource").map(e => e.name)'), [])
         requests = []
         for entry in self.browser.get_log('performance'):
@@ -127,7 +127,7 @@ class ReportPage(unittest.TestCase):
                             'e => e.getAttribute("href") || e.getAttribute("src"))')
         self.assertEqual([link for link in links if not link.startswith(('#', 'data:'))], [])
 
-    def test_3_every_curve_of_the_run_is_there_with_its_numbers(self):
+    def test_3_has_all_curves_with_their_numbers(self):
         marginals, smooth = self.marginals(), self.marginals('smooth.csv')
         self.assertTrue(marginals)
         for number, one in enumerate(self.summary['cases'], 1):
@@ -158,7 +158,7 @@ class ReportPage(unittest.TestCase):
         simulated = self.curves('case-1-density-y', 'y')['mcs']['y']
         self.assertTrue(all(a <= p <= b for a, p, b in zip(lower, simulated, upper)))
 
-    def test_5_a_click_in_a_legend_switches_a_solution_off_everywhere_and_on_again(self):
+    def test_5_a_click_in_a_legend_toggles_a_solution_in_all_plots(self):
         plots = ('case-1-density-y', 'case-1-density-ydot')
 
         def visible():
@@ -184,7 +184,7 @@ class ReportPage(unittest.TestCase):
         self.script('arguments[0].scrollIntoView({block: "center"})', entry)
         ActionChains(self.browser).move_to_element(toggle).click().perform()
 
-    def test_6_hovering_tells_values(self):
+    def test_6_hovering_shows_values(self):
         plot = self.browser.find_element(By.CSS_SELECTOR, '#case-1-density-y .xy .nsewdrag, '
                                                           '#case-1-density-y .nsewdrag')
         self.script('arguments[0].scrollIntoView({block: "center"})', plot)
@@ -192,7 +192,7 @@ class ReportPage(unittest.TestCase):
         WebDriverWait(self.browser, 10).until(lambda _: 'fd-kf' in self.script(
             'return document.querySelector("#case-1-density-y .hoverlayer").textContent'))
 
-    def test_7_heat_maps_follow_the_choice(self):
+    def test_7_heat_maps_show_the_selected_solution(self):
         if not self.script('return document.getElementById("case-1-joint-choice") !== null'):
             self.skipTest('this run has no joint densities')
         maps = '''
@@ -215,7 +215,7 @@ class ReportPage(unittest.TestCase):
         self.assertGreater(first['cells'], 1000)
         self.assertLess(first['worst'], 1e-6 * first['peak'])
         self.assertGreater(first['largest'], 0)
-        # Two digits are told, and the map ends where the density is 1e-5 of its peak.
+        # The page prints two digits, and the map ends where the density is 1e-5 of its peak.
         self.assertAlmostEqual(first['mass'], 1, delta=1e-3)
         self.assertAlmostEqual(first['l1'] / first['told'], 1, delta=0.07)
         self.script(choose, 'choice', 1)
@@ -259,7 +259,7 @@ class ReportPage(unittest.TestCase):
         self.script('window.dispatchEvent(new Event("afterprint"))')
         self.browser.execute_cdp_cmd('Emulation.setEmulatedMedia', {'media': ''})
 
-    def test_10_the_names_of_a_wide_table_stay_when_it_is_scrolled(self):
+    def test_10_the_first_column_of_a_scrolled_table_is_fixed(self):
         self.open_page(PHONE)
         moved = self.script('''
             const box = [...document.querySelectorAll('.scroll')].find(e => e.scrollWidth > e.clientWidth + 100);
@@ -272,12 +272,12 @@ class ReportPage(unittest.TestCase):
         self.assertLess(max(moved), 1)
         self.open_page(DESKTOP)
 
-    def test_12_the_first_screen_has_the_answer_and_a_picture(self):
+    def test_12_the_first_screen_has_the_verdict_and_a_figure(self):
         bottom = self.script('window.scrollTo(0, 0); return [".answer", ".matrix", ".strip"].map('
                              'e => document.querySelector(e).getBoundingClientRect().bottom)')
         self.assertLessEqual(max(bottom), DESKTOP[1])
 
-    def test_13_is_dark_where_the_reader_is_and_light_on_paper(self):
+    def test_13_follows_the_colour_scheme_and_prints_light(self):
         background = 'return getComputedStyle(document.body).backgroundColor'
         plot = 'return document.querySelector("#case-1-density-y").layout.paper_bgcolor'
         scheme = lambda value: [{'name': 'prefers-color-scheme', 'value': value}]

@@ -1,4 +1,4 @@
-"""The files that the lines of bad_inputs.txt name, made in the working directory."""
+"""Makes the files of bad_inputs.txt in the working directory."""
 import json
 import os
 import shutil
@@ -59,9 +59,9 @@ def checkpoints(fpkcheck):
     with open("state", "rb") as file:
         whole = file.read()
     text = whole[:-8]
-    # After two lines the number of rounds; of each stream y, y', the time until the next impulse,
-    # its amplitude, the time until the next sample, the time left, two levels, the splits,
-    # the number of impulses, fourteen sums of powers and more sums.
+    # Format after two lines: the number of rounds; for each stream y, y', the time until the next
+    # impulse, its amplitude, the time until the next sample, the remaining time, two levels of the
+    # splitting, the number of splits, the number of impulses, fourteen sums of powers and other sums.
     numbers = text.index(b"\n", text.index(b"\n") + 1) + 1
 
     def put(name, text):
@@ -135,7 +135,7 @@ def summaries():
 
 
 def classic_netcdf(length):
-    """A file of the form CDF-5 with a variable of many values, none of them there."""
+    """A file in the format CDF-5 with a variable of `length` values, without the values."""
     name = lambda text: struct.pack(">Q", len(text)) + text + b"\0" * (-len(text) % 4)
     dimensions = struct.pack(">IQ", 10, 1) + name(b"solution") + struct.pack(">Q", length)
     variable = name(b"p_case1") + struct.pack(">QQ", 1, 0) + struct.pack(">IQ", 0, 0)
@@ -145,11 +145,11 @@ def classic_netcdf(length):
 
 
 def runs(fpkcheck):
-    # Cells and box are given: only that the run is whole matters.
+    # A small grid suffices: the tests need a complete run, not an accurate one.
     subprocess.run([fpkcheck, "fd", "case1", "--nx", "40", "--nv", "40", "--y-max", "5", "--v-max",
                     "5", "--quiet", "--out", "run"], stderr=subprocess.DEVNULL)
     read = lambda name: open("run/" + name, "rb").read()
-    # Whoever damages a file on purpose takes its checksum away as well.
+    # Without checksums in the summary, damaged files pass the first test of the reader.
     shutil.copytree("run", "run.changed")
     write("run.changed/marginals.csv", read("marginals.csv").replace(b"1", b"2"))
     whole = json.loads(read("summary.json"))
@@ -282,7 +282,7 @@ def plans():
         "vary": "[sweep]\ncase = case1\n[vary]\nsystem.restitution = 0.9:2:3\n",
     }.items():
         write(f"plan-{name}.ini", text)
-    # What stands where a sweep wants its journal.
+    # Invalid files in place of the journal of a sweep.
     for name, journal in {"words": "hello\n", "binary": bytes(range(128, 256)) + b"\n",
                           "empty-line": "\n", "later": "00000000 {}\n",
                           "deep": "12345678 " + "[" * 100000 + "\n"}.items():

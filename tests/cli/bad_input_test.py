@@ -1,7 +1,7 @@
-"""Gives the program every line of bad_inputs.txt: each must end soon, in little memory, with exit
-code 2, one line, and nothing left behind.
+"""Runs the program with every line of bad_inputs.txt. Each run must end within SECONDS and BYTES, with
+exit code 2, a message of one line, and no files left behind.
 
-usage: bad_input_test.py FPKCHECK [--sanitized]     --sanitized: as much memory as it takes, and six times as long
+usage: bad_input_test.py FPKCHECK [--sanitized]     --sanitized: no memory limit, six times the time limit
 """
 import concurrent.futures
 import os
@@ -19,8 +19,8 @@ SECONDS_SANITIZED = 30
 BYTES = 500 * 2**20
 LONGEST_MESSAGE = 400
 PLACES = {"{long}": "x" * 100000, "{esc}": "\x1b", "{newline}": "\n"}
-# Those of them that begin with a command that has --out.
-WITH_OUT = ("run", "paper", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
+# Commands that have --out.
+COMMANDS_WITH_OUT = ("run", "paper", "epc", "fd", "mcs", "bounds", "study", "check", "reference", "sweep")
 
 
 def lines():
@@ -31,15 +31,15 @@ def lines():
             yield number, arguments.strip(), expected.strip()
 
 
-def filled(argument):
+def substitute(argument):
     for place, text in PLACES.items():
         argument = argument.replace(place, text)
     return argument
 
 
 def files():
-    """Names of all files here with the time of their last change; of folders the names alone, since
-    a file that is tried and removed again changes them."""
+    """Paths of all files in the working directory with their modification times. Directories have
+    the time 0: creating and removing a file changes their time."""
     return {path: 0 if os.path.isdir(path) else os.lstat(path).st_mtime_ns
             for folder, folders, names in os.walk(".")
             for path in (os.path.join(folder, name) for name in folders + names)}
@@ -52,15 +52,15 @@ def limit_memory():
 
 def failures(program, sanitized, number, text, expected):
     seconds = SECONDS_SANITIZED if sanitized else SECONDS
-    arguments = [filled(argument) for argument in shlex.split(text)]
+    arguments = [substitute(argument) for argument in shlex.split(text)]
     out = f"out-{number}"
-    if len(arguments) > 1 and arguments[0] in WITH_OUT and "--out" not in arguments:
+    if len(arguments) > 1 and arguments[0] in COMMANDS_WITH_OUT and "--out" not in arguments:
         arguments += ["--out", out]
     try:
         done = subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True,
                               timeout=seconds, preexec_fn=None if sanitized else limit_memory)
     except subprocess.TimeoutExpired:
-        yield f"has not ended after {seconds} s"
+        yield f"did not end within {seconds} s"
         return
     message = done.stderr.decode(errors="backslashreplace")
     if done.returncode != 2:
@@ -72,11 +72,11 @@ def failures(program, sanitized, number, text, expected):
     if any(ord(c) < 32 or ord(c) == 127 for c in message[:-1]):
         yield "control characters"
     if expected not in message:
-        yield f"does not say {expected!r}"
+        yield f"message lacks {expected!r}"
     if expected not in message or done.returncode != 2:
         yield f"but: {message[:300]!r}"
     if done.stdout:
-        yield "something on standard output"
+        yield "text on standard output"
     if os.path.exists(out):
         yield f"left {os.listdir(out)} behind"
 

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 
 std::string printed(const Words& arguments) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program(arguments), kDone);
+  EXPECT_EQ(run_program(arguments), kSuccess);
   std::fflush(stdout);
   return testing::internal::GetCapturedStdout();
 }
@@ -33,13 +33,13 @@ bool has(const Words& words, const std::string& word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-TEST(Completion, KnowsEveryCommandAndItsOptions) {
+TEST(Completion, OffersAllCommandsAndTheirOptions) {
   const auto commands = completed({""});
-  const auto registry = methods::builtin();
+  const auto registry = methods::builtin_registry();
   for (const auto& solver : registry.solvers()) {
     EXPECT_TRUE(has(commands, solver.name)) << solver.name;
     const auto options = completed({solver.name, "case1", "--"});
-    for (const auto& parameter : solver.parameters->all()) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
       if (parameter.flag.empty()) continue;
       EXPECT_TRUE(has(options, "--" + parameter.flag)) << solver.name << ' ' << parameter.flag;
       if (parameter.choices.empty()) continue;
@@ -53,16 +53,16 @@ TEST(Completion, KnowsEveryCommandAndItsOptions) {
   }
 }
 
-TEST(Completion, KnowsSubjectsAndWhatIsAskedForByHelp) {
+TEST(Completion, OffersSubjectsAlsoAfterHelp) {
   EXPECT_EQ(completed({"study", ""}), (Words{"grid", "order", "regularisation"}));
   EXPECT_TRUE(has(completed({"study", "grid", "--"}), "--orders"));
   EXPECT_EQ(completed({"help", "study", "g"}), Words{"grid"});
   EXPECT_EQ(completed({"help", "rep"}), Words{"report"});
 }
 
-TEST(Completion, KnowsCasesMethodsAndKeys) {
+TEST(Completion, OffersCasesMethodsAndKeys) {
   const auto cases = completed({"run", ""});
-  for (const auto& named : problem::named_cases()) EXPECT_TRUE(has(cases, named.name));
+  for (const auto& named : problem::paper_cases()) EXPECT_TRUE(has(cases, named.name));
   EXPECT_TRUE(has(cases, kFiles));
   EXPECT_EQ(completed({"report", ""}), Words{kDirectories});
   EXPECT_EQ(completed({"check", ""}), Words{kFiles});
@@ -73,7 +73,7 @@ TEST(Completion, KnowsCasesMethodsAndKeys) {
   EXPECT_EQ(completed({"run", "--set", "system.res"}), Words{"system.restitution="});
 }
 
-TEST(Completion, SaysNothingWhereItKnowsNothing) {
+TEST(Completion, IsEmptyWithoutCandidates) {
   EXPECT_EQ(completed({"cook", "--"}), Words{});
   EXPECT_EQ(completed({"fd", "--nx", ""}), Words{});
   EXPECT_EQ(completed({}), Words{});

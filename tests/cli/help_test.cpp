@@ -29,10 +29,10 @@ examples:
   fpkcheck cook case1 --flame low --pot copper --spoon wooden --time 7200      (a slow one)
 )";
 
-TEST(Help, HeadsThatFitStayAsTheyAre) { EXPECT_EQ(usage_text(kHead, 100), kHead); }
+TEST(Help, KeepsUsageTextsThatFit) { EXPECT_EQ(wrap_usage(kHead, 100), kHead); }
 
-TEST(Help, HeadsAreFilledAnewWithinTheWidth) {
-  EXPECT_EQ(usage_text(kHead, 60), R"(usage: fpkcheck cook CASE [options]
+TEST(Help, WrapsUsageTextsToTheWidth) {
+  EXPECT_EQ(wrap_usage(kHead, 60), R"(usage: fpkcheck cook CASE [options]
 
 A paragraph of two lines, the first of which is longer than
 what is asked for, and goes on in a second one.
@@ -50,10 +50,10 @@ examples:
 )");
 }
 
-TEST(Help, OptionsStandInAColumnThatALongOneDoesNotWiden) {
+TEST(Help, AlignsOptionsIndependentlyOfLongNames) {
   const Help help{
       "usage: cook\n",
-      {{.name = "--flame", .placeholder = "F", .usual = "low", .text = "how hot"},
+      {{.name = "--flame", .placeholder = "F", .default_value = "low", .text = "how hot"},
        {.name = "--quiet", .short_name = "-q", .text = "without a word of what it does"},
        {.name = "--a-name-of-unusual-length", .placeholder = "N", .text = "of it"}}};
   EXPECT_EQ(help_text(help, 40), R"(usage: cook
@@ -67,18 +67,18 @@ options:
 )");
 }
 
-TEST(Help, IsHandedOverToWhoAsksForIt) {
+TEST(Help, IsCaptured) {
   boost::program_options::options_description options;
   options.add_options()("flame,f",
                         boost::program_options::value<int>()->value_name("F")->default_value(3),
                         "how hot");
-  const auto help = help_from([&] { answer_help("usage: cook\n", options); });
+  const auto help = capture_help([&] { emit_help("usage: cook\n", options); });
   EXPECT_EQ(help.usage, "usage: cook\n");
   ASSERT_EQ(help.options.size(), 1u);
   EXPECT_EQ(help.options[0].name, "--flame");
   EXPECT_EQ(help.options[0].short_name, "-f");
   EXPECT_EQ(help.options[0].placeholder, "F");
-  EXPECT_EQ(help.options[0].usual, "3");
+  EXPECT_EQ(help.options[0].default_value, "3");
   EXPECT_LE(longest_line(help_text(help, 30)), 30u);
 }
 

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base/files/whole_file.hpp"
+#include "base/files/atomic_file.hpp"
 #include "base/process/stop.hpp"
 #include "methods/builtin.hpp"
 #include "workflows/study/toy_methods.hpp"
@@ -29,7 +29,7 @@ struct Outcome {
 };
 
 Outcome program(const std::vector<std::string>& arguments,
-                const methods::Registry& registry = methods::builtin()) {
+                const methods::Registry& registry = methods::builtin_registry()) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = run_program(arguments, registry);
@@ -53,7 +53,7 @@ class Program : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
+TEST_F(Program, BadInputHasExitCodeTwoAndOneLineAndNoFiles) {
   std::ofstream(path("unknown.ini")) << "[system]\ncolour = red\n";
   std::ofstream(path("file")) << "not a directory";
   std::ofstream(path("list.json")) << "[1]";
@@ -62,10 +62,10 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
   const std::string out = path("out");
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
       {{}, "no command"},
-      {{"solve"}, "'solve' is no command"},
+      {{"solve"}, "'solve' is not a command"},
       {{"run", "case9"}, "no case 'case9'"},
       {{"run", path("unknown.ini")}, "unknown key 'system.colour'"},
-      {{"run", "case1", "case1"}, "case1 is named twice (name it once)"},
+      {{"run", "case1", "case1"}, "case1 is named twice; name it once"},
       {{"run", "--set", "system.color=1"}, "unknown key 'system.color'"},
       {{"run", "--set", "system.restitution=0"}, "system.restitution = 0"},
       {{"run", "--set", "system.restitution=1.01"}, "system.restitution = 1.01"},
@@ -75,7 +75,7 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"run", "--set", "impulse.rate=0"}, "impulse.rate = 0"},
       {{"run", "--set", "impulse.law=cauchy"}, "impulse.law = 'cauchy'"},
       {{"run", "--methods", ""}, "the list is empty"},
-      {{"run", "--methods", "fdm"}, "'fdm' is no method"},
+      {{"run", "--methods", "fdm"}, "unknown method 'fdm'"},
       {{"run", "--methods", "epc-gaussian-n5"}, "order"},
       {{"run", "--time", "-1"}, "time"},
       {{"run", "--seed", "-1"}, "seed"},
@@ -116,27 +116,27 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
       {{"check"}, "one baseline"},
       {{"check", "a.json", "b.json"}, "one baseline"},
       {{"check", path("nowhere.json")}, "nowhere.json is not a readable file"},
-      {{"check", "absent-here.json"}, "absent-here.json is not a readable file (give the summary"},
+      {{"check", "absent-here.json"}, "absent-here.json is not a readable file; give the summary"},
       {{"check", path("unknown.ini")}, "is not JSON"},
       {{"check", path("list.json")}, "not the summary of a run"},
       {{"check", path("later.json")}, "has schema 2"},
-      {{"check", path("empty.json")}, "not a whole summary"},
+      {{"check", path("empty.json")}, "not a complete summary"},
       {{"check", FPKCHECK_BASELINES "/case1", "--tolerance", "0"}, "--tolerance 0"},
       {{"check", FPKCHECK_BASELINES "/case1", "--standard-errors", "-1"}, "--standard-errors -1"},
       {{"check", FPKCHECK_BASELINES "/case1", "--threads", "-1"}, "--threads -1"},
       {{"check", FPKCHECK_BASELINES "/case1", "--set", "system.cubic=1"}, "--set"},
-      {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300 (magnitudes"},
-      {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300 (magn"},
+      {{"fd", "case1", "--set", "system.stiffness=1e300"}, "system.stiffness = 1e+300: magnitudes"},
+      {{"mcs", "case1", "--set", "impulse.intensity=1e-300"}, "impulse.intensity = 1e-300: magn"},
       {{"bounds"}, "no case"},
       {{"bounds", "case1", "--width", "-1"}, "--width -1 (must be"},
       {{"bounds", "case1", "--bin", "y:0.5"}, "--bin 'y:0.5' (must be y:CENTRE:SPACING"},
       {{"bounds", "case1", "--bin", "v:0.5:0.1"}, "--bin 'v:0.5:0.1'"},
       {{"bounds", "case1", "--bin", "y:0.1:0.5"}, "y"},
-      {{"study"}, "study of what"},
+      {{"study"}, "study without a subject"},
       {{"study", "colour", "case1"},
-       "'colour' is no subject of a study (use grid, order or regularisation"},
+       "'colour' is not a subject of study; use grid, order or regularisation"},
       {{"study", "grid", "case1", "--levels", "2"}, "--levels 2"},
-      {{"study", "grid", "case1", "--orders", "5,x"}, "'x' is no number"},
+      {{"study", "grid", "case1", "--orders", "5,x"}, "'x' is not a valid integer"},
       {{"study", "grid", "case1", "--equation", "km5"},
        "--equation 'km5' (must be one of white, km4"},
       {{"study", "regularisation"}, "no case"},
@@ -153,16 +153,16 @@ TEST_F(Program, BadInputEndsWithCodeTwoOneLineAndNothingWritten) {
   }
 }
 
-TEST_F(Program, BoundsAreGuaranteedOrTheReasonIsSaid) {
+TEST_F(Program, BoundsHaveValuesOrAReason) {
   const auto [done, table, none] = program({"bounds", "case1", "--width", "1e-2"});
-  EXPECT_EQ(done, kDone) << none;
+  EXPECT_EQ(done, kSuccess) << none;
   EXPECT_NE(table.find("\nE[y'^2]"), std::string::npos) << table;
   const auto [refused, reason, nothing] = program({"bounds", "case1", "--set", "system.damping=2"});
-  EXPECT_EQ(refused, kNotReached);
-  EXPECT_NE(reason.find("none: "), std::string::npos) << reason;
+  EXPECT_EQ(refused, kFailure);
+  EXPECT_NE(reason.find("no bounds: "), std::string::npos) << reason;
 }
 
-TEST_F(Program, AnUnwritableDirectoryIsFoundOutBeforeSolving) {
+TEST_F(Program, AnUnwritableDirectoryIsDetectedBeforeSolving) {
   std::ofstream(path("file")) << "not a directory";
   for (const std::string& out :
        {std::string(), path("file"), path("file") + "/deeper", std::string("/proc/nowhere")}) {
@@ -173,12 +173,12 @@ TEST_F(Program, AnUnwritableDirectoryIsFoundOutBeforeSolving) {
   }
 }
 
-TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
+TEST_F(Program, RunWritesFilesThatReportReads) {
   const std::string out = path("out");
   const auto run = program({"run", "case1", "--methods", "epc-gaussian-n6,fd-white,mcs", "--time",
                             "20000", "--out", out});
-  ASSERT_EQ(run.exit_code, kDone) << run.err;
-  EXPECT_EQ(run.err, "");  // no progress: not a terminal
+  ASSERT_EQ(run.exit_code, kSuccess) << run.err;
+  EXPECT_EQ(run.err, "");  // no progress line: standard error is not a terminal
   std::ifstream file(fs::path(out) / "summary.json");
   const auto summary = nlohmann::json::parse(file);
   EXPECT_EQ(summary.at("schema"), 1);
@@ -188,10 +188,10 @@ TEST_F(Program, RunLeavesSummaryMarginalsAndPicturesThatTheReportReadsBack) {
   EXPECT_GT(fs::file_size(fs::path(out) / "marginals.csv"), 1000u);
 
   const auto again = program({"report", out});
-  EXPECT_EQ(again.exit_code, kDone);
-  EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // the run adds its closing line
+  EXPECT_EQ(again.exit_code, kSuccess);
+  EXPECT_EQ(run.out.substr(0, again.out.size()), again.out);  // `run` appends a closing line
   const auto quiet = program({"report", out, "-q"});
-  EXPECT_EQ(quiet.exit_code, kDone);
+  EXPECT_EQ(quiet.exit_code, kSuccess);
   EXPECT_EQ(quiet.out, "");
 }
 
@@ -201,12 +201,12 @@ TEST_F(Program, ADensityFromAFileIsComparedWithTheMethods) {
   mine.close();
   const auto run = program({"run", "case1", "--methods", "fd-white", "--against", path("mine.csv"),
                             "--json", "--out", path("out")});
-  ASSERT_EQ(run.exit_code, kDone) << run.err;
+  ASSERT_EQ(run.exit_code, kSuccess) << run.err;
   const auto one = nlohmann::json::parse(run.out).at("cases").at(0);
   EXPECT_EQ(one.at("solutions").at(0).at("id"), "mine");
-  EXPECT_EQ(one.at("comparisons").size(), 1u);  // p(y) of the pair, and nothing in y'
+  EXPECT_EQ(one.at("comparisons").size(), 1u);  // the file has p(y) only
   EXPECT_EQ(one.at("comparisons").at(0).at("a"), "mine");
-  EXPECT_EQ(program({"report", path("out")}).exit_code, kDone);
+  EXPECT_EQ(program({"report", path("out")}).exit_code, kSuccess);
 }
 
 TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
@@ -214,12 +214,12 @@ TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
   ASSERT_EQ(program({"epc", "case1", "--order", "4", "--accuracy", "1", "--formulation", "moment",
                      "--out", out})
                 .exit_code,
-            kDone);
+            kSuccess);
   std::ofstream(path("at.csv")) << "y,v\n0,0\n0.5,-0.2\n-0.5,0\n";
   const auto done = program({"evaluate", out, "epc-moment-n4", "--at", path("at.csv"), "--json"});
-  EXPECT_EQ(done.exit_code, kDone) << done.err;
+  EXPECT_EQ(done.exit_code, kSuccess) << done.err;
   EXPECT_EQ(done.err, "");
-  // The formula that docs/foreign.md has, below the confinement.
+  // The formula in docs/foreign.md, at energies below the confinement level.
   const auto summary = nlohmann::json::parse(std::ifstream(out + "/summary.json"));
   const auto& closure = summary.at("cases").at(0).at("solutions").at(0);
   double exponent = closure.at("log_C");
@@ -236,30 +236,30 @@ TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
   EXPECT_EQ(std::ranges::count(grid.out, '\n'), 1 + 41 * 81);
 }
 
-TEST_F(Program, EvaluatesAFormThatWasWrittenDown) {
+TEST_F(Program, EvaluatesAClosedFormFromAFile) {
   std::ofstream(path("at.csv")) << "0.5 -0.2\n";
   std::ofstream(path("form.json")) << R"({"coordinates": "x1,x2", "C": 0.25, "coefficients": [
       {"x1": 1, "x2": 1, "a": 0.5}, {"x1": 0, "x2": 3, "a": 2}]})";
   const auto done = program({"evaluate", path("form.json"), "--at", path("at.csv")});
-  EXPECT_EQ(done.exit_code, kDone) << done.err;
-  // Both points of the plane that (y, y') has.
+  EXPECT_EQ(done.exit_code, kSuccess) << done.err;
+  // The sum over both points of the (z, z') plane that map to (y, y').
   const double p = 0.25 * (std::exp(-0.05 - 0.016) + std::exp(-0.05 + 0.016));
   EXPECT_NEAR(std::stod(done.out.substr(done.out.rfind(',') + 1)), p, 1e-14) << done.out;
 }
 
-TEST_F(Program, ASecondRunLeavesNothingOfTheFirst) {
+TEST_F(Program, ASecondRunRemovesTheFilesOfTheFirst) {
   const std::string out = path("out");
   ASSERT_EQ(program({"run", "case1", "case2", "--methods", "epc-gaussian-n2", "--accuracy", "1",
                      "--out", out})
                 .exit_code,
-            kDone);
-  const fs::path partial = base::partial_beside(fs::path(out) / "figures" / "case2.png");
+            kSuccess);
+  const fs::path partial = base::partial_path(fs::path(out) / "figures" / "case2.png");
   const std::string mine = partial.string();
-  constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
-  std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kNobody) << "stopped";
+  constexpr const char* kUnusedPid = "4194999";  // exceeds the largest process id of Linux, 2^22
+  std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kUnusedPid) << "stopped";
   std::ofstream(fs::path(out) / "figures" / "mine.png") << "not ours";
   const auto second = program({"run", "case1", "--methods", "epc-gaussian-n8", "--out", out});
-  EXPECT_EQ(second.exit_code, kNotReached);  // no density, so no picture
+  EXPECT_EQ(second.exit_code, kFailure);  // no density, hence no figure
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(fs::path(out) / "figures")) {
     left.push_back(entry.path().filename());
@@ -278,15 +278,15 @@ TEST_F(Program, ReportRefusesFilesOfDifferentRuns) {
   EXPECT_NE(report.err.find("not of the same run"), std::string::npos) << report.err;
 }
 
-TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
+TEST_F(Program, CheckFindsChangesAndWritesTheNewRun) {
   const std::string before = path("before"), after = path("after");
   ASSERT_EQ(
       program({"run", "case1", "case4", "--methods", "epc-gaussian-n2,epc-moment-n4,mcs", "--time",
                "20000", "--accuracy", "1", "--set", "impulse.mean=0.1", "--out", before})
           .exit_code,
-      kDone);
+      kSuccess);
   const auto same = program({"check", before + "/summary.json"});
-  EXPECT_EQ(same.exit_code, kDone) << same.out;
+  EXPECT_EQ(same.exit_code, kSuccess) << same.out;
   EXPECT_EQ(same.err, "");
   EXPECT_NE(same.out.find("figures of 6 solutions agree."), std::string::npos) << same.out;
 
@@ -295,7 +295,7 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
   v2 = v2.get<double>() * (1 + 1e-6);
   std::ofstream(before + "/summary.json") << summary;
   const auto moved = program({"check", before, "--out", after});
-  EXPECT_EQ(moved.exit_code, kNotReached);
+  EXPECT_EQ(moved.exit_code, kFailure);
   EXPECT_NE(moved.out.find("1 of "), std::string::npos) << moved.out;
   EXPECT_NE(moved.out.find("case4, E[Y] = 0.1  epc-moment-n4"), std::string::npos) << moved.out;
   const auto json = nlohmann::json::parse(std::ifstream(after + "/check.json"));
@@ -304,18 +304,18 @@ TEST_F(Program, CheckFindsWhatMovedSinceARunAndLeavesTheNewRun) {
   EXPECT_EQ(json.at("moved").at(0).at("figure"), "E[y'^2]");
   EXPECT_NEAR(json.at("moved").at(0).at("change").get<double>(), 1e-6, 1e-9);
 
-  // The new run is the next baseline.
+  // The new run can serve as baseline.
   const auto adopted = program({"check", after, "--json"});
-  EXPECT_EQ(adopted.exit_code, kDone);
+  EXPECT_EQ(adopted.exit_code, kSuccess);
   EXPECT_EQ(nlohmann::json::parse(adopted.out).at("agrees"), true);
   const auto quiet = program({"check", before, "--quiet"});
-  EXPECT_EQ(quiet.exit_code, kNotReached);
+  EXPECT_EQ(quiet.exit_code, kFailure);
   EXPECT_EQ(quiet.out, "");
 }
 
-TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
+TEST_F(Program, CtrlCEndsARunWithOneLineAndNoDirectory) {
   std::jthread user([](const std::stop_token& stop) {
-    // Once: a second one would end the tests.
+    // One signal only: a second signal would end the tests.
     while (!stop.stop_requested()) {
       struct sigaction now = {};
       sigaction(SIGINT, nullptr, &now);
@@ -332,26 +332,26 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndLeavesNoDirectory) {
   EXPECT_EQ(run.err, "fpkcheck: interrupted; nothing was written\n");
   EXPECT_EQ(run.out, "");
   EXPECT_FALSE(fs::exists(path("a")));
-  // And the next is not.
+  // The next run is not interrupted.
   EXPECT_EQ(program({"run", "case1", "--methods", "epc-gaussian-n2", "--accuracy", "1", "--out",
                      path("a")})
                 .exit_code,
-            kDone);
+            kSuccess);
 }
 
-// Two methods, one after the other; the program is told to stop while the first solves a case.
-methods::Registry stopped_within(const std::string& case_name) {
+// Two methods in sequence; a stop is requested while the first solves the case of this name.
+methods::Registry registry_stopped_in(const std::string& case_name) {
   methods::Registry registry;
   for (const auto& toy : {tests::Toy{"plain", "plain", transform::Role::closure},
                           tests::Toy{"cells", "cells", transform::Role::equation}}) {
     auto solver = tests::toy_solver(toy);
     solver.method = [made = solver.method, case_name](const base::Values& values) {
       methods::Method method = made(values);
-      method.parallel = true;  // each alone, in their order
+      method.uses_all_processors = true;  // each alone, in their order
       method.solve = [solve = method.solve, case_name, id = method.id()](
-                         const problem::Problem& problem, const methods::Setting& setting) {
+                         const problem::Problem& problem, const methods::SolveContext& context) {
         if (problem.name == case_name && id == "plain") base::request_stop(SIGINT);
-        return solve(problem, setting);
+        return solve(problem, context);
       };
       return method;
     };
@@ -360,74 +360,74 @@ methods::Registry stopped_within(const std::string& case_name) {
   return registry;
 }
 
-TEST_F(Program, ARunThatIsStoppedKeepsTheCasesThatItHasAndSaysWhichAreMissing) {
+TEST_F(Program, AStoppedRunWritesCompletedCasesAndNamesMissingOnes) {
   std::vector<std::string> run{"run", "--out", path("out")};
   for (const auto* name : {"a", "b", "c"}) {
     run.push_back(path(name) + std::string(".ini"));
     std::ofstream(run.back()) << "[system]\ndamping=0.1\nstiffness=1\ncubic=0\nrestitution=1\n"
                               << "[impulse]\nrate=1\nlaw=gaussian\nintensity=0.1\n";
   }
-  const auto stopped = program(run, stopped_within("b"));
+  const auto stopped = program(run, registry_stopped_in("b"));
   EXPECT_EQ(stopped.exit_code, kInterrupted);
   EXPECT_EQ(stopped.err, "fpkcheck: interrupted; 1 case was written to " + path("out") +
-                             " (`fpkcheck report " + path("out") + "` draws the pictures)\n");
+                             " (`fpkcheck report " + path("out") + "` draws the figures)\n");
   const auto summary = nlohmann::json::parse(std::ifstream(path("out") + "/summary.json"));
   ASSERT_EQ(summary.at("cases").size(), 1u);
   EXPECT_EQ(summary.at("cases").at(0).at("name"), "a");
   EXPECT_EQ(summary.at("cases").at(0).at("solutions").size(), 2u);
   EXPECT_EQ(summary.at("stopped"),
             "This run was stopped by Ctrl-C (SIGINT) before its end. Missing: b, c. Without bounds "
-            "and own errors: a.");
+            "and error estimates: a.");
   const auto report = program({"report", path("out")});
-  EXPECT_EQ(report.exit_code, kDone) << report.err;
+  EXPECT_EQ(report.exit_code, kSuccess) << report.err;
   EXPECT_NE(report.out.find("Missing: b, c."), std::string::npos) << report.out;
-  // Of the first case nothing is there yet.
-  EXPECT_EQ(program({"run", run[3], "--out", path("none")}, stopped_within("a")).err,
+  // A stop during the first case leaves no results.
+  EXPECT_EQ(program({"run", run[3], "--out", path("none")}, registry_stopped_in("a")).err,
             "fpkcheck: interrupted; nothing was written\n");
   EXPECT_FALSE(fs::exists(path("none")));
 }
 
-// A path may have any bytes; a case's name, which goes into JSON and netCDF, may not.
-TEST_F(Program, APathNeedNotBeUtf8ButACasesNameMust) {
+// A path may contain any bytes; the name of a case, which goes into JSON and netCDF, must be UTF-8.
+TEST_F(Program, APathMayBeAnyBytesButACaseNameMustBeUtf8) {
   std::filesystem::create_directory(path("odd\xff"));
   const std::string ini = path("odd\xff/mine.ini");
   std::ofstream(ini) << "[system]\ndamping=0.1\nstiffness=1\ncubic=0\nrestitution=1\n"
                      << "[impulse]\nrate=1\nlaw=gaussian\nintensity=0.1\n";
   const auto run = program({"run", ini, "--methods", "epc-moment-n8", "--out", path("o\xff")});
-  EXPECT_EQ(run.exit_code, kDone) << run.err;
-  EXPECT_EQ(program({"report", path("o\xff")}).exit_code, kDone);
+  EXPECT_EQ(run.exit_code, kSuccess) << run.err;
+  EXPECT_EQ(program({"report", path("o\xff")}).exit_code, kSuccess);
   std::filesystem::rename(ini, path("bad\xff.ini"));
   const auto refused = program({"epc", path("bad\xff.ini")});
   EXPECT_EQ(refused.exit_code, kBadInput);
   EXPECT_NE(refused.err.find("is not UTF-8"), std::string::npos) << refused.err;
 }
 
-TEST_F(Program, JsonIsAllThatStandsOnStandardOutput) {
+TEST_F(Program, JsonIsTheOnlyOutput) {
   const auto [exit_code, out, err] =
       program({"epc", "case1", "--order", "2", "--accuracy", "0.1", "--json"});
-  EXPECT_EQ(exit_code, kDone);
+  EXPECT_EQ(exit_code, kSuccess);
   const auto summary = nlohmann::json::parse(out);
   const auto& solution = summary.at("cases").at(0).at("solutions").at(0);
   EXPECT_EQ(solution.at("id"), "epc-gaussian-n2");
   EXPECT_EQ(solution.at("coefficients").size(), 3u);  // x1^2, x1 x2, x2^2
 }
 
-TEST_F(Program, WhatWasAskedForAndNotReachedIsCodeOne) {
+TEST_F(Program, AnUnmetRequestHasExitCodeOne) {
   const auto closure = program({"epc", "case1", "--order", "8"});
-  EXPECT_EQ(closure.exit_code, kNotReached);
+  EXPECT_EQ(closure.exit_code, kFailure);
   EXPECT_NE(closure.out.find("not_converged"), std::string::npos);
   const auto linearised = program({"epc", "case1", "--order", "2"});
-  EXPECT_EQ(linearised.exit_code, kNotReached);
+  EXPECT_EQ(linearised.exit_code, kFailure);
   EXPECT_NE(linearised.out.find("inaccurate"), std::string::npos);
   const auto literal =
       program({"fd", "case1", "--equation", "km4", "--regularisation-length", "0", "--quiet"});
-  EXPECT_EQ(literal.exit_code, kNotReached);
+  EXPECT_EQ(literal.exit_code, kFailure);
   EXPECT_EQ(literal.out, "");
 }
 
-TEST_F(Program, TheFullRunIsDoneThoughSomeClosuresFindNoDensity) {
+TEST_F(Program, AFullRunSucceedsIfSomeClosuresFail) {
   const auto run = program({"run", "case1", "--time", "20000", "--json", "--out", path("out")});
-  EXPECT_EQ(run.exit_code, kDone) << run.err;
+  EXPECT_EQ(run.exit_code, kSuccess) << run.err;
   const auto summary = nlohmann::json::parse(run.out);
   const auto& solutions = summary.at("cases").at(0).at("solutions");
   ASSERT_EQ(solutions.size(), 15u);
@@ -441,7 +441,7 @@ TEST_F(Program, AStudyIsTabulatedAndSaved) {
       "study", "regularisation",         "case1", "--set", "impulse.rate=0.2",
       "--set", "system.restitution=0.9", "--out", out};
   const auto study = program(arguments);
-  EXPECT_EQ(study.exit_code, kDone) << study.err;
+  EXPECT_EQ(study.exit_code, kSuccess) << study.err;
   EXPECT_NE(study.out.find("The literal scheme, l = h, grows at"), std::string::npos) << study.out;
   EXPECT_EQ(study.err, "");
   std::ifstream file(fs::path(out) / "study-regularisation.json");
@@ -455,14 +455,14 @@ TEST_F(Program, SettingsReachTheSolver) {
   const auto [exit_code, out, err] =
       program({"fd", "case1", "--set", "system.restitution=1", "--equation", "white", "--stepper",
                "direct", "--nx", "40", "--nv", "80", "--json"});
-  ASSERT_EQ(exit_code, kDone) << err;
+  ASSERT_EQ(exit_code, kSuccess) << err;
   const auto solution = nlohmann::json::parse(out).at("cases").at(0).at("solutions").at(0);
   EXPECT_EQ(solution.at("nx"), 40);
   EXPECT_EQ(solution.at("steps"), 0);
   EXPECT_NEAR(solution.at("moments").at("v2").get<double>(), 0.5, 1e-5);  // lambda E[Y^2]/(2c)
 }
 
-TEST_F(Program, ADensityOverTimeLeavesNetCdfAndAPicture) {
+TEST_F(Program, ADensityOverTimeWritesNetCdfAndAFigure) {
   const std::string out = path("out");
   const std::vector<std::string> arguments{"fd",
                                            "case1",
@@ -485,7 +485,7 @@ TEST_F(Program, ADensityOverTimeLeavesNetCdfAndAPicture) {
                                            "--out",
                                            out};
   const auto table = program(arguments);
-  ASSERT_EQ(table.exit_code, kDone) << table.err;
+  ASSERT_EQ(table.exit_code, kSuccess) << table.err;
   EXPECT_EQ(table.err, "");
   EXPECT_NE(table.out.find("E[y'^2]"), std::string::npos);
   EXPECT_TRUE(fs::exists(fs::path(out) / "transient.nc"));
@@ -502,10 +502,10 @@ TEST_F(Program, ADensityOverTimeLeavesNetCdfAndAPicture) {
 
   auto too_small = arguments;
   too_small.insert(too_small.end(), {"--y-max", "1", "--json"});
-  EXPECT_EQ(program(too_small).exit_code, kNotReached);
+  EXPECT_EQ(program(too_small).exit_code, kFailure);
 }
 
-TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
+TEST_F(Program, HelpAndVersionSucceed) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"run", "--help"},
                                                     {"epc", "--help"},
@@ -524,7 +524,7 @@ TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
                                                     {"help", "run"},
                                                     {"--version"}}) {
     const auto [exit_code, out, err] = program(arguments);
-    EXPECT_EQ(exit_code, kDone);
+    EXPECT_EQ(exit_code, kSuccess);
     EXPECT_FALSE(out.empty());
     EXPECT_EQ(err, "");
     std::istringstream lines(out);
@@ -532,7 +532,7 @@ TEST_F(Program, HelpAndVersionAreAnswersNotErrors) {
   }
 }
 
-TEST_F(Program, HelpOfACommandIsWhatTheCommandSays) {
+TEST_F(Program, HelpCommandEqualsHelpOption) {
   EXPECT_EQ(program({"help", "run"}).out, program({"run", "--help"}).out);
   EXPECT_EQ(program({"help", "study", "grid"}).out, program({"study", "grid", "--help"}).out);
   EXPECT_EQ(program({"help", "cook"}).exit_code, kBadInput);
@@ -550,7 +550,7 @@ TEST_F(Program, VersionNamesTheLibraries) {
   }
 }
 
-TEST_F(Program, ASweepAsJsonIsNothingElse) {
+TEST_F(Program, ASweepPrintsJsonOnly) {
   const std::vector<std::string> sweep{"sweep",      "case1",
                                        "--vary",     "system.restitution=0.9,1",
                                        "--methods",  "epc-gaussian-n2",
@@ -560,15 +560,15 @@ TEST_F(Program, ASweepAsJsonIsNothingElse) {
   auto as_json = sweep;
   as_json.emplace_back("--json");
   const auto first = program(as_json);
-  EXPECT_EQ(first.exit_code, kDone);
+  EXPECT_EQ(first.exit_code, kSuccess);
   const auto json = nlohmann::json::parse(first.out);
   ASSERT_EQ(json["points"].size(), 2);
   EXPECT_EQ(json["points"][0]["at"]["system.restitution"], 0.9);
   EXPECT_EQ(json["points"][1]["methods"][0]["status"], "ok");
   EXPECT_EQ(json["plan"]["case"]["system"]["cubic"], 0);
-  // Solved already: the same again, and a table for people.
+  // All points are in the journal: the same results, as a table.
   const auto again = program(sweep);
-  EXPECT_EQ(again.exit_code, kDone);
+  EXPECT_EQ(again.exit_code, kSuccess);
   EXPECT_NE(again.out.find("2 points of case1, system.restitution = 0.9,1"), std::string::npos);
   EXPECT_TRUE(fs::exists(path("sweep") + "/sweep.csv"));
   EXPECT_TRUE(fs::exists(path("sweep") + "/report.html"));

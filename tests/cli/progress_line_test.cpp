@@ -14,14 +14,14 @@ methods::RunProgress at(double fraction, const std::string& note = "") {
           .note = note};
 }
 
-TEST(ProgressText, TellsTheTimeThatAMethodHasLeft) {
-  // A quarter took 10 s: 30 s remain, whatever the run took before.
+TEST(ProgressText, EstimatesTheRemainingTimeOfAMethod) {
+  // A quarter took 10 s: 30 s remain, independent of the elapsed time of the run.
   EXPECT_EQ(progress_text(at(0.25, "error 1e-03"), 50, 10),
             "[3/8] 50 s  case1 mcs 25 %, 30 s left  error 1e-03");
   EXPECT_EQ(progress_text(at(0.1), 50, 60), "[3/8] 50 s  case1 mcs 10 %, 9 min left");
 }
 
-TEST(ProgressText, SaysNothingOfWhatItCannotTell) {
+TEST(ProgressText, OmitsUnknownValues) {
   EXPECT_EQ(progress_text(at(0), 50, 10), "[3/8] 50 s  case1 mcs");
   EXPECT_EQ(progress_text(at(0.01), 50, 10), "[3/8] 50 s  case1 mcs 1 %");
   EXPECT_EQ(progress_text(at(1), 250, 10), "[3/8] 4 min  case1 mcs");

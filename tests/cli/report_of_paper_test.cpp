@@ -13,12 +13,12 @@
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/paper/claims.hpp"
-#include "workflows/paper/files.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge.hpp"
 #include "workflows/paper/judged_run.hpp"
-#include "workflows/paper/table.hpp"
 
-/// `report` of a directory that `paper` left.
+/// `report` for the directory of a run of `paper`.
 namespace fpkcheck::cli {
 namespace {
 
@@ -35,7 +35,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-// What a run saves, without page and pictures.
+// Writes the files of a run, without report.html and figures.
 void save(const fs::path& directory, const results::Run& run) {
   base::PendingFiles files;
   results::add_run(files, directory, run);
@@ -44,17 +44,17 @@ void save(const fs::path& directory, const results::Run& run) {
 
 std::string report_of(const fs::path& directory) {
   testing::internal::CaptureStdout();
-  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin()), kDone);
+  EXPECT_EQ(run_program({"report", directory.string()}, methods::builtin_registry()), kSuccess);
   std::fflush(stdout);
   return testing::internal::GetCapturedStdout();
 }
 
-TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
+TEST(ReportOfPaper, HasTheSummaryFirstAndClaimsAndFiguresOnItsPage) {
   const tests::TemporaryDirectory directory;
   const auto run = tests::run_with_distances();
   save(directory.path(), run);
   const std::string text = report_of(directory.path());
-  // What is judged is what was saved.
+  // The judgements are those of the saved run.
   const auto judgements = paper::judge(run);
   EXPECT_EQ(text.find(fmt::format("{} claims", judgements.size())), 0u) << text.substr(0, 200);
   EXPECT_EQ(contents(directory.path() / paper::kClaimsCsv), paper::claims_csv(judgements));
@@ -77,7 +77,7 @@ TEST(ReportOfPaper, HasClaimsAndFiguresOnItsPageAndTheSummaryFirst) {
   EXPECT_LT(page.find("claims of the paper"), page.find("<section id=\"verdict\">"));
 }
 
-TEST(ReportOfPaper, IsNotMadeOfAnotherRunOfTheSameCases) {
+TEST(ReportOfPaper, IsOmittedForOtherRunsOfTheSameCases) {
   const tests::TemporaryDirectory directory;
   auto run = tests::run_with_distances();
   run.program.command = "fpkcheck run --out paper";

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Ctrl-C and SIGTERM at random moments: signals.py PROGRAM [--rounds N] [--within S] [--seed K]
+"""Test of SIGINT and SIGTERM at random times: signals.py PROGRAM [--rounds N] [--within S] [--seed K]
 [--commands A,B] [--part F]
 
-Starts every command of fpkcheck, sends SIGINT or SIGTERM at a random moment of its first seconds,
-and asserts that it ends in time with the right exit code and one line on standard error, and that
-nothing half written is left behind.
+Starts every command of fpkcheck and sends SIGINT or SIGTERM at a random time in its first seconds.
+The command must end in time, with the right exit code and one line on standard error, and must
+leave no partial files.
 """
 
 import argparse
@@ -17,8 +17,8 @@ import sys
 import tempfile
 import time
 
-# What each command is started with, and the seconds in which its signal comes. Problems of which a
-# single step takes long: many impulses (burn-in), large grids (factorisation), several cases.
+# Arguments of each command, and the seconds within which the signal is sent. The problems have long
+# single steps: many impulses (burn-in), large grids (factorisation), several cases.
 COMMANDS = {
     "run": (["run", "case1", "case4", "--out", "OUT"], 12),
     "paper": (["paper", "--out", "OUT"], 12),
@@ -43,29 +43,29 @@ COMMANDS = {
 }
 
 
-def left_behind(out):
-    """What is wrong with the files, as text; None when nothing is."""
+def file_defect(out):
+    """The defect of the files in a directory, as text; None without a defect."""
     names = [os.path.join(place, name) for place, _, files in os.walk(out) for name in files]
     partial = [name for name in names if ".partial-" in name]
     if partial:
-        return f"half written: {partial}"
+        return f"partial files: {partial}"
     empty = [name for name in names if os.path.getsize(name) == 0]
     if empty:
-        return f"empty: {empty}"
+        return f"empty files: {empty}"
     if os.path.isdir(out) and not names:
         return "an empty directory"
     return None
 
 
-def one(program, command, arguments, number, moment, saved, baselines):
-    """Seconds from the signal to the end, exit code, what is wrong (a list)."""
+def send_signal(program, command, arguments, number, moment, saved, baselines):
+    """Seconds from the signal to the end, exit code, list of failures, standard error."""
     with tempfile.TemporaryDirectory() as work:
         out = os.path.join(work, "out")
         if "SAVED" in arguments:
             shutil.copytree(saved, out)
         filled = [argument.replace("OUT", out).replace("SAVED", out)
                   .replace("BASELINES", baselines) for argument in arguments]
-        # Standard input that never says anything, nor ends before the program does.
+        # Standard input without data, which stays open until the program ends.
         reading, writing = os.pipe()
         process = subprocess.Popen([program, *filled], stdin=reading, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True)
@@ -80,21 +80,21 @@ def one(program, command, arguments, number, moment, saved, baselines):
         except subprocess.TimeoutExpired:
             process.kill()
             process.communicate()
-            return 60.0, None, ["it did not end in a minute"], ""
+            return 60.0, None, ["the program did not end within a minute"], ""
         finally:
             os.close(writing)
         seconds = time.monotonic() - begin
         wrong = []
         if early:
             return None, process.returncode, wrong, said
-        # Before the handlers stand, and after the result, a signal ends it as it ends any program.
+        # Before the handlers are installed and after the result, a signal has the default action.
         if process.returncode not in (128 + number, -number, 0):
             wrong.append(f"exit code {process.returncode} after {signal.Signals(number).name}")
         if process.returncode == -number and moment > 1:
             wrong.append("the signal was not handled")
         if process.returncode == 128 + number and said.count("\n") != 1 and command != "reference":
-            wrong.append(f"standard error says {said!r}")
-        problem = left_behind(out)
+            wrong.append(f"standard error is {said!r}")
+        problem = file_defect(out)
         if problem:
             wrong.append(problem)
         return seconds, process.returncode, wrong, said
@@ -107,7 +107,7 @@ def main():
     parser.add_argument("--within", type=float, default=1.0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--part", type=float, default=1.0,
-                        help="of the seconds in which signals come, their beginning")
+                        help="fraction of the time span of the signals, from its beginning")
     parser.add_argument("--commands", default=",".join(COMMANDS))
     given = parser.parse_args()
     baselines = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "baselines")
@@ -125,12 +125,12 @@ def main():
             for _ in range(given.rounds):
                 number = chance.choice([signal.SIGINT, signal.SIGTERM])
                 moment = chance.uniform(0.02, given.part * span)
-                seconds, code, wrong, said = one(given.program, command, arguments, number, moment,
+                seconds, code, wrong, said = send_signal(given.program, command, arguments, number, moment,
                                                  saved, baselines)
                 if seconds is not None:
                     times.append(seconds)
                     if seconds > given.within:
-                        wrong.append(f"it took {seconds:.2f} s")
+                        wrong.append(f"shutdown took {seconds:.2f} s")
                 for problem in wrong:
                     failed += 1
                     print(f"FAILED {command}, {signal.Signals(number).name} at {moment:.2f} s: "

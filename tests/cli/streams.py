@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Standard streams that are closed or have no reader: streams.py PROGRAM
+"""Test of standard streams that are closed or have no reader: streams.py PROGRAM
 
-Neither may cost files, nor may what is printed go into one.
+The program must write all its files, and its output must not go into a file.
 """
 
 import filecmp
@@ -23,7 +23,7 @@ def run(program, out, suffix):
 
 
 def escapes_at_terminal(program, command, terminal, interrupted=False):
-    """Escape sequences that standard output, a pipe, and standard error, a terminal, get."""
+    """Numbers of escape sequences on standard output (a pipe) and standard error (a terminal)."""
     ours, theirs = pty.openpty()
     child = subprocess.Popen([program] + command, stdin=subprocess.DEVNULL,
                              stdout=subprocess.PIPE, stderr=theirs,
@@ -35,7 +35,7 @@ def escapes_at_terminal(program, command, terminal, interrupted=False):
         try:
             while data := os.read(ours, 65536):
                 shown.append(data)
-        except OSError:  # Linux: the other end is closed
+        except OSError:  # Linux reports a closed peer of a pseudo-terminal by an error
             pass
 
     reader = threading.Thread(target=read)
@@ -60,8 +60,8 @@ def main():
     with tempfile.TemporaryDirectory() as work:
         usual = os.path.join(work, "usual")
         piped = run(program, usual, "")
-        expect(piped.returncode == 0, "the usual run failed")
-        expect("\x1b" not in piped.stdout + piped.stderr, "escape sequences go into a pipe")
+        expect(piped.returncode == 0, "the run with open streams failed")
+        expect("\x1b" not in piped.stdout + piped.stderr, "escape sequences in a pipe")
         for name, suffix in {"closed": ">&- 2>&-", "all closed": "<&- >&- 2>&-",
                              "no reader": "| true", "head": "2>&1 | head -1",
                              "quiet": "-q >&- 2>&-"}.items():
@@ -74,7 +74,7 @@ def main():
                                os.path.join(out, "marginals.csv"), shallow=False),
                    f"{name}: marginals.csv differs")
             size = os.path.getsize(os.path.join(out, "figures", "case1.png"))
-            expect(size > 1000, f"{name}: the picture has {size} bytes")
+            expect(size > 1000, f"{name}: the figure has {size} bytes")
         few = ["--methods", "epc-gaussian-n4,epc-gaussian-n6", "--out"]
         commands = {"run": ["run", "case1"] + few,
                     "sweep": ["sweep", "case1", "--vary", "impulse.rate=1,2"] + few}
@@ -82,7 +82,7 @@ def main():
             for name, command in commands.items():
                 printed, shown = escapes_at_terminal(
                     program, command + [os.path.join(work, name + terminal)], terminal)
-                expect(printed == 0, f"{name}: escape sequences go into a pipe")
+                expect(printed == 0, f"{name}: escape sequences in a pipe")
                 expect((shown > 0) == (terminal == "xterm"),
                        f"{name}: {shown} escape sequences at a terminal {terminal}")
             shown = escapes_at_terminal(program, ["reference", "case1"], terminal, True)[1]
@@ -91,9 +91,9 @@ def main():
         quiet = subprocess.run([program, "epc", "case1", "--order", "8", "-q"],
                                capture_output=True, text=True, timeout=120)
         expect(quiet.returncode == 1, f"order 8 ended with {quiet.returncode}")
-        expect(quiet.stdout == "", "a quiet run printed")
+        expect(quiet.stdout == "", "a quiet run printed to standard output")
         expect(quiet.stderr.count("\n") == 1 and "epc-gaussian-n8" in quiet.stderr,
-               f"a quiet failure said {quiet.stderr!r}")
+               f"a quiet failure printed {quiet.stderr!r}")
         refused = subprocess.run([program, "reference", "case1", "--time", "1e300"],
                                  capture_output=True, text=True, timeout=5)
         expect(refused.returncode == 2, f"--time 1e300 ended with {refused.returncode}")

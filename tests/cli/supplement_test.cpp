@@ -9,22 +9,22 @@
 #include "methods/builtin.hpp"
 #include "temporary_directory.hpp"
 
-/// What a command adds to a run (Supplement), of which `paper` is the one that does.
+/// Output that a command adds to a run (Supplement), as `paper` does.
 namespace fpkcheck::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Said {
+struct RunOutcome {
   int exit_code;
   std::string out, err;
 };
 
-Said solve(const CommonArguments& common, const Supplement& supplement) {
+RunOutcome solve(const CommonArguments& common, const Supplement& supplement) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = solve_and_report(
-      common, methods::builtin().select("epc-gaussian-n2", {{"accuracy", base::Value()}}),
+      common, methods::builtin_registry().select("epc-gaussian-n2", {{"accuracy", base::Value()}}),
       {.supplement =
            [&](const results::Run& run) {
              EXPECT_EQ(run.cases.size(), 1u);
@@ -36,37 +36,37 @@ Said solve(const CommonArguments& common, const Supplement& supplement) {
           testing::internal::GetCapturedStderr()};
 }
 
-TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenBesideTheFiles) {
+TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenToFiles) {
   const tests::TemporaryDirectory directory;
   CommonArguments common;
   common.cases = {"case1"};
   common.out = directory.path().string();
-  const auto said = solve(common, {.report = {.summary = {"First of all."},
-                                              .text = "\nand more\n",
-                                              .sections = {},
-                                              .files = {{"more.csv", "a,b\n"}},
-                                              .pictures = {{"more", "# nothing to draw\n"}}},
-                                   .json = {},
-                                   .failures = {}});
-  EXPECT_EQ(said.exit_code, kDone);
-  EXPECT_TRUE(said.out.starts_with("First of all.\n\n")) << said.out;
-  EXPECT_LT(said.out.find("epc-gaussian-n2"), said.out.find("\nand more\n"));
-  EXPECT_NE(said.out.find(", more.csv and "), std::string::npos) << said.out;
+  const auto outcome = solve(common, {.report = {.summary = {"First of all."},
+                                                 .text = "\nand more\n",
+                                                 .sections = {},
+                                                 .files = {{"more.csv", "a,b\n"}},
+                                                 .pictures = {{"more", "# nothing to draw\n"}}},
+                                      .json = {},
+                                      .failures = {}});
+  EXPECT_EQ(outcome.exit_code, kSuccess);
+  EXPECT_TRUE(outcome.out.starts_with("First of all.\n\n")) << outcome.out;
+  EXPECT_LT(outcome.out.find("epc-gaussian-n2"), outcome.out.find("\nand more\n"));
+  EXPECT_NE(outcome.out.find(", more.csv and "), std::string::npos) << outcome.out;
   std::ifstream written(directory.path() / "more.csv");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(written), {}), "a,b\n");
   EXPECT_TRUE(fs::exists(directory.path() / "figures" / "more.gp"));
-  // A script that draws nothing is said to have drawn nothing.
-  EXPECT_NE(said.err.find("more.png"), std::string::npos) << said.err;
+  // A script that draws nothing causes a warning.
+  EXPECT_NE(outcome.err.find("more.png"), std::string::npos) << outcome.err;
 }
 
-TEST(RunSupplement, ReplacesTheSummaryAndItsFailuresDecideTheExitCode) {
+TEST(RunSupplement, ReplacesTheSummaryAndSetsTheExitCode) {
   CommonArguments common;
   common.cases = {"case1"};
   common.json = true;
   Supplement supplement{.report = {}, .json = "{}", .failures = {"why"}};
   supplement.report.text = "not this";
   const auto json = solve(common, supplement);
-  EXPECT_EQ(json.exit_code, kNotReached);
+  EXPECT_EQ(json.exit_code, kFailure);
   EXPECT_EQ(json.out, "{}\n");
   common.json = false;
   common.quiet = true;

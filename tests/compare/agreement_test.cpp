@@ -33,17 +33,17 @@ std::vector<PairDistances> pairs_apart(double y, double ydot) {
   return pairs;
 }
 
-// For |N|, where the S-inequality is an equality.
-TEST(Agreement, IsTestedAtItsLevelOverBothDensities) {
+// For |N|, N standard normal, the S-inequality is an equality.
+TEST(Agreement, HasItsNominalSignificanceLevel) {
   const boost::math::normal normal;
-  const double in_99 = boost::math::quantile(normal, 0.995);
+  const double quantile_99 = boost::math::quantile(normal, 0.995);
   const double beyond =
-      2 * boost::math::cdf(boost::math::complement(normal, largest_by_chance(in_99)));
-  EXPECT_NEAR(2 * beyond, kAgreementLevel, 1e-6);
+      2 * boost::math::cdf(boost::math::complement(normal, critical_sampling_l1(quantile_99)));
+  EXPECT_NEAR(2 * beyond, kAgreementSignificance, 1e-6);
 }
 
-// L1 norms of Gaussian vectors between one mode and many: the limit is exceeded no more often.
-TEST(Agreement, LimitsL1ByChanceWhateverItsModes) {
+// L1 norms of Gaussian vectors with one to many modes exceed the limit at most at the stated level.
+TEST(Agreement, BoundsTheSamplingL1ForAnyNumberOfModes) {
   boost::random::mt19937_64 engine(1);
   boost::random::normal_distribution<double> normal;
   constexpr std::size_t kRuns = 200000;
@@ -53,48 +53,47 @@ TEST(Agreement, LimitsL1ByChanceWhateverItsModes) {
       for (int k = 0; k < modes; ++k) norm += std::abs(normal(engine)) / (1 + k);
     }
     std::ranges::sort(norms);
-    const double limit = largest_by_chance(norms[kRuns * 99 / 100]);
+    const double limit = critical_sampling_l1(norms[kRuns * 99 / 100]);
     const auto beyond = static_cast<double>(norms.end() - std::ranges::upper_bound(norms, limit));
-    const double allowed = kAgreementLevel / 2 * kRuns;
+    const double allowed = kAgreementSignificance / 2 * kRuns;
     EXPECT_LT(beyond, allowed + 4 * std::sqrt(allowed)) << modes;
   }
 }
 
-// What `fpkcheck run case1 --set system.damping=0` met with one seed of six.
-TEST(Agreement, IsNotDeniedByOneRunOfAHundred) {
+// Values of `fpkcheck run case1 --set system.damping=0` with one of six seeds.
+TEST(Agreement, AcceptsADistanceAtThe99PercentQuantile) {
   Solution one = solution_named("a"), other = solution_named("b");
   one.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   other.sampling = {.y = 0.0013, .ydot = 0.0014, .y_99 = 0.0023, .ydot_99 = 0.0027};
-  EXPECT_TRUE(agree(one, other, pairs_apart(0.0023, 0.0028)));
-  EXPECT_TRUE(agree(other, one, pairs_apart(0.0023, 0.0028)));
-  EXPECT_FALSE(agree(one, other, pairs_apart(0.0023, 0.0037)));
-  EXPECT_FALSE(agree(one, other, pairs_apart(0.0032, 0.0028)));
+  EXPECT_TRUE(has_agreement(one, other, pairs_apart(0.0023, 0.0028)));
+  EXPECT_TRUE(has_agreement(other, one, pairs_apart(0.0023, 0.0028)));
+  EXPECT_FALSE(has_agreement(one, other, pairs_apart(0.0023, 0.0037)));
+  EXPECT_FALSE(has_agreement(one, other, pairs_apart(0.0032, 0.0028)));
 }
 
-TEST(Agreement, AddsTheErrorsOfBoth) {
+TEST(Agreement, AddsTheErrorEstimatesOfBothSolutions) {
   Solution one = solution_named("a"), other = solution_named("b");
-  EXPECT_FALSE(largest_explained(one, other, Variable::y, false));
-  EXPECT_TRUE(agree(one, other, pairs_apart(1, 1)));  // nothing is known of their errors
+  EXPECT_FALSE(critical_l1(one, other, Variable::y, false));
+  EXPECT_TRUE(has_agreement(one, other, pairs_apart(1, 1)));  // both without error estimates
   one.sampling = {.y = 3e-3, .ydot = 3e-3, .y_99 = 4e-3, .ydot_99 = 6e-3};
   other.sampling = {.y = 1e-3, .ydot = 4e-3, .y_99 = 3e-3};
-  EXPECT_DOUBLE_EQ(*largest_explained(one, other, Variable::y, false), largest_by_chance(5e-3));
-  EXPECT_DOUBLE_EQ(*largest_explained(one, other, Variable::ydot, false), largest_by_chance(1e-2));
+  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::y, false), critical_sampling_l1(5e-3));
+  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::ydot, false), critical_sampling_l1(1e-2));
   other.error = {.y_l1 = 8e-3, .ydot_l1 = 0};
-  EXPECT_DOUBLE_EQ(*largest_explained(one, other, Variable::y, false),
-                   largest_by_chance(5e-3) + 1e-2);
+  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::y, false), critical_sampling_l1(5e-3) + 1e-2);
 }
 
-TEST(Agreement, OverSmoothBinsNeedsTheErrorsOfBoth) {
+TEST(Agreement, OverSmoothBinsRequiresBothErrorEstimates) {
   Solution one = solution_named("a"), measure = solution_named("b");
   measure.sampling = {.y = 1e-3, .ydot = 1e-3, .y_99 = 2e-3, .ydot_99 = 2e-3};
   measure.smooth_sampling = {.y = 3e-6, .ydot = 4e-6, .y_99 = 5e-6, .ydot_99 = 6e-6};
   auto pairs = pairs_apart(1e-4, 1e-4);
   for (auto& pair : pairs) pair.l1_standard_error = 1e-6;
-  EXPECT_TRUE(agree(one, measure, pairs));
+  EXPECT_TRUE(has_agreement(one, measure, pairs));
   one.error = {.y_l1 = 2e-5, .ydot_l1 = 2e-5};
-  EXPECT_FALSE(agree(one, measure, pairs));
+  EXPECT_FALSE(has_agreement(one, measure, pairs));
   one.error = {.y_l1 = 1e-4, .ydot_l1 = 1e-4};
-  EXPECT_TRUE(agree(one, measure, pairs));
+  EXPECT_TRUE(has_agreement(one, measure, pairs));
 }
 
 }  // namespace

@@ -22,41 +22,41 @@ Solution with_moments(const std::string& id, double y2, double v2) {
   return solution;
 }
 
-TEST(Outside, IsWhatIsBeyondEitherEnd) {
+TEST(BoundViolation, IsFoundAtBothEnds) {
   const std::vector<Solution> solutions{with_moments("in", 0.39, 0.45),
                                         with_moments("below", 0.385, 0.445),
                                         with_moments("above", 0.395, 0.452)};
   const Bounds bounds = narrow();
-  const auto found = outside(bounds, solutions);
+  const auto found = bound_violations(bounds, solutions);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].solution->id(), "below");
   EXPECT_EQ(found[0].bound->functional, "E[y^2]");
-  EXPECT_NEAR(found[0].by, 0.005, 1e-15);
+  EXPECT_NEAR(found[0].excess, 0.005, 1e-15);
   EXPECT_EQ(found[1].solution->id(), "above");
   EXPECT_EQ(found[1].bound->functional, "E[y'^2]");
-  EXPECT_NEAR(found[1].by, 0.002, 1e-15);
+  EXPECT_NEAR(found[1].excess, 0.002, 1e-15);
 }
 
-TEST(Outside, IsAContradictionBeyondTheOwnError) {
+TEST(BoundViolation, IsAContradictionBeyondTheErrorEstimate) {
   std::vector<Solution> solutions{with_moments("fd", 0.388, 0.445)};
   const Bounds bounds = narrow();
-  EXPECT_TRUE(outside(bounds, solutions).at(0).is_contradiction());
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
   solutions[0].error.emplace().moments.y2 = 0.0019;
-  EXPECT_TRUE(outside(bounds, solutions).at(0).is_contradiction());
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
   solutions[0].error->moments.y2 = 0.0021;
-  EXPECT_FALSE(outside(bounds, solutions).at(0).is_contradiction());
+  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).is_contradiction());
 }
 
-TEST(Outside, ASimulationMayMissByFourStandardErrors) {
+TEST(BoundViolation, IsNoContradictionWithinFourStandardErrors) {
   std::vector<Solution> solutions{with_moments("mcs", 0.388, 0.445)};
   const Bounds bounds = narrow();
   solutions[0].standard_errors.emplace().moments.y2 = 0.0006;
-  EXPECT_FALSE(outside(bounds, solutions).at(0).is_contradiction());
+  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).is_contradiction());
   solutions[0].standard_errors->moments.y2 = 0.0004;
-  EXPECT_TRUE(outside(bounds, solutions).at(0).is_contradiction());
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
 }
 
-TEST(Contradictions, AreOfSolutionsOfTheProblemItselfAlone) {
+TEST(Contradictions, AreReportedForSolutionsOfTheFullProblemOnly) {
   std::vector<Solution> solutions{with_moments("white", 0.5, 0.5), with_moments("fd", 0.5, 0.445)};
   for (auto& solution : solutions) {
     solution.status = transform::Status::ok;
@@ -73,13 +73,14 @@ TEST(Contradictions, AreOfSolutionsOfTheProblemItselfAlone) {
   EXPECT_TRUE(contradictions(bounds, solutions).empty());
 }
 
-TEST(Outside, NothingIsSaidOfWhatIsNotKnown) {
+TEST(BoundViolation, IsNotReportedForUnknownMoments) {
   const Bounds bounds = narrow();
-  EXPECT_TRUE(outside(bounds, std::vector{with_moments("file", 0.395, std::nan(""))}).empty());
+  EXPECT_TRUE(
+      bound_violations(bounds, std::vector{with_moments("file", 0.395, std::nan(""))}).empty());
   auto none = with_moments("none", 0, 0);
   none.had_density = false;
-  EXPECT_TRUE(outside(bounds, std::vector{none}).empty());
-  EXPECT_TRUE(outside({.reason = "no"}, std::vector{with_moments("any", 9, 9)}).empty());
+  EXPECT_TRUE(bound_violations(bounds, std::vector{none}).empty());
+  EXPECT_TRUE(bound_violations({.reason = "no"}, std::vector{with_moments("any", 9, 9)}).empty());
 }
 
 }  // namespace

@@ -21,14 +21,14 @@ using transform::Variable;
 constexpr std::size_t kOuterBins = 20;  // of y; of y' as many on either side
 constexpr double kPlateau = 1e-4;       // within the tail
 
-// Probability in the outer bins at exponent 0.
+// Probability in the outer bins for exponent 0.
 double plateau_mass(const std::vector<double>& edges, Variable variable) {
   const double sides = variable == Variable::y ? 1 : 2;
   return sides * kOuterBins * (edges[1] - edges[0]) * kPlateau;
 }
 
-/// A marginal that alternates by +-amplitude around a uniform density on the inner bins; the outer
-/// ones hold 1e-4 * 10^exponent. Its mass is 1 at exponent 0.
+/// A marginal that alternates by +-amplitude about a uniform density on the inner bins and equals
+/// 1e-4 * 10^exponent on the outer bins. Its mass is 1 for exponent 0.
 transform::Marginal alternating(const std::vector<double>& edges, Variable variable,
                                 double amplitude, double exponent) {
   transform::Marginal m{edges, {}, {}, {}};
@@ -45,7 +45,7 @@ transform::Marginal alternating(const std::vector<double>& edges, Variable varia
   return m;
 }
 
-/// Amplitude and exponent; both are twice as large in y'.
+/// Amplitude and exponent for y; twice these values for y'.
 struct Height {
   double amplitude;
   double exponent = 0;
@@ -77,7 +77,7 @@ Solution made(const ComparisonAxes& axes, const std::string& id, Equation equati
   return s;
 }
 
-/// Its grids tend to fine + (fine - coarser) / 3.
+/// A solution with two grids; its Richardson limit is fine + (fine - coarser) / 3.
 Solution with_grids(const ComparisonAxes& axes, const std::string& id, Equation equation,
                     double fine, double coarser) {
   Solution s = made(axes, id, equation, Impact::map, {fine});
@@ -86,7 +86,7 @@ Solution with_grids(const ComparisonAxes& axes, const std::string& id, Equation 
   return s;
 }
 
-/// A chain of models whose distances are known: amplitudes 0.1, 0.03, 0.02, 0.011 (limit 0.01), 0.
+/// A chain of models with known distances: amplitudes 0.1, 0.03, 0.02, 0.011 (limit 0.01), 0.
 std::vector<Solution> chain_of_models(const ComparisonAxes& axes) {
   std::vector<Solution> solutions{
       made(axes, "epc-gaussian-n6", Equation::km4, Impact::delta, {0.1, 0.5}),
@@ -135,7 +135,7 @@ std::vector<Solution> without(std::vector<Solution> solutions, const std::string
   return solutions;
 }
 
-TEST(Budget, EachPartIsTheDistanceOfTwoNeighboursInTheChain) {
+TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
   const auto axes = comparison_axes(tests::paper_case(1));
   const auto budget = budget_of(chain_of_models(axes));
   ASSERT_EQ(budget.size(), 2u);
@@ -143,7 +143,7 @@ TEST(Budget, EachPartIsTheDistanceOfTwoNeighboursInTheChain) {
     const double f = row.variable == Variable::y ? 1 : 2;
     EXPECT_EQ(row.reference, "mcs");
     EXPECT_EQ(names(row), (Names{"closure", "impact", "truncation", "discretisation", "sampling"}));
-    // Of the closure, fd-km4-delta, fd-km4, fd-kf, its limit (0.011 - 0.003/3) and mcs.
+    // The closure, fd-km4-delta, fd-km4, fd-kf, its limit (0.011 - 0.003/3) and mcs.
     const double amplitudes[] = {0.1, 0.03, 0.02, 0.011, 0.01, 0};
     const double exponents[] = {0.5, 0.2, 0, 0, 0, 0.03};
     const Names ids{"epc-gaussian-n6", "fd-km4-delta", "fd-km4", "fd-kf", "fd-kf limit", "mcs"};
@@ -166,21 +166,21 @@ TEST(Budget, EachPartIsTheDistanceOfTwoNeighboursInTheChain) {
   expect_the_parts_bound_the_total(budget);
 }
 
-TEST(Budget, PartsAreKnownToTheDiscretisationErrorsOfTheirEnds) {
+TEST(Budget, PartsHaveTheDiscretisationErrorsOfTheirEndsAsUncertainty) {
   const auto budget = budget_of(chain_of_models());
-  const auto& parts = budget[1].parts;  // y': all twice
+  const auto& parts = budget[1].parts;  // y': twice the amplitudes
   const double inner =
       1 - plateau_mass(comparison_axes(tests::paper_case(1)).v_edges, Variable::ydot);
-  EXPECT_FALSE(parts[0].uncertainty);  // fd-km4-delta does not know its error
+  EXPECT_FALSE(parts[0].uncertainty);  // fd-km4-delta has no error estimate
   EXPECT_FALSE(parts[1].uncertainty);
   EXPECT_NEAR(parts[2].uncertainty.value(), 2 * inner * (0.002 + 0.001), 1e-12);
   EXPECT_NEAR(parts[3].uncertainty.value(), 2 * inner * 0.001, 1e-12);
   EXPECT_FALSE(parts[4].uncertainty);
   EXPECT_EQ(parts[4].expected, 0.013);
-  EXPECT_EQ(parts[4].in_99, 0.021);
+  EXPECT_EQ(parts[4].quantile_99, 0.021);
 }
 
-TEST(Budget, LinksJoinWhereASolutionIsMissingOrNotOk) {
+TEST(Budget, LinksAreJoinedIfASolutionIsMissingOrNotOk) {
   auto solutions = chain_of_models();
   const auto parts_of = [](const std::vector<Solution>& some) {
     const auto budget = budget_of(some);
@@ -193,7 +193,7 @@ TEST(Budget, LinksJoinWhereASolutionIsMissingOrNotOk) {
   EXPECT_EQ(parts_of(without(solutions, "fd-kf")),
             (Names{"closure", "impact", "truncation + discretisation + sampling"}));
   EXPECT_EQ(parts_of(without(without(solutions, "fd-kf"), "mcs")), Names{});  // no reference
-  // The one part would be the total.
+  // A single part would equal the total.
   EXPECT_EQ(parts_of({solutions.front(), solutions.back()}), Names{});
   EXPECT_EQ(parts_of({solutions.front()}), Names{});
 
@@ -206,11 +206,11 @@ TEST(Budget, LinksJoinWhereASolutionIsMissingOrNotOk) {
   solutions[2].status = Status::ill_posed;
   EXPECT_EQ(parts_of(solutions),
             (Names{"closure", "impact + truncation", "discretisation", "sampling"}));
-  solutions[0].status = Status::inadmissible;  // a closure counts whatever its status
+  solutions[0].status = Status::inadmissible;  // the status of a closure has no influence
   EXPECT_EQ(parts_of(solutions).size(), 4u);
 }
 
-TEST(Budget, AClosureOfAnotherEquationHasAnotherChain) {
+TEST(Budget, ChainDependsOnTheEquationOfTheClosure) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
   solutions.insert(solutions.begin(),
@@ -235,7 +235,7 @@ TEST(Budget, TheTailUsesTheSameBinsForEveryPart) {
     simulated.upper.push_back(1.1 * p);
   }
   const auto last = simulated.size() - 2;
-  simulated.upper[last] = 2.2 * simulated.density[last];  // not known well
+  simulated.upper[last] = 2.2 * simulated.density[last];  // interval too wide
   const auto budget = budget_of(solutions);
   EXPECT_EQ(budget[0].tail_bins, 18);
   EXPECT_NEAR(budget[0].total_tail, 0.47, 1e-9);
@@ -248,12 +248,12 @@ TEST(Budget, TheTailUsesTheSameBinsForEveryPart) {
   EXPECT_TRUE(std::isnan(none[0].parts[0].tail));
 }
 
-TEST(Budget, NamesOfJoinedLinksAreReadBack) {
+TEST(Budget, NamesOfJoinedLinksAreParsed) {
   const std::vector<Link> links{Link::closure, Link::white_noise, Link::sampling};
   EXPECT_EQ(name(links), "closure + white noise + sampling");
-  EXPECT_EQ(links_named(name(links)), links);
-  EXPECT_THROW(links_named("closure + magic"), InputError);
-  EXPECT_THROW(links_named(""), InputError);
+  EXPECT_EQ(parse_links(name(links)), links);
+  EXPECT_THROW(parse_links("closure + magic"), InputError);
+  EXPECT_THROW(parse_links(""), InputError);
 }
 
 TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
@@ -270,8 +270,8 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
   EXPECT_EQ(closures[1].row(Variable::ydot), nullptr);
   EXPECT_EQ(part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
                                          "closure + impact", "sampling"}));
-  EXPECT_TRUE(budget[0].find("sampling")->beyond_the_equations());
-  EXPECT_FALSE(budget[0].find("truncation")->beyond_the_equations());
+  EXPECT_TRUE(budget[0].find("sampling")->is_reference_error());
+  EXPECT_FALSE(budget[0].find("truncation")->is_reference_error());
   EXPECT_EQ(budget[0].find("magic"), nullptr);
 }
 

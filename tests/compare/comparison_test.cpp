@@ -23,7 +23,7 @@ struct MadeUp {
   Comparison comparison = compare_solutions(axes, solutions);
 };
 
-TEST(Comparison, IsOfEveryPairWithADensityAgainstTheMoreTrusted) {
+TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
   const auto [axes, solutions, comparison] = MadeUp();
   // Seven of the eight solutions have a density.
   EXPECT_EQ(comparison.marginals.size(), 2 * 7u);
@@ -43,13 +43,13 @@ TEST(Comparison, IsOfEveryPairWithADensityAgainstTheMoreTrusted) {
   EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
 }
 
-TEST(Comparison, IsOfWhatIsNotOkToo) {
+TEST(Comparison, ContainsSolutionsThatAreNotOk) {
   const auto [axes, solutions, comparison] = MadeUp();
   ASSERT_EQ(solutions[1].status, transform::Status::inadmissible);
   EXPECT_EQ(comparison.marginals[1].solution, solutions[1].id());
 }
 
-TEST(Comparison, UsesTheSimulationsOwnHistogram) {
+TEST(Comparison, UsesTheHistogramOfTheSimulation) {
   const auto [axes, solutions, comparison] = MadeUp();
   const auto& own = solutions.back().estimated_marginals.front().second;
   const auto& used = comparison.marginals[6];
@@ -58,8 +58,8 @@ TEST(Comparison, UsesTheSimulationsOwnHistogram) {
   EXPECT_EQ(used.marginal.lower, own.lower);
 }
 
-// By rounding a discretised tail falls below 0. Of what is not `ok` that is what one wants to see.
-TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
+// Rounding makes a discretised tail negative. Solutions that are not ok keep the negative values.
+TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
   const auto axes = comparison_axes(tests::paper_case(1));
   auto solutions = tests::made_up_solutions(axes);
   const auto find = [](const std::vector<SolutionMarginal>& marginals, const std::string& id) {
@@ -86,27 +86,28 @@ TEST(Comparison, LeavesNoNegativeProbabilityInABinOfAnOk) {
   }
 }
 
-TEST(Comparison, IsOverEvenBinsWhereThoseAtASpikeAreDivided) {
+TEST(Comparison, UsesUniformBinsForDistances) {
   const auto axes = comparison_axes(tests::make_problem({.rate = 0.02}));
   ASSERT_GT(axes.divisions, 0);
   const auto comparison = compare_solutions(axes, tests::made_up_solutions(axes));
   const auto& one = comparison.marginals[0];
   const auto& other = comparison.marginals[2];
   ASSERT_EQ(one.variable, Variable::y);
-  EXPECT_EQ(one.marginal.edges, axes.y_edges);  // shown
+  EXPECT_EQ(one.marginal.edges, axes.y_edges);  // output keeps the divided bins
   const auto* pair = find_pair(comparison.pairs, one.solution, other.solution, Variable::y);
   ASSERT_NE(pair, nullptr);
-  EXPECT_EQ(pair->distances.l1, transform::l1(on_even_bins(axes, Variable::y, one.marginal),
-                                              on_even_bins(axes, Variable::y, other.marginal)));
+  EXPECT_EQ(pair->distances.l1,
+            transform::l1(merge_divided_bins(axes, Variable::y, one.marginal),
+                          merge_divided_bins(axes, Variable::y, other.marginal)));
 }
 
-TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
-  // Made with the same p(y), and with another p(y').
+TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
+  // Two solutions with the same p(y) and different p(y').
   std::vector<Solution> two;
   for (const double quartic : {0.0, 0.1}) {
     two.push_back(tests::solution(
         tests::identity(quartic > 0 ? "flat" : "normal", "fd", Equation::kf, Impact::map),
-        tests::smooth({2, 0, 2, quartic}, 5, 5)));
+        tests::smooth_density({2, 0, 2, quartic}, 5, 5)));
   }
   const auto pairs = compare_solutions(comparison_axes(tests::paper_case(1)), two).pairs;
   ASSERT_EQ(pairs.size(), 2u);
@@ -114,7 +115,7 @@ TEST(Comparison, IsOfTheMarginalOfTheVariableItNames) {
   EXPECT_GT(pairs[1].distances.l1, 1e-2);
 }
 
-TEST(Comparison, APairIsFoundFromBothSidesAndIsNoNumberWhereADensityIsNone) {
+TEST(Comparison, PairsAreSymmetricAndEmptyWithoutADensity) {
   auto made_up = MadeUp();
   const auto& pairs = made_up.comparison.pairs;
   EXPECT_EQ(l1_between(pairs, "mcs", "fd-kf", Variable::y),

@@ -23,7 +23,7 @@ Marginal normal(double mean, double deviation, int bins = 4000) {
   for (int k = 0; k <= bins; ++k) m.edges.push_back(-10 + 20.0 * k / bins);
   for (int k = 0; k < bins; ++k) {
     const double a = (m.edges[k] - mean) / deviation, b = (m.edges[k + 1] - mean) / deviation;
-    // The smaller of the two tails, else the difference of two numbers near 1 loses the far one.
+    // Differences of the smaller tail: the difference of two numbers near 1 would lose digits.
     const double p = a > 0 ? normal_cdf(-a) - normal_cdf(-b) : normal_cdf(b) - normal_cdf(a);
     m.density.push_back(p / (m.edges[k + 1] - m.edges[k]));
   }
@@ -94,7 +94,7 @@ TEST(Distances, ANegativeAverageCountsInL1AndIsZeroForTheDivergence) {
   EXPECT_NEAR(distances(b, a).kl, 1.1 * std::log(1.1) - 1.1 + 1, 1e-15);
 }
 
-TEST(Distances, OfWhatIsNotFiniteAreNotANumber) {
+TEST(Distances, OfNonFiniteDensitiesAreNaN) {
   const Marginal broken{{0, 1, 2}, {1, std::nan("")}, {}, {}}, b{{0, 1, 2}, {1, 0}, {}, {}};
   for (const auto& d : {distances(broken, b), distances(b, broken)}) {
     for (const double value : {d.l1, d.l2, d.sup, d.hellinger, d.kl}) {
@@ -104,7 +104,7 @@ TEST(Distances, OfWhatIsNotFiniteAreNotANumber) {
   }
 }
 
-TEST(Distances, OtherBinsOrAWrongShapeAreMisuse) {
+TEST(Distances, ThrowForDifferentBinsOrSizes) {
   const Marginal a{{0, 1, 2}, {1, 0}, {}, {}};
   EXPECT_THROW(distances(a, {{0, 1, 3}, {1, 0}, {}, {}}), std::invalid_argument);
   EXPECT_THROW(distances(a, {{0, 1, 2}, {1}, {}, {}}), std::invalid_argument);
@@ -112,7 +112,7 @@ TEST(Distances, OtherBinsOrAWrongShapeAreMisuse) {
 }
 
 TEST(TailDistance, IsTheMeanLogarithmByDecadesOfTheReference) {
-  // Bins of b in two decades; a is off by the factors 10, 100 and 1/10.
+  // Bins of b in two decades; a / b is 10, 100 and 1/10.
   const Marginal b{{0, 1, 2, 3, 4}, {0.5, 2e-3, 5e-3, 3e-8}, {}, {}};
   const Marginal a{{0, 1, 2, 3, 4}, {5, 2e-1, 5e-4, 1}, {}, {}};
   const auto tail = distances(a, b).log10_tail;
@@ -128,14 +128,14 @@ TEST(TailDistance, IsTheMeanLogarithmByDecadesOfTheReference) {
   EXPECT_NEAR(tail[5].from, 1e-6, 1e-21);
 }
 
-TEST(TailDistance, LeavesOutNoiseAndWhatHasNoLogarithmAndCountsThem) {
+TEST(TailDistance, OmitsAndCountsNoisyAndNonpositiveBins) {
   const std::vector<double> edges{0, 1, 2, 3};
   // Half-widths of 40 %, 60 % and 40 % of the reference.
   const Marginal b{edges, {0.5, 0.5, 0.5}, {0.3, 0.2, 0.3}, {0.7, 0.8, 0.7}};
   const auto tail = distances({edges, {0.05, 5, -1}, {}, {}}, b).log10_tail.front();
   EXPECT_NEAR(tail.mean_abs, 1, 1e-14);
   EXPECT_EQ(tail.bins, 1);
-  EXPECT_EQ(tail.left_out, 2);
+  EXPECT_EQ(tail.bins_omitted, 2);
 }
 
 TEST(ComparisonAxes, CoverSevenDeviationsWithAnEdgeAtZeroVelocity) {

@@ -26,11 +26,11 @@ std::string reference_id(const std::vector<Solution>& solutions) {
   return chosen == nullptr ? "none" : chosen->id();
 }
 
-TEST(Reference, IsTheSolutionOfTheProblemThatIsKnownBestByItsOwnAccount) {
+TEST(Reference, HasTheSmallestErrorEstimate) {
   auto solutions = made_up();
-  EXPECT_EQ(reference_id(solutions), "mcs");  // fd-kf says nothing of its error
+  EXPECT_EQ(reference_id(solutions), "mcs");  // fd-kf has no error estimate
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
-  EXPECT_EQ(reference_id(solutions), "fd-kf");  // the simulation is known to 0.0011, 0.0015
+  EXPECT_EQ(reference_id(solutions), "fd-kf");  // sampling errors of mcs: 0.0011, 0.0015
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-3};
   EXPECT_EQ(reference_id(solutions), "mcs");
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
@@ -38,13 +38,13 @@ TEST(Reference, IsTheSolutionOfTheProblemThatIsKnownBestByItsOwnAccount) {
   EXPECT_EQ(reference_id(solutions), "mcs");
 }
 
-TEST(Reference, IsTheMoreTrustedWhereNeitherSaysAnything) {
+TEST(Reference, IsTheMoreTrustedWithoutErrorEstimates) {
   auto solutions = made_up();
   find(solutions, "mcs").sampling.reset();
   EXPECT_EQ(reference_id(solutions), "mcs");
 }
 
-TEST(Reference, IsNoClosureNoFileAndOfNoOtherEquationOrImpact) {
+TEST(Reference, SolvesTheFullProblem) {
   auto solutions = made_up();
   std::erase_if(solutions, [](const Solution& s) { return s.id() == "fd-kf" || s.id() == "mcs"; });
   EXPECT_EQ(reference_id(solutions), "none");
@@ -61,31 +61,31 @@ TEST(Reference, IsNoClosureNoFileAndOfNoOtherEquationOrImpact) {
   EXPECT_EQ(reference_id(solutions), "fd-km4");
 }
 
-TEST(Reference, ClosuresAreRankedByItAndThoseWithinItsErrorAreNotToldApart) {
+TEST(Reference, RanksClosuresAndMarksIndistinguishableOnes) {
   auto solutions = made_up();
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
   const auto comparison = compare_solutions(comparison_axes(tests::paper_case(1)), solutions);
-  const auto ranks = closures_by_distance(solutions, comparison.pairs);
+  const auto ranks = closures_by_reference_distance(solutions, comparison.pairs);
   ASSERT_EQ(ranks.size(), 2u);  // n4 is inadmissible, n8 has no density
   EXPECT_EQ(ranks[0].solution->id(), "epc-gaussian-n6");
   EXPECT_EQ(ranks[1].solution->id(), "epc-gaussian-n2");
   EXPECT_EQ(ranks[0].y,
             l1_between(comparison.pairs, "fd-kf", "epc-gaussian-n6", transform::Variable::y));
   const Solution& measure = *reference(solutions);
-  EXPECT_FALSE(indistinguishable(ranks[0], ranks[1], measure));
-  Rank near = ranks[0];
-  near.y += 4.9e-5;  // both marginals together are known to 5e-5
-  EXPECT_TRUE(indistinguishable(ranks[0], near, measure));
+  EXPECT_FALSE(is_indistinguishable(ranks[0], ranks[1], measure));
+  ReferenceDistance near = ranks[0];
+  near.y += 4.9e-5;  // the error estimates of both marginals sum to 5e-5
+  EXPECT_TRUE(is_indistinguishable(ranks[0], near, measure));
   near.y += 0.2e-5;
-  EXPECT_FALSE(indistinguishable(ranks[0], near, measure));
+  EXPECT_FALSE(is_indistinguishable(ranks[0], near, measure));
 }
 
 TEST(Reference, IsStatedInWords) {
   auto solutions = made_up();
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
   EXPECT_EQ(reference_text(solutions),
-            "Reference: fd-kf, which is known best by its own account (L1 2e-05 in p(y), 3e-05 in "
-            "p(y')).");
+            "Reference: fd-kf, the solution with the smallest error estimate (L1 2e-05 in p(y), "
+            "3e-05 in p(y')).");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using transform::RestAtom;
 using transform::Variable;
 
-TEST(RestAtoms, OfDifferentWallsAreApartInYAndTogetherInVelocity) {
+TEST(RestAtoms, OfDifferentWallsDifferInYOnly) {
   const std::vector<RestAtom> left{{-0.5, 0.3}}, right{{0.5, 0.2}}, both{{-0.5, 0.1}, {0.5, 0.2}};
   EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::y), 0.5);
   EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::ydot), 0.1);
@@ -20,8 +20,8 @@ TEST(RestAtoms, OfDifferentWallsAreApartInYAndTogetherInVelocity) {
   EXPECT_EQ(atom_distance({}, {}, Variable::y), 0);
 }
 
-// The same density on half of the mass: what is left apart is the atom.
-TEST(RestAtoms, ArePartOfTheDistanceOfSolutions) {
+// Equal densities of mass 1/2: only the atoms differ.
+TEST(RestAtoms, ContributeToTheDistanceOfSolutions) {
   const ComparisonAxes axes{{0, 1, 2}, {-1, 0, 1}, 0};
   const auto solution = [](const char* id, double p0) {
     transform::Solution s;

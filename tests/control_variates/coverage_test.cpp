@@ -7,12 +7,12 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-/// Of `runs` runs, how many intervals of E[y^2] and of E[y'^2] hold the truth.
-int covered(const tests::PreparedCase& prepared, int runs) {
+/// Number of intervals of E[y^2] and E[y'^2] in `runs` runs that contain the exact value.
+int covered(const tests::PreparedCase& setup, int runs) {
   int count = 0;
   for (int seed = 1; seed <= runs; ++seed) {
-    const Result r = prepared.run(1e4, static_cast<std::uint64_t>(seed), 32);
-    const auto holds = [&](const Estimated& e, double truth) {
+    const Result r = setup.run(1e4, static_cast<std::uint64_t>(seed), 32);
+    const auto holds = [&](const EstimatePair& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
              r.estimates.interval_factor * e.controlled.standard_error;
     };
@@ -22,16 +22,17 @@ int covered(const tests::PreparedCase& prepared, int runs) {
   return count;
 }
 
-// Two intervals a run that go together: at worst 40 independent ones of 95 %, 38 expected with a
-// deviation of 1.4; fewer than 33 come in one of 2000 honest suites.
+// The two intervals of a run are correlated. In the worst case there are 40 independent 95 %
+// intervals: 38 expected with a deviation of 1.4. Fewer than 33 occur in one of 2000 correct
+// suites.
 constexpr int kRuns = 40, kFewest = 66;
 
-TEST(Coverage, OfTheIntervalsIsHonest) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
+TEST(Coverage, OfTheIntervalsIsNominal) { EXPECT_GE(covered(tests::case_1(), kRuns), kFewest); }
 
-TEST(Coverage, OfTheIntervalsIsHonestWithWrongControlFunctions) {
-  const int count = covered(tests::case_1().wrong_by(1.1), kRuns);
+TEST(Coverage, OfTheIntervalsIsNominalWithWrongControlFunctions) {
+  const int count = covered(tests::case_1().with_scaled_control(1.1), kRuns);
   EXPECT_GE(count, kFewest);
-  EXPECT_LT(count, 2 * kRuns);  // intervals that always hold would be too wide
+  EXPECT_LT(count, 2 * kRuns);  // no coverage of 100 %, which means too wide intervals
 }
 
 }  // namespace

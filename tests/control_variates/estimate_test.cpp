@@ -12,24 +12,24 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // places in kMoments
+constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // indices in kMoments
 
-void expect_true(const Estimated& e, double truth, double truth_error = 0) {
+void expect_true(const EstimatePair& e, double truth, double truth_error = 0) {
   EXPECT_GT(e.controlled.standard_error, 0);
   EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
 }
 
-double reduction(const Estimated& e) {
+double reduction(const EstimatePair& e) {
   return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
 }
 
-TEST(Controlled, MomentsOfCase1AreTrueAndLoseTheirNoise) {
+TEST(ControlVariates, ReducesTheVarianceInCase1) {
   const Result result = tests::case_1().run(2e5);
   expect_true(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
   expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
   EXPECT_GT(reduction(result.estimates.moments[kY2]), 1e8);
   EXPECT_GT(reduction(result.estimates.moments[kV2]), 1e8);
-  // L y = v: no noise at all.
+  // L y = v: the controlled estimate has no sampling error.
   EXPECT_LT(std::abs(result.estimates.moments[kV1].controlled.mean), 1e-10);
   EXPECT_GT(
       std::pow(result.estimates.v.plain_l1.expected / result.estimates.v.controlled_l1.expected, 2),
@@ -39,18 +39,19 @@ TEST(Controlled, MomentsOfCase1AreTrueAndLoseTheirNoise) {
       1e2);
 }
 
-TEST(Controlled, IsUnbiasedWithControlFunctionsThatAreWrong) {
-  // A tenth too large, a tenth of the noise is left; with 0 it is the plain estimate.
+TEST(ControlVariates, IsUnbiasedWithControlFunctionsThatAreWrong) {
+  // Control functions wrong by a tenth leave a tenth of the error; the factor 0 gives the plain
+  // estimate.
   for (const double factor : {1.1, 0.9, 0.0}) {
-    const Result result = tests::case_1().wrong_by(factor).run(2e5);
-    const Estimated& e = result.estimates.moments[kY2];
+    const Result result = tests::case_1().with_scaled_control(factor).run(2e5);
+    const EstimatePair& e = result.estimates.moments[kY2];
     expect_true(e, tests::kTrueY2, 1e-9);
     expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
     EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
   }
 }
 
-TEST(Controlled, AgreesWithTheExactLinearOscillator) {
+TEST(ControlVariates, AgreesWithTheExactLinearOscillator) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     SCOPED_TRACE(law);
     const tests::PreparedCase linear(tests::linear_problem({.law = law}));
@@ -62,11 +63,11 @@ TEST(Controlled, AgreesWithTheExactLinearOscillator) {
   }
 }
 
-TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
+TEST(ControlVariates, SmoothBinsAgreeWithTheExactLinearDensity) {
   const tests::PreparedCase linear(tests::linear_problem());
   const Result result = linear.run(2e5);
   const exact::LinearDensity density(linear.problem);
-  // Averages over fine bins, weighted by the spline at their middles: an error of second order.
+  // Averages over fine bins, weighted by the spline at their centres: an error of second order.
   const auto compare = [&](const BinEstimates& bins, double from, const auto& averages) {
     constexpr int kFine = 200;
     for (int b = 0; b < bins.bins.count; ++b) {
@@ -92,62 +93,63 @@ TEST(Controlled, SmoothBinsAgreeWithTheExactLinearDensity) {
   compare(result.estimates.v, -1e9, [&](const auto& e) { return density.velocity_averages(e); });
 }
 
-TEST(Controlled, HoldsForLossesRareImpulsesAndAMean) {
-  // Against the fit's own U, which knows nothing of the simulation.
+TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
+  // The reference is U of the fit, which is independent of the simulation.
   for (const tests::Parameters& p :
        {tests::Parameters{.restitution = 0.5}, tests::Parameters{.rate = 0.3},
         tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
     const tests::PreparedCase other(tests::make_problem(p));
     const Result result = other.run(1e5);
-    const Estimated& e = result.estimates.moments[kY2];
+    const EstimatePair& e = result.estimates.moments[kY2];
     EXPECT_GT(reduction(e), 1e4);
     EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
     EXPECT_TRUE(result.checks.failed().empty()) << result.checks.failed().front();
   }
 }
 
-TEST(Controlled, IsPlainWhereThereAreNoControlFunctions) {
-  const auto note = [](const problem::Problem& problem, mcs::Options options, Cells cells) {
+TEST(ControlVariates, IsPlainWithoutControlFunctions) {
+  const auto note = [](const problem::Problem& problem, mcs::Options options, ControlCells cells) {
     options.controlled = true;
     options.streams = 8;
     const auto solution = solve(problem, {.simulation = options, .cells = cells});
     EXPECT_TRUE(solution.smooth_estimates.empty());
     EXPECT_FALSE(solution.smooth_sampling);
-    return transform::word(solution.observations, "notes[0]").value_or("");
+    return transform::word(solution.metrics, "notes[0]").value_or("");
   };
-  const std::string not_taken = "the noise is not taken out (";
+  const std::string not_taken = "plain simulation without control variates: ";
   const auto problem = tests::paper_case(1);
   EXPECT_EQ(note(problem, {.equation = mcs::Equation::white, .time = 2e3}, {20, 40}),
-            not_taken + "control functions are those of the impulses, unsplit)");
+            not_taken + "control functions exist for impulses without splitting only");
   EXPECT_EQ(note(problem, {.time = 2e3, .tails = true}, {20, 40}),
-            not_taken + "control functions are those of the impulses, unsplit)");
+            not_taken + "control functions exist for impulses without splitting only");
   EXPECT_EQ(note(tests::make_problem({.rate = 100}), {.time = 20}, {3000, 40}),
-            not_taken + "the impulses are so small that it would take too much memory)");
+            not_taken + "impulses this small need too much memory");
 }
 
-// Fifteen polynomials cannot be tested by eight streams.
-TEST(Controlled, TestsTheGeneratorByAsManyStreamsAsThereAre) {
+// Eight streams are too few for Hotelling's test on 14 polynomials.
+TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
   const mcs::Options few{.time = 5e3, .streams = 8};
-  const auto solution = solve(tests::paper_case(1), {.simulation = few, .cells = Cells{20, 40}});
+  const auto solution =
+      solve(tests::paper_case(1), {.simulation = few, .cells = ControlCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
-  EXPECT_EQ(transform::number(solution.observations, "checks.generator.dimensions"), 4);
-  const double p = *transform::number(solution.observations, "checks.generator.p_value");
+  EXPECT_EQ(transform::number(solution.metrics, "checks.generator.dimensions"), 4);
+  const double p = *transform::number(solution.metrics, "checks.generator.p_value");
   EXPECT_GT(p, 0);
   EXPECT_LT(p, 1);
 }
 
-// Pushed away from the wall it never impacts: nothing is wrong with impacts that did not happen.
-TEST(Controlled, DoesWithoutImpacts) {
+// The mean of the impulses keeps the mass off the wall: checks of impacts pass without impacts.
+TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
   const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
-                                        .cells = Cells{20, 40}});
+                                        .cells = ControlCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
-  EXPECT_EQ(transform::number(solution.observations, "checks.impacts.restitution"), 0);
+  EXPECT_EQ(transform::number(solution.metrics, "checks.impacts.restitution"), 0);
 }
 
-// What is told of progress may be ended early: not while the fit would have to be waited for, which
-// here takes a hundred times as long as the simulation.
-TEST(Controlled, HasMadeProgressWhenItsFunctionsAreThere) {
+// A caller may end the simulation once the progress exceeds 0. The fit must be complete then; here
+// it takes a hundred times as long as the simulation.
+TEST(ControlVariates, ReportsProgressAfterTheFit) {
   const auto furthest = [](int threads) {
     double fraction = -1;
     solve(tests::paper_case(1), {.simulation = {.time = 2e3,
@@ -157,26 +159,26 @@ TEST(Controlled, HasMadeProgressWhenItsFunctionsAreThere) {
                                                     [&](const mcs::Progress& at) {
                                                       fraction = std::max(fraction, at.fraction);
                                                     }},
-                                 .cells = Cells{60, 120}});
+                                 .cells = ControlCells{60, 120}});
     return fraction;
   };
   EXPECT_EQ(furthest(2), 0);
   EXPECT_EQ(furthest(1), 1);
 }
 
-TEST(Controlled, DoesAllOfItInOneCall) {
+TEST(ControlVariates, SolvesInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::Options simulation{.time = 5e4, .streams = 32};
-  const auto solution = solve(problem, {.simulation = simulation, .cells = Cells{24, 48}});
+  const auto solution = solve(problem, {.simulation = simulation, .cells = ControlCells{24, 48}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
   const double error = solution.standard_errors->moments.y2;
   EXPECT_LT(error, 1e-6);
   EXPECT_NEAR(solution.moments.y2, tests::kTrueY2, 4 * error + 1e-9);
-  // The plain estimate beside it, and the histogram, are those of mcs alone at this step.
+  // The plain estimate and the histogram equal those of mcs alone with the same step.
   mcs::Options plain = simulation;
   plain.step = 0.5;
   const auto alone = mcs::solve(problem, plain).solution;
-  EXPECT_NEAR(*transform::number(solution.observations, "plain.moments.y2"), alone.moments.y2,
+  EXPECT_NEAR(*transform::number(solution.metrics, "plain.moments.y2"), alone.moments.y2,
               4 * alone.standard_errors->moments.y2);
   EXPECT_EQ(solution.estimated_marginals[0].second.density,
             alone.estimated_marginals[0].second.density);

@@ -20,8 +20,8 @@ TEST(Functionals, AreWhatTheDepositHolds) {
   grid.v_bins = functionals.v_bins;
   stream.sums.y_bins.assign(20, 0);
   stream.sums.v_bins.assign(20, 0);
-  stream.sums.y_bins[mcs::Deposit::kFrame + 3] = 2;
-  stream.sums.v_bins[mcs::Deposit::kFrame + 4] = 1;
+  stream.sums.y_bins[mcs::Deposit::kBinOffset + 3] = 2;
+  stream.sums.v_bins[mcs::Deposit::kBinOffset + 4] = 1;
   const auto means = functionals.means(stream);
   EXPECT_EQ(means[0], 1);   // y
   EXPECT_EQ(means[1], 3);   // y^2
@@ -31,9 +31,9 @@ TEST(Functionals, AreWhatTheDepositHolds) {
   EXPECT_EQ(means[5], 14);  // v^4
   EXPECT_EQ(means[6 + 3], 0.5);
   EXPECT_EQ(means[6 + 8 + 4], 0.25);
-  EXPECT_NEAR(functions[2].of_y(2) * functions[2].of_v(7), 16, 1e-12);
-  EXPECT_NEAR(functions[6 + 3].of_y(0.4), 2.0 / 3, 1e-15);
-  EXPECT_NEAR(functions[6 + 8 + 4].of_v(1), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(functions[2].y_factor(2) * functions[2].v_factor(7), 16, 1e-12);
+  EXPECT_NEAR(functions[6 + 3].y_factor(0.4), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(functions[6 + 8 + 4].v_factor(1), 2.0 / 3, 1e-15);
 }
 
 }  // namespace

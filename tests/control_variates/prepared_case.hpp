@@ -6,43 +6,43 @@
 
 namespace fpkcheck::tests {
 
-/// A problem with coarse control functions, made once.
+/// A problem with coarse control functions, which several tests share.
 struct PreparedCase {
   problem::Problem problem;
-  control_variates::Prepared prepared;
+  control_variates::ControlSetup setup;
 
-  explicit PreparedCase(problem::Problem p, control_variates::Cells cells = {30, 64})
+  explicit PreparedCase(problem::Problem p, control_variates::ControlCells cells = {30, 64})
       : problem(std::move(p)),
-        prepared(
-            control_variates::prepare(problem, control_variates::places(problem, cells),
-                                      mcs::make_plan(problem, mcs::Options{}).sampling_interval)) {}
+        setup(control_variates::make_control_setup(
+            problem, control_variates::deposit_layout(problem, cells),
+            mcs::make_plan(problem, mcs::Options{}).sampling_interval)) {}
 
   mcs::Options options(double time, std::uint64_t seed = 1, int streams = 64) const {
     mcs::Options o{.time = time, .seed = seed, .streams = streams, .step = 0.5};
-    o.deposit = prepared.places.grid;
+    o.deposit = setup.deposit_layout.grid;
     return o;
   }
-  /// @param simulated another problem than the one that the control functions know
+  /// @param simulated another problem than that of the control functions
   control_variates::Result run(const problem::Problem& simulated,
                                const mcs::Options& options) const {
-    return control_variates::combined(prepared, mcs::solve(simulated, options));
+    return control_variates::make_result(setup, mcs::solve(simulated, options));
   }
   control_variates::Result run(double time, std::uint64_t seed = 1, int streams = 64) const {
     return run(problem, options(time, seed, streams));
   }
-  /// The control functions off by a factor.
-  PreparedCase wrong_by(double factor) const {
+  /// A copy with all control functions multiplied by a factor.
+  PreparedCase with_scaled_control(double factor) const {
     PreparedCase other(*this);
-    other.prepared.control *= factor;
+    other.setup.control *= factor;
     return other;
   }
 };
 
 inline const PreparedCase& case_1() {
-  static const PreparedCase prepared(paper_case(1));
-  return prepared;
+  static const PreparedCase setup(paper_case(1));
+  return setup;
 }
 
-inline constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // of case 1, to 7e-10
+inline constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // case 1, error 7e-10
 
 }  // namespace fpkcheck::tests

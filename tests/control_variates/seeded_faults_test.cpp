@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "control_variates/solution.hpp"
-#include "mcs/deposit/deposit_lanes.hpp"
-#include "mcs/motion/start.hpp"
+#include "mcs/deposit/deposit_simd.hpp"
+#include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "prepared_case.hpp"
 
@@ -15,13 +15,13 @@ namespace {
 using Names = std::vector<std::string>;
 constexpr double kTime = 2e5;
 
-/// Simulated with a fault that the control functions know nothing of.
+/// Simulates another problem than that of the control functions.
 Result faulty(const tests::Parameters& parameters, double time = kTime) {
-  const auto& prepared = tests::case_1();
-  return prepared.run(tests::make_problem(parameters), prepared.options(time));
+  const auto& setup = tests::case_1();
+  return setup.run(tests::make_problem(parameters), setup.options(time));
 }
 
-/// Distance of E[y^2] from the truth in standard errors.
+/// Distance of E[y^2] from the exact value, in standard errors.
 double distance(const Result& result) {
   const auto& e = result.estimates.moments[1].controlled;
   return std::abs(e.mean - tests::kTrueY2) / e.standard_error;
@@ -31,7 +31,7 @@ bool has(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-TEST(Checks, FindNothingWhereNothingIsWrong) {
+TEST(Checks, PassWithoutFaults) {
   const Result result = tests::case_1().run(kTime);
   EXPECT_EQ(result.checks.failed(), Names{});
   EXPECT_LT(distance(result), 4);
@@ -40,8 +40,8 @@ TEST(Checks, FindNothingWhereNothingIsWrong) {
 TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
   const Result result = faulty({.damping = 0.1 * 1.001});
   EXPECT_EQ(result.checks.failed(), Names{"flights"});
-  EXPECT_EQ(result.checks.certainly_wrong(), Names{"flights"});
-  const auto solution = solution_of(Result(result));
+  EXPECT_EQ(result.checks.deterministic_failures(), Names{"flights"});
+  const auto solution = make_solution(Result(result));
   EXPECT_EQ(solution.status, transform::Status::failed);
   EXPECT_NE(solution.reason.find("flights"), std::string::npos);
   EXPECT_NEAR(result.checks.power, -1e-3, 1e-5);
@@ -55,16 +55,15 @@ TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
   EXPECT_GT(distance(result), 100);
 }
 
-TEST(Checks, FindALawThatTheControlFunctionsAreBlindTo) {
-  // The deviation off by 0.02, as the run is short: by 0.001 in one 400 times as long.
+TEST(Checks, DetectALawThatControlFunctionsCannotDetect) {
+  // A fault of 0.02 in the deviation, for a short run; a run 400 times as long detects 0.001.
   const Result result = faulty({.intensity = 0.1 * 1.02 * 1.02});
   EXPECT_TRUE(has(result.checks.failed(), "impulses"));
   EXPECT_FALSE(has(result.checks.failed(), "flights"));
-  // By chance too: said, and no more.
-  const auto solution = solution_of(Result(result));
+  // A statistical check gives a note, not a failure.
+  const auto solution = make_solution(Result(result));
   EXPECT_TRUE(solution.is_ok());
-  EXPECT_NE(transform::word(solution.observations, "notes[0]")->find("impulses"),
-            std::string::npos);
+  EXPECT_NE(transform::word(solution.metrics, "notes[0]")->find("impulses"), std::string::npos);
   EXPECT_GT(result.checks.mean_square, 4);
   EXPECT_LT(distance(result), 4);
 }
@@ -75,12 +74,12 @@ TEST(Checks, FindImpulsesThatComeTooOften) {
   EXPECT_GT(result.checks.rate, 4);
 }
 
-/// Flights and impacts of the simulation in a loop of its own, each impact located late.
+/// Flights and impacts in a separate loop, with every impact located late.
 mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Problem& problem,
                                 std::uint32_t s, double late, double time) {
   const mcs::Oscillator oscillator(problem.system);
   mcs::ImpulseSource source(problem.impulses, 5, s);
-  mcs::State state = mcs::folded_start(source, 0.65, 0.65);
+  mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
   mcs::Impulse next = source.next();
   mcs::StreamDeposit stream{.sums = mcs::Deposit(plan.grid)};
   double y_before = 0, until_sample = plan.sampling_interval / 2, remaining = time + 400;
@@ -96,7 +95,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
       state = {0, after};
     }
     const mcs::Flight flight(oscillator, state);
-    double span = std::min({flight.reach(0.5), next.waiting, remaining});
+    double span = std::min({flight.max_step(0.5), next.waiting, remaining});
     if (burns_in) span = std::min(span, remaining - time);
     mcs::State end = flight.at(span);
     if (end.y < 0 && state.y > 0) {
@@ -109,7 +108,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
       for (; until_sample < span; until_sample += plan.sampling_interval) {
         const auto [y, v] = flight.at(until_sample);
         mcs::deposit_sample(plan, stream.sums, std::max(y, 0.0), v,
-                            flight.own_acceleration(until_sample), 1);
+                            flight.polynomial_acceleration(until_sample), 1);
         for (std::size_t k = 0; k < mcs::kPowers.size(); ++k) {
           stream.powers[k] +=
               std::pow(y, mcs::kPowers[k].first) * std::pow(v, mcs::kPowers[k].second);
@@ -136,16 +135,16 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
 }
 
 TEST(Checks, FindImpactsLocatedLateByAMillionth) {
-  const auto& [problem, prepared] = tests::case_1();
+  const auto& [problem, setup] = tests::case_1();
   const mcs::Plan plan = mcs::make_plan(problem, tests::case_1().options(kTime));
   for (const double late : {0.0, 1e-6}) {
     std::vector<mcs::StreamDeposit> streams;
     for (std::uint32_t s = 0; s < 40; ++s) {
       streams.push_back(late_impacts(*plan.deposit, problem, s, late, 2000));
     }
-    const Eigen::MatrixXd generator = mean_generator(prepared, streams);
-    const Estimates estimates = combine(prepared, generator, streams);
-    const Checks judged = checks(prepared, generator, streams, estimates);
+    const Eigen::MatrixXd generator = generator_means(setup, streams);
+    const Estimates estimates = estimate_functionals(setup, generator, streams);
+    const Checks judged = checks(setup, generator, streams, estimates);
     EXPECT_EQ(judged.failed(), late > 0 ? Names{"wall"} : Names{});
     if (late > 0) {
       EXPECT_GT(judged.wall_distance, 1e-7);
@@ -155,8 +154,8 @@ TEST(Checks, FindImpactsLocatedLateByAMillionth) {
   }
 }
 
-TEST(HotellingTest, HasItsNominalOddsAndSeesAShiftedMean) {
-  // Rows of a fixed sequence of numbers that are nearly independent.
+TEST(HotellingTest, HasItsNominalLevelAndDetectsAShiftedMean) {
+  // Rows of a fixed, nearly independent sequence of numbers.
   Eigen::MatrixXd values(3, 40);
   std::uint64_t state = 1;
   const auto uniform = [&] {
@@ -167,16 +166,16 @@ TEST(HotellingTest, HasItsNominalOddsAndSeesAShiftedMean) {
   constexpr int kRuns = 400;
   for (int run = 0; run < kRuns; ++run) {
     for (double& x : values.reshaped()) x = uniform() + uniform() + uniform();
-    rejected += hotelling(values).p_value < 0.05;
+    rejected += hotelling_test(values).p_value < 0.05;
   }
   EXPECT_NEAR(rejected, 0.05 * kRuns, 4 * std::sqrt(0.05 * kRuns));
-  // Affine invariance, and a mean that is not 0.
-  const double before = hotelling(values).statistic;
+  // Affine invariance, and a nonzero mean.
+  const double before = hotelling_test(values).statistic;
   Eigen::MatrixXd mixed = values;
   mixed.row(0) = 1e6 * values.row(0) + values.row(1);
-  EXPECT_NEAR(hotelling(mixed).statistic, before, 1e-6 * before);
+  EXPECT_NEAR(hotelling_test(mixed).statistic, before, 1e-6 * before);
   values.array() += 0.5;
-  EXPECT_LT(hotelling(values).p_value, 1e-4);
+  EXPECT_LT(hotelling_test(values).p_value, 1e-4);
 }
 
 }  // namespace

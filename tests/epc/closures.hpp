@@ -7,7 +7,7 @@
 #include "epc/solve.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
-/// What the tests of all formulations share.
+/// Helpers for the tests of all formulations.
 namespace fpkcheck::tests {
 
 inline epc::Options closure(epc::Formulation formulation, int order,
@@ -23,7 +23,7 @@ inline Coefficients by_power(const epc::Summary& summary) {
   return result;
 }
 
-/// The coefficients in a scaled plane, where they are of comparable size.
+/// Coefficients in a scaled plane, where their magnitudes are comparable.
 inline Coefficients scaled_by_power(const epc::Summary& summary, double sigma1, double sigma2) {
   Coefficients table = by_power(summary);
   for (auto& [power, a] : table) {

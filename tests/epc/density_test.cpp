@@ -7,7 +7,7 @@
 #include "base/input_error.hpp"
 #include "closures.hpp"
 #include "epc/solve.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"
@@ -15,28 +15,28 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::Observations;
-using transform::Observer;
+using transform::MetricBuilder;
+using transform::Metrics;
 
 const transform::SmoothDensity& density_in(const Result& result) {
   return std::get<transform::SmoothDensity>(*result.solution.density);
 }
 
-// From what files keep of it: the values of the solver's own density, in and outside its support.
+// The closed form in files reproduces the solver's density inside and outside its support.
 void expect_the_same_density(const problem::Problem& problem, const Options& options) {
   const Result result = solve(problem, options);
   ASSERT_TRUE(result.solution.density) << result.solution.reason;
-  const auto form = closed_form_in(result.solution.observations);
+  const auto form = read_closed_form(result.solution.metrics);
   EXPECT_TRUE(is_normalised(form));
-  const auto& own = density_in(result);
+  const auto& solver_density = density_in(result);
   const auto again = density(form, &problem);
-  EXPECT_EQ(again.y_max, own.y_max);
-  EXPECT_EQ(again.v_max, own.v_max);
+  EXPECT_EQ(again.y_max, solver_density.y_max);
+  EXPECT_EQ(again.v_max, solver_density.v_max);
   double peak = 0;
   for (int i = 0; i <= 20; ++i) {
     for (int j = -20; j <= 20; ++j) {
-      const double y = 1.1 * own.y_max * i / 20, v = 1.1 * own.v_max * j / 20;
-      const double p = own.value(y, v);
+      const double y = 1.1 * solver_density.y_max * i / 20, v = 1.1 * solver_density.v_max * j / 20;
+      const double p = solver_density.value(y, v);
       EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << id(options) << ' ' << y << ' ' << v;
       peak = std::max(peak, p);
     }
@@ -54,7 +54,8 @@ TEST(ClosedForm, EvaluatesToTheSolversDensity) {
   expect_the_same_density(tests::paper_case(1), cut);
 }
 
-// Files have a solution in the coordinates of its frame, and say so: what is read back is physical.
+// Files store a solution in the coordinates of its frame, with the frame. The density read from
+// them is in physical coordinates.
 TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
   using problem::System;
   const auto impulses = tests::gaussian_impulses(1, 0.1);
@@ -71,22 +72,23 @@ TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
                  {.left = -0.5, .left_restitution = 0.9, .right = 1, .right_restitution = 0.8}),
           impulses)};
   for (const auto& physical : problems) {
-    const auto seen = tests::in_frame(physical);
+    const auto seen = tests::in_wall_coordinates(physical);
     const Result result = solve(seen, tests::closure(Formulation::moment, 4));
     ASSERT_TRUE(result.solution.density) << result.solution.reason;
-    const auto own = std::get<transform::SmoothDensity>(
-        transform::in_physical_coordinates(seen.frame, *result.solution.density));
-    const auto form = closed_form_in(result.solution.observations);
+    const auto solver_density = std::get<transform::SmoothDensity>(
+        transform::to_physical_coordinates(seen.frame, *result.solution.density));
+    const auto form = read_closed_form(result.solution.metrics);
     for (const auto* problem : {&physical, &seen}) {
       const auto again = density(form, problem);
-      EXPECT_EQ(again.y_min, own.y_min);
-      EXPECT_EQ(again.y_max, own.y_max);
-      const double width = own.y_max - own.y_min;
+      EXPECT_EQ(again.y_min, solver_density.y_min);
+      EXPECT_EQ(again.y_max, solver_density.y_max);
+      const double width = solver_density.y_max - solver_density.y_min;
       double peak = 0;
       for (int i = -2; i <= 22; ++i) {
         for (int j = -20; j <= 20; ++j) {
-          const double y = own.y_min + width * i / 20, v = 1.1 * own.v_max * j / 20;
-          const double p = own.value(y, v);
+          const double y = solver_density.y_min + width * i / 20,
+                       v = 1.1 * solver_density.v_max * j / 20;
+          const double p = solver_density.value(y, v);
           EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << y << ' ' << v;
           peak = std::max(peak, p);
         }
@@ -103,110 +105,117 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
         tests::gaussian_impulses(1, 0.1));
   };
   const Result result =
-      solve(tests::in_frame(of_gap(-0.5)), tests::closure(Formulation::moment, 4));
-  const auto form = closed_form_in(result.solution.observations);
+      solve(tests::in_wall_coordinates(of_gap(-0.5)), tests::closure(Formulation::moment, 4));
+  const auto form = read_closed_form(result.solution.metrics);
   const auto other = of_gap(-0.6);
   EXPECT_THROW(density(form, &other), InputError);
 }
 
 // exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
-Observer bell(const char* coordinates) {
-  Observer observer;
-  observer.text("coordinates", std::string(coordinates))
+MetricBuilder gaussian_form(const char* coordinates) {
+  MetricBuilder builder;
+  builder.text("coordinates", std::string(coordinates))
       .result("coefficients[0].x1", std::int64_t{2})
       .result("coefficients[0].x2", std::int64_t{0})
       .result("coefficients[0].a", -1 / (2 * kA * kA))
       .result("coefficients[1].x1", std::int64_t{0})
       .result("coefficients[1].x2", std::int64_t{2})
       .result("coefficients[1].a", -1 / (2 * kB * kB));
-  return observer;
+  return builder;
 }
-double exact_bell(double y, double v) {
+double exact_gaussian(double y, double v) {
   return std::exp(-y * y / (2 * kA * kA) - v * v / (2 * kB * kB)) / (M_PI * kA * kB);
 }
 
 TEST(ClosedForm, OfAGaussianIsThatGaussian) {
-  const auto expect_exact = [](Observer observer, double relative) {
-    const auto p = density(closed_form_in(observer.take()), nullptr);
+  const auto expect_exact = [](MetricBuilder builder, double relative) {
+    const auto p = density(read_closed_form(builder.take()), nullptr);
     for (const double y : {0.0, 0.3, 1.1}) {
       for (const double v : {-2.0, 0.0, 0.7}) {
-        EXPECT_NEAR(p.value(y, v) / exact_bell(y, v), 1, relative) << y << ' ' << v;
+        EXPECT_NEAR(p.value(y, v) / exact_gaussian(y, v), 1, relative) << y << ' ' << v;
       }
     }
   };
-  // Normalised by its constant, of the plane and of the half-plane.
-  expect_exact(bell("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(bell("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(bell("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
-  // Over a support: in it nearly all of the mass.
-  expect_exact(bell("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB), 1e-12);
-  expect_exact(bell("x1,x2").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
+  // Normalised by the constant: on the plane and on the half-plane.
+  expect_exact(gaussian_form("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
+  // Normalised over a support with nearly all of the mass.
+  expect_exact(gaussian_form("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB),
                1e-12);
-  expect_exact(bell("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB), 1e-12);
+  expect_exact(
+      gaussian_form("x1,x2").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
+      1e-12);
+  expect_exact(gaussian_form("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
+               1e-12);
 }
 
-// A box that begins below 0 holds all of the plane's Gaussian: half as high.
+// A box that begins below 0 contains the whole Gaussian of the plane, with half the density.
 TEST(ClosedForm, MayBeginBelowZero) {
-  const auto p = density(closed_form_in(bell("y,v")
-                                            .result("support.y_max", 8 * kA)
-                                            .result("support.y_min", -8 * kA)
-                                            .result("support.v_max", 8 * kB)
-                                            .take()),
+  const auto p = density(read_closed_form(gaussian_form("y,v")
+                                              .result("support.y_max", 8 * kA)
+                                              .result("support.y_min", -8 * kA)
+                                              .result("support.v_max", 8 * kB)
+                                              .take()),
                          nullptr);
-  EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_bell(0.3, 0.5) / 2), 1, 1e-12);
+  EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_gaussian(0.3, 0.5) / 2), 1, 1e-12);
   EXPECT_EQ(p.value(-8.1 * kA, 0), 0);
 }
 
 TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
-  const auto form = closed_form_in(bell("y,v").take());
+  const auto form = read_closed_form(gaussian_form("y,v").take());
   EXPECT_FALSE(is_normalised(form));
   EXPECT_DOUBLE_EQ(density(form, nullptr).value(0, 0), 1);
 }
 
-std::string refusal(Observer observer, const problem::Problem* problem = nullptr) {
+std::string error_message(MetricBuilder builder, const problem::Problem* problem = nullptr) {
   try {
-    density(closed_form_in(observer.take()), problem);
+    density(read_closed_form(builder.take()), problem);
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(ClosedForm, ThatIsNotWholeIsRefused) {
-  EXPECT_NE(refusal(Observer()).find("no \"coordinates\""), std::string::npos);
-  EXPECT_NE(refusal(bell("q,p")).find("'q,p' (must be \"x1,x2\""), std::string::npos);
-  EXPECT_NE(refusal(Observer().text("coordinates", std::string("y,v"))).find("no coefficients"),
+TEST(ClosedForm, ThatIsIncompleteIsRefused) {
+  EXPECT_NE(error_message(MetricBuilder()).find("no \"coordinates\""), std::string::npos);
+  EXPECT_NE(error_message(gaussian_form("q,p")).find("'q,p' (must be \"x1,x2\""),
             std::string::npos);
-  EXPECT_EQ(refusal(bell("y,v").result("C", -1.0)), "\"C\" is -1 (must be positive)");
-  EXPECT_NE(refusal(bell("y,v")
-                        .result("support.y_max", 1.0)
-                        .result("support.y_min", 2.0)
-                        .result("support.v_max", 1.0))
+  EXPECT_NE(error_message(MetricBuilder().text("coordinates", std::string("y,v")))
+                .find("no coefficients"),
+            std::string::npos);
+  EXPECT_EQ(error_message(gaussian_form("y,v").result("C", -1.0)),
+            "\"C\" is -1 (must be positive)");
+  EXPECT_NE(error_message(gaussian_form("y,v")
+                              .result("support.y_max", 1.0)
+                              .result("support.y_min", 2.0)
+                              .result("support.v_max", 1.0))
                 .find("must be below"),
             std::string::npos);
-  EXPECT_NE(refusal(bell("y,v").result("support.y_max", 1.0)).find("half a support"),
+  EXPECT_NE(error_message(gaussian_form("y,v").result("support.y_max", 1.0)).find("half a support"),
             std::string::npos);
-  EXPECT_NE(refusal(bell("y,v")
-                        .result("coefficients[2].x1", 0.5)
-                        .result("coefficients[2].x2", 0.0)
-                        .result("coefficients[2].a", 1.0))
+  EXPECT_NE(error_message(gaussian_form("y,v")
+                              .result("coefficients[2].x1", 0.5)
+                              .result("coefficients[2].x2", 0.0)
+                              .result("coefficients[2].a", 1.0))
                 .find("is 0.5 (must be an integer"),
             std::string::npos);
-  EXPECT_NE(refusal(bell("y,v")
-                        .result("coefficients[2].x1", 30.0)
-                        .result("coefficients[2].x2", 0.0)
-                        .result("coefficients[2].a", 1.0)
-                        .result("support.y_max", 9.0)
-                        .result("support.v_max", 9.0))
+  EXPECT_NE(error_message(gaussian_form("y,v")
+                              .result("coefficients[2].x1", 30.0)
+                              .result("coefficients[2].x2", 0.0)
+                              .result("coefficients[2].a", 1.0)
+                              .result("support.y_max", 9.0)
+                              .result("support.v_max", 9.0))
                 .find("integral over the support is inf"),
             std::string::npos);
-  // Amplitudes and energies are those of an oscillator.
-  EXPECT_NE(refusal(bell("amplitude,phase")).find("name its case"), std::string::npos);
-  EXPECT_NE(refusal(bell("y,v").result("support.energy", 1.0)).find("name its case"),
+  // Amplitudes and energies need an oscillator.
+  EXPECT_NE(error_message(gaussian_form("amplitude,phase")).find("name its case"),
+            std::string::npos);
+  EXPECT_NE(error_message(gaussian_form("y,v").result("support.energy", 1.0)).find("name its case"),
             std::string::npos);
   const auto problem = tests::paper_case(1);
-  EXPECT_EQ(refusal(bell("amplitude,phase"), &problem), "accepted");
+  EXPECT_EQ(error_message(gaussian_form("amplitude,phase"), &problem), "accepted");
 }
 
 }  // namespace

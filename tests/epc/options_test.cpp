@@ -12,8 +12,8 @@
 namespace fpkcheck::epc {
 namespace {
 
-// In everything other than by default.
-Options changed() {
+// Every option differs from its default.
+Options non_default_options() {
   return {.order = 10,
           .formulation = Formulation::moment,
           .monomials = MonomialSet::general,
@@ -25,7 +25,7 @@ Options changed() {
           .max_seconds = 5};
 }
 
-// All that may be asked for by a name and an order.
+// All options that an id with an order can express.
 std::vector<Options> named_options() {
   std::vector<Options> list;
   for (const int order : {2, 12}) {
@@ -45,7 +45,7 @@ std::vector<Options> named_options() {
   return list;
 }
 
-std::string refusal(const Options& options) {
+std::string error_message(const Options& options) {
   try {
     validate(options);
   } catch (const InputError& error) {
@@ -54,8 +54,8 @@ std::string refusal(const Options& options) {
   return "";
 }
 
-TEST(ClosureOptions, ComeBackFromTheirValues) {
-  const auto values = description().values(changed()), usual = description().values({});
+TEST(ClosureOptions, SurviveARoundTripThroughTheirValues) {
+  const auto values = description().values(non_default_options()), usual = description().values({});
   EXPECT_EQ(description().values(description().read(values, "options")), values);
   EXPECT_EQ(description().values(description().read(usual, "options")), usual);
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
@@ -99,10 +99,10 @@ TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
   EXPECT_EQ(id({.formulation = Formulation::polar}), "epc-polar-n6");
 }
 
-TEST(ClosureOptions, ComeBackFromTheirId) {
+TEST(ClosureOptions, SurviveARoundTripThroughTheirId) {
   std::set<std::string> ids;
   for (const Options& options : named_options()) {
-    EXPECT_EQ(refusal(options), "");
+    EXPECT_EQ(error_message(options), "");
     ids.insert(id(options));
     const auto again = options_of(id(options));
     ASSERT_TRUE(again.has_value()) << id(options);
@@ -122,7 +122,7 @@ TEST(ClosureOptions, AnIdThatIsNoClosuresHasNone) {
                             "epc-polar-cut-n6", "epc-spherical-n6", "fd-kf-n6", "mcs"}) {
     EXPECT_FALSE(options_of(other).has_value()) << other;
   }
-  EXPECT_EQ(options_of("epc-gaussian-n7")->order, 7);  // validate has to refuse it
+  EXPECT_EQ(options_of("epc-gaussian-n7")->order, 7);  // validate() refuses the order
 }
 
 TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
@@ -134,60 +134,61 @@ TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
   EXPECT_EQ(gaussian.equation, Equation::km4);
   EXPECT_EQ(gaussian.impact, Impact::delta);
   EXPECT_EQ(gaussian.role, transform::Role::closure);
-  const auto cut = identity(changed());
+  const auto cut = identity(non_default_options());
   EXPECT_EQ(cut.id, "epc-moment-cut-white-n10");
   EXPECT_EQ(cut.formulation, "moment-cut-white");
   EXPECT_EQ(cut.equation, Equation::white);
   EXPECT_EQ(cut.impact, Impact::map);
 }
 
-TEST(ClosureOptions, AreRefusedWithOneLine) {
+TEST(ClosureOptions, HaveErrorsOfOneLine) {
   for (const int order : {-2, 0, 1, 3, 7, 14, 100}) {
-    const std::string message = refusal({.order = order});
+    const std::string message = error_message({.order = order});
     EXPECT_NE(message.find("epc order = " + std::to_string(order) +
                            " (must be an even number from 2 to 12"),
               std::string::npos)
         << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
-  EXPECT_NE(refusal({.tolerance = 0}), "");
-  EXPECT_NE(refusal({.accuracy = 0}), "");
-  EXPECT_NE(refusal({.tolerance = std::nan("")}), "");
-  EXPECT_NE(refusal({.max_iterations = 0}), "");
+  EXPECT_NE(error_message({.tolerance = 0}), "");
+  EXPECT_NE(error_message({.accuracy = 0}), "");
+  EXPECT_NE(error_message({.tolerance = std::nan("")}), "");
+  EXPECT_NE(error_message({.max_iterations = 0}), "");
 }
 
 TEST(ClosureOptions, EveryEvenOrderUpToTheGreatestIsAllowed) {
   for (const auto& [formulation, name, meaning] : kFormulationNames) {
     for (int order = 2; order <= greatest_order(formulation); order += 2) {
-      EXPECT_EQ(refusal({.order = order, .formulation = formulation}), "") << name << order;
+      EXPECT_EQ(error_message({.order = order, .formulation = formulation}), "") << name << order;
     }
-    EXPECT_NE(refusal({.order = greatest_order(formulation) + 2, .formulation = formulation}), "");
+    EXPECT_NE(error_message({.order = greatest_order(formulation) + 2, .formulation = formulation}),
+              "");
   }
 }
 
 TEST(ClosureOptions, WhatAFormulationCannotSolveIsRefused) {
-  EXPECT_NE(refusal({.equation = Equation::km4_pade}).find("epc equation = km4-pade"),
+  EXPECT_NE(error_message({.equation = Equation::km4_pade}).find("epc equation = km4-pade"),
             std::string::npos);
   for (const auto equation : {Equation::km4, Equation::km4_pade}) {
-    EXPECT_NE(refusal({.formulation = Formulation::moment, .equation = equation}), "");
+    EXPECT_NE(error_message({.formulation = Formulation::moment, .equation = equation}), "");
   }
   for (const auto equation : {Equation::white, Equation::km4, Equation::km4_pade}) {
-    EXPECT_NE(refusal({.formulation = Formulation::polar, .equation = equation}), "");
+    EXPECT_NE(error_message({.formulation = Formulation::polar, .equation = equation}), "");
   }
 }
 
 TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
   for (const auto formulation : {Formulation::gaussian, Formulation::polar}) {
-    EXPECT_NE(refusal({.formulation = formulation, .tail = Tail::cut}).find("epc tail = cut"),
+    EXPECT_NE(error_message({.formulation = formulation, .tail = Tail::cut}).find("epc tail = cut"),
               std::string::npos);
   }
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {
-    EXPECT_NE(refusal({.formulation = formulation, .monomials = MonomialSet::general})
+    EXPECT_NE(error_message({.formulation = formulation, .monomials = MonomialSet::general})
                   .find("epc monomials = general"),
               std::string::npos);
   }
-  EXPECT_EQ(refusal({.formulation = Formulation::moment, .tail = Tail::cut}), "");
-  EXPECT_EQ(refusal({.monomials = MonomialSet::general}), "");
+  EXPECT_EQ(error_message({.formulation = Formulation::moment, .tail = Tail::cut}), "");
+  EXPECT_EQ(error_message({.monomials = MonomialSet::general}), "");
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 #include "epc/form/polynomial.hpp"
 #include "epc/form/rays.hpp"
 
-/// Exponents in a plane whose axes have deviations of their own.
+/// Exponents in a plane with a different deviation for each axis.
 namespace fpkcheck::tests {
 
 inline const epc::Deviations kSigma{0.5, 2.0};
 
-/// A polynomial of u = x1/sigma_1 and w = x2/sigma_2.
+/// Polynomial of u = x1/sigma_1 and w = x2/sigma_2.
 inline epc::Polynomial scaled(std::vector<epc::Term> terms) {
   for (auto& [p, q, a] : terms) a /= std::pow(kSigma.x1, p) * std::pow(kSigma.x2, q);
   return epc::Polynomial(terms);

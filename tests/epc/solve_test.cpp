@@ -9,7 +9,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-TEST(Closure, NamesWhatWasSolved) {
+TEST(Closure, HasTheIdentityOfItsOptions) {
   const auto p = tests::paper_case(1);
   for (const auto& [formulation, name, meaning] : kFormulationNames) {
     const Options options = tests::closure(formulation, 4);
@@ -17,20 +17,20 @@ TEST(Closure, NamesWhatWasSolved) {
     EXPECT_EQ(solution.identity, identity(options)) << name;
     EXPECT_EQ(solution.id(), id(options));
     EXPECT_GT(solution.seconds, 0);
-    EXPECT_EQ(solution.observations, observations(summary, solution.moments));
+    EXPECT_EQ(solution.metrics, metrics(summary, solution.moments));
   }
 }
 
-// Not a density's, where there is none.
-TEST(Closure, NamesWhatWasNotSolvedToo) {
+// Without a root the solution has an identity and no density.
+TEST(Closure, NamesAProblemWithoutARoot) {
   const auto solution = solve(tests::paper_case(1), {.order = 8}).solution;
   EXPECT_EQ(solution.status, transform::Status::not_converged);
   EXPECT_EQ(solution.id(), "epc-gaussian-n8");
   EXPECT_FALSE(solution.density.has_value());
 }
 
-// Rare impulses and strong losses, where the search is long: it ends, and says why.
-TEST(Closure, GivesUpWhenItIsTime) {
+// Rare impulses and strong losses make the search long: it ends at the deadline with a reason.
+TEST(Closure, EndsAtTheDeadline) {
   const auto p = tests::make_problem({.restitution = 0.6, .rate = 0.05});
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {
     Options options = tests::closure(formulation, 8);

@@ -14,35 +14,35 @@ namespace {
 
 using transform::find;
 using transform::Kind;
-using transform::Observations;
+using transform::Metrics;
 using transform::word;
 
-double number_at(const Observations& observations, std::string_view path) {
-  return transform::number(observations, path).value();
+double number_at(const Metrics& metrics, std::string_view path) {
+  return transform::number(metrics, path).value();
 }
 
-Observations observed(int number, const Options& options) {
-  return solve(tests::paper_case(number), options).solution.observations;
+Metrics solved_metrics(int number, const Options& options) {
+  return solve(tests::paper_case(number), options).solution.metrics;
 }
 
-// The members of the outermost object, in order.
-std::vector<std::string> outermost(const Observations& observations) {
+// Names of the members of the top-level object, in order.
+std::vector<std::string> top_level_names(const Metrics& metrics) {
   std::vector<std::string> names;
-  for (const auto& observation : observations) {
+  for (const auto& observation : metrics) {
     const std::string name = observation.path.substr(0, observation.path.find_first_of(".["));
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   return names;
 }
 
-bool is_nothing(const Observations& observations, const char* path) {
-  const auto* found = find(observations, path);
-  return found != nullptr && base::is_nothing(found->value);
+bool is_unset(const Metrics& metrics, const char* path) {
+  const auto* found = find(metrics, path);
+  return found != nullptr && base::is_unset(found->value);
 }
 
 TEST(ClosureSummary, OfTheFormulationGaussianHasTheFieldsOfTheFiles) {
-  const Observations seen = observed(2, {.order = 6});
-  EXPECT_EQ(outermost(seen),
+  const Metrics seen = solved_metrics(2, {.order = 6});
+  EXPECT_EQ(top_level_names(seen),
             (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
                                       "coordinates", "log_C", "coefficients", "support",
                                       "leading_form", "distance_to_previous", "balances",
@@ -60,16 +60,16 @@ TEST(ClosureSummary, OfTheFormulationGaussianHasTheFieldsOfTheFiles) {
   EXPECT_GT(number_at(seen, "support.rises_from"), 4);
   EXPECT_LT(number_at(seen, "support.cut_off"), 1e-8);
   EXPECT_LT(number_at(seen, "distance_to_previous"), 0.05);
-  EXPECT_TRUE(is_nothing(seen, "branch"));
-  EXPECT_TRUE(is_nothing(seen, "disc_sensitivity"));
+  EXPECT_TRUE(is_unset(seen, "branch"));
+  EXPECT_TRUE(is_unset(seen, "disc_sensitivity"));
 }
 
-TEST(ClosureSummary, WithoutARootSaysHowFarTheBranchCame) {
-  const Observations seen = observed(1, {.order = 8});
-  EXPECT_TRUE(is_nothing(seen, "support"));
-  EXPECT_TRUE(is_nothing(seen, "leading_form"));
-  EXPECT_TRUE(is_nothing(seen, "coefficients[]"));
-  EXPECT_TRUE(is_nothing(seen, "condition"));
+TEST(ClosureSummary, WithoutARootStatesTheEndOfTheBranch) {
+  const Metrics seen = solved_metrics(1, {.order = 8});
+  EXPECT_TRUE(is_unset(seen, "support"));
+  EXPECT_TRUE(is_unset(seen, "leading_form"));
+  EXPECT_TRUE(is_unset(seen, "coefficients[]"));
+  EXPECT_TRUE(is_unset(seen, "condition"));
   EXPECT_EQ(word(seen, "branch.end"), "white_noise");
   EXPECT_NEAR(number_at(seen, "branch.furthest"), 0.65475, 1e-5);
   EXPECT_EQ(number_at(seen, "branch.points[0].fraction"), 0);
@@ -81,22 +81,22 @@ TEST(ClosureSummary, WithoutARootSaysHowFarTheBranchCame) {
 }
 
 TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
-  const Observations seen = observed(1, tests::closure(Formulation::moment, 4));
-  EXPECT_EQ(outermost(seen),
+  const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, 4));
+  EXPECT_EQ(top_level_names(seen),
             (std::vector<std::string>{"order", "formulation", "iterations", "residual", "condition",
                                       "coordinates", "log_C", "coefficients", "support",
                                       "leading_form", "distance_to_previous", "balances", "tail",
                                       "quadrature_change", "homotopies"}));
   EXPECT_EQ(word(seen, "formulation"), "moment");
   EXPECT_EQ(word(seen, "tail.kind"), "confined");
-  // Of the exponent with its confinement, which holds down a Q_n that rises.
+  // Leading form of the exponent with its confinement; Q_n alone rises.
   EXPECT_EQ(word(seen, "leading_form"), "negative");
   EXPECT_EQ(word(seen, "tail.polynomial_leading_form"), "indefinite");
   EXPECT_EQ(number_at(seen, "homotopies"), 0);
 }
 
 TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
-  const Observations seen = observed(1, tests::closure(Formulation::polar, 4));
+  const Metrics seen = solved_metrics(1, tests::closure(Formulation::polar, 4));
   for (const char* path : {"iterations", "residual", "condition", "support.worst_direction.x1",
                            "support.worst_direction.x2", "quadrature_change", "homotopies"}) {
     EXPECT_EQ(find(seen, path)->kind, Kind::work) << path;
@@ -108,32 +108,32 @@ TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
 
 TEST(ClosureSummary, TheEdgeIsDelicateUnlessThePathDecides) {
   const auto edge = [](int order) {
-    const Observations seen = observed(1, tests::closure(Formulation::moment, order));
+    const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, order));
     EXPECT_EQ(find(seen, "support.cut_off")->kind, find(seen, "support.edge_density")->kind);
     return *find(seen, "support.edge_density");
   };
   EXPECT_EQ(edge(8).kind, Kind::result);
-  EXPECT_TRUE(edge(8).delicate);
-  EXPECT_EQ(edge(8).least_scale, 1e-6);
+  EXPECT_TRUE(edge(8).is_rounding_sensitive);
+  EXPECT_EQ(edge(8).min_scale, 1e-6);
   EXPECT_EQ(edge(10).kind, Kind::work);
 }
 
-// A coefficient that changes the density nowhere by more than 1e-14 of its peak is judged as if it
-// did by that much: max |u|^2 exp(-u^2/2) = 2/e.
+// The scale of a coefficient corresponds to a change of the density of at least 1e-14 of its peak:
+// max |u|^2 exp(-u^2/2) = 2/e.
 TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
   Summary summary{.order = 8, .formulation = Formulation::moment};
   summary.coefficients = {{2, 0, -0.5}, {1, 2, 0.1}, {0, 4, 1e-9}};
   const transform::Moments moments{.y2 = 4, .v2 = 0.25};
   const auto scale = [&](const char* path) {
-    const auto seen = observations(summary, moments);
+    const auto seen = metrics(summary, moments);
     EXPECT_EQ(find(seen, path)->kind, Kind::coefficient);
-    return find(seen, path)->least_scale * 50e-8;
+    return find(seen, path)->min_scale * 50e-8;
   };
   const double e = std::exp(1.0);
   EXPECT_NEAR(scale("coefficients[0].a"), 1e-14 / (4 * 2 / e), 1e-24);
   EXPECT_NEAR(scale("coefficients[1].a"), 1e-14 / (2 * 0.25 * std::sqrt(1 / e) * 2 / e), 1e-24);
   EXPECT_NEAR(scale("coefficients[2].a"), 1e-14 / (0.0625 * 16 / e / e), 1e-24);
-  summary.order = 10;  // the quadrature follows the path of the search
+  summary.order = 10;  // the quadrature points depend on the path of the search
   EXPECT_NEAR(scale("coefficients[0].a"), 3e-9 / (4 * 2 / e), 1e-18);
   summary.formulation = Formulation::polar;
   EXPECT_NEAR(scale("coefficients[0].a"), 1e-14 / (4 * 2 / e), 1e-24);

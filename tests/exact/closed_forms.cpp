@@ -14,7 +14,7 @@ namespace {
 
 void require_elastic(const problem::Problem& problem) {
   if (problem.system.restitution() != 1) {
-    throw InputError("no exact density is known with losses at the impact (restitution < 1)");
+    throw InputError("restitution < 1: no exact density is known for impacts with losses");
   }
 }
 
@@ -31,7 +31,7 @@ WhiteNoiseDensity::WhiteNoiseDensity(const problem::Problem& problem)
 }
 
 double WhiteNoiseDensity::operator()(double x1, double x2) const {
-  // The two halves of the (z, z') plane carry the same mass.
+  // The two halves of the (z, z') plane have equal mass.
   return displacement_marginal(std::abs(x1)) * velocity_marginal(x2) / 2;
 }
 
@@ -51,40 +51,40 @@ double mean_square_velocity(const problem::Problem& problem) {
 double linear_cumulant(const problem::Problem& problem, int p, int q) {
   require_elastic(problem);
   const double c = problem.system.damping();
-  // The frequency squared; below 0 that of a creeping motion.
+  // The squared frequency; negative for overdamped motion.
   const double w2 = problem.system.stiffness() - c * c / 4;
-  const bool folded = problem.system.left() || problem.system.right();
+  const bool has_wall = problem.system.left() || problem.system.right();
   const auto& impulses = problem.impulses;
   const bool symmetric = impulses.rate_moment(1) == 0 && impulses.law().symmetric();
-  if (!problem.system.linear() || problem.system.stiffness() <= 0 || (folded && !symmetric)) {
+  if (!problem.system.linear() || problem.system.stiffness() <= 0 || (has_wall && !symmetric)) {
     throw InputError(
-        "the exact cumulants hold for a linear oscillator, with a wall under a symmetric law only");
+        "no exact cumulants: requires a linear oscillator, and a symmetric law if there is a wall");
   }
   const double w = std::sqrt(std::abs(w2));
-  const double slowest = w2 < 0 ? problem.system.stiffness() / (c / 2 + w) : c / 2;
+  const double slowest_rate = w2 < 0 ? problem.system.stiffness() / (c / 2 + w) : c / 2;
   const auto response = [&](double t) {
-    // e^(-ct/2) times sin(wt)/w and cos(wt), or the same of the hyperbolic functions, or t and 1.
+    // e^(-ct/2) times sin(wt)/w and cos(wt); sinh and cosh if overdamped; t and 1 if critical.
     double sine = std::exp(-c * t / 2) * t, cosine = std::exp(-c * t / 2);
     if (w2 > 0) {
       sine = std::exp(-c * t / 2) * std::sin(w * t) / w;
       cosine *= std::cos(w * t);
     } else if (w2 < 0) {
-      const double slow = std::exp(-slowest * t), fast = std::exp(-(c / 2 + w) * t);
+      const double slow = std::exp(-slowest_rate * t), fast = std::exp(-(c / 2 + w) * t);
       sine = (slow - fast) / (2 * w);
       cosine = (slow + fast) / 2;
     }
     return std::pow(sine, p) * std::pow(cosine - c / 2 * sine, q);
   };
-  // One Gauss-Legendre panel per half turn or the shortest decay time, until
-  // exp(-(p+q) slowest t) is below 1e-18.
+  // A Gauss-Legendre panel for each half-cycle or shortest decay time, until
+  // exp(-(p+q) slowest_rate t) is below 1e-18.
   const double panel = w2 > 0 ? std::min(std::numbers::pi / w, 2 / c) : 1 / (c / 2 + w);
-  const double t_end = 41.5 / (slowest * (p + q));
+  const double t_end = 41.5 / (slowest_rate * (p + q));
   double integral = 0;
   for (double t = 0; t < t_end; t += panel) {
     integral += boost::math::quadrature::gauss<double, 30>::integrate(response, t, t + panel);
   }
-  const double of_noise = p + q == 2 ? problem.noise.intensity : 0;
-  return (problem.impulses.rate_moment(p + q) + of_noise) * integral;
+  const double noise_intensity = p + q == 2 ? problem.noise.intensity : 0;
+  return (problem.impulses.rate_moment(p + q) + noise_intensity) * integral;
 }
 
 }  // namespace fpkcheck::exact

@@ -35,7 +35,7 @@ TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
   EXPECT_NEAR(residual, 0.0, 1e-6);
 }
 
-TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
+TEST(Exact, WhiteNoiseDensityMeetsTheEnergyBalance) {
   const Problem p = tests::make_problem({.restitution = 1});
   const WhiteNoiseDensity density(p);
   const double v2 =
@@ -47,7 +47,7 @@ TEST(Exact, WhiteNoiseDensityKeepsTheEnergyBalance) {
       0.0, 1e-12);
 }
 
-TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
+TEST(Exact, EnergyResidualUsesTheImpactCondition) {
   const Problem p = tests::make_problem({.restitution = 0.8});
   const EnergyTerms terms{
       .mean_velocity = 0, .mean_square_velocity = 0.3, .impact_energy_flux = 0.05};
@@ -57,18 +57,18 @@ TEST(Exact, EnergyResidualCountsTheImpactAccordingToItsKind) {
   EXPECT_NEAR(energy_residual(p, Impact::delta, terms), (0.05 - 0.040) / 0.05, 1e-14);
 }
 
-TEST(Exact, LinearCumulantsGiveTheFourthMomentsOfTheTheoryNotes) {
+TEST(Exact, LinearCumulantsAgreeWithKnownFourthMoments) {
   const Problem p = tests::make_problem({.cubic = 0, .restitution = 1});
   const double x2 = linear_cumulant(p, 2, 0), v2 = linear_cumulant(p, 0, 2);
   EXPECT_NEAR(x2, 0.5, 1e-12);  // lambda E[Y^2] / (2 c k)
   EXPECT_NEAR(v2, 0.5, 1e-12);
   EXPECT_NEAR(linear_cumulant(p, 1, 1), 0.0, 1e-12);
   EXPECT_NEAR(linear_cumulant(p, 4, 0) + 3 * x2 * x2, 0.8058313, 5e-8);
-  // (The notes give 0.8063895; the integral of h'^4, done by hand, ends in ...896.)
+  // The theory notes have 0.8063895; the integral of h'^4 by hand ends in ...896.
   EXPECT_NEAR(linear_cumulant(p, 0, 4) + 3 * v2 * v2, 0.8063896, 5e-8);
 }
 
-// About a mean, and of a skew law without a wall: the cumulants of each power of the impulse.
+// Without a wall, the cumulants of a skew law contain its odd moments.
 TEST(Exact, LinearCumulantsOfASkewLawHaveItsOddMoments) {
   const auto solved = [](double skewness) {
     return Problem{"linear", System({.damping = 0.1, .stiffness = 1}, {.none = true}),
@@ -96,7 +96,7 @@ TEST(Exact, LinearCumulantsHoldUpToCriticalDamping) {
   EXPECT_NEAR(linear_cumulant(p, 0, 2), 0.1 / (2 * 1.9999), 1e-12);
 }
 
-// kappa_n of y by partial fractions, h = (e^-bt - e^-at) / (a - b).
+// Reference: kappa_n of y by partial fractions, with h = (e^-bt - e^-at) / (a - b).
 TEST(Exact, LinearCumulantsHoldBeyondCriticalDamping) {
   const Problem p = tests::make_problem({.damping = 2.5, .cubic = 0, .restitution = 1, .rate = 3});
   const double a = 2, b = 0.5, square = 1 / (2 * a) + 1 / (2 * b) - 2 / (a + b);
@@ -107,7 +107,7 @@ TEST(Exact, LinearCumulantsHoldBeyondCriticalDamping) {
       1 / (4 * b) - 4 / (3 * b + a) + 6 / (2 * a + 2 * b) - 4 / (3 * a + b) + 1 / (4 * a);
   EXPECT_NEAR(linear_cumulant(p, 4, 0), p.impulses.rate_moment(4) * fourth / std::pow(a - b, 4),
               1e-12);
-  // On either side of c^2 = 4k, and at it: int (t e^-t)^4 dt = 4!/4^5.
+  // On both sides of c^2 = 4k, and at it: int (t e^-t)^4 dt = 4!/4^5.
   const auto near = [](double damping) {
     return linear_cumulant(
         tests::make_problem({.damping = damping, .cubic = 0, .restitution = 1, .rate = 3}), 4, 0);
@@ -119,7 +119,7 @@ TEST(Exact, LinearCumulantsHoldBeyondCriticalDamping) {
 TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
   const Problem p = tests::make_problem({.cubic = 0, .restitution = 1, .mean = 0.1});
   const WhiteNoiseDensity density(p);
-  // A normal about lambda E[Y] / k with variance D2/(c k) = 0.5, cut at the wall.
+  // A normal density with mean lambda E[Y] / k and variance D2/(c k) = 0.5, truncated at the wall.
   EXPECT_NEAR(density.displacement_marginal(0.3) / density.displacement_marginal(1.2),
               std::exp((1.1 * 1.1 - 0.2 * 0.2) / (2 * 0.5)), 1e-10);
   EXPECT_NEAR(static_deflection(p), 0.1, 1e-14);
@@ -128,7 +128,7 @@ TEST(Exact, WhiteNoiseWithAMeanShiftsTheDensityByTheStaticDeflection) {
 TEST(Exact, RefusesProblemsWithoutAnExactSolution) {
   EXPECT_THROW(WhiteNoiseDensity{tests::make_problem()}, InputError);
   EXPECT_THROW(linear_cumulant(tests::make_problem({.restitution = 1}), 2, 0), InputError);
-  // A wall folds the plane: |z| of a skew law is not y.
+  // With a wall, y is not |z| under a skew law.
   EXPECT_THROW(linear_cumulant(
                    tests::make_problem({.cubic = 0, .restitution = 1, .law = "exponential"}), 2, 0),
                InputError);

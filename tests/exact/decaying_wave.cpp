@@ -6,12 +6,12 @@ namespace fpkcheck::exact {
 
 using std::numbers::pi;
 
-double DecayingWave::half_turn() const { return pi / frequency; }
+double DecayingWave::half_period() const { return pi / frequency; }
 
 double DecayingWave::first_zero() const { return (pi - phase) / frequency; }
 
 double DecayingWave::peak() const {
-  // The derivative vanishes where tan(w t + phase) = 2 w / c.
+  // The derivative is zero where tan(w t + phase) = 2 w / c.
   double angle = std::atan2(2 * frequency, damping) - phase;
   if (angle < 0) angle += pi;
   return std::max(std::abs((*this)(0)), std::abs((*this)(angle / frequency)));

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::exact {
 
-/// amplitude exp(-damping t / 2) sin(frequency t + phase), t >= 0.
+/// The function amplitude exp(-damping t / 2) sin(frequency t + phase), t >= 0.
 struct DecayingWave {
   double amplitude;  ///< >= 0
   double phase;      ///< 0 <= phase < pi
@@ -17,34 +17,35 @@ struct DecayingWave {
 
   double envelope(double t) const { return amplitude * std::exp(-damping * t / 2); }
   double operator()(double t) const { return envelope(t) * std::sin(frequency * t + phase); }
-  /// The time from one zero to the next.
-  double half_turn() const;
+  /// The time between two zeros.
+  double half_period() const;
   /// The first zero after t = 0.
   double first_zero() const;
   /// The largest value of |wave|.
   double peak() const;
 };
 
-/// +-(u1 h(t) + u2 h'(t)) with the impulse response h(t) = exp(-ct/2) sin(wt)/w of the linear
-/// oscillator without a wall: what a unit impulse adds to u1 z + u2 z' a time t later. The sign
-/// is dropped to keep the phase below pi.
+/// The response of u1 z + u2 z' to a unit impulse, up to its sign: +-(u1 h(t) + u2 h'(t)) with the
+/// impulse response h(t) = exp(-ct/2) sin(wt)/w of the linear oscillator without a wall. The sign
+/// is chosen such that the phase is below pi.
 /// @pre c^2 < 4k
 DecayingWave impulse_response(const problem::System& system, double u1, double u2);
 
-/// int_0^end f(wave(t)) dt for a smooth f that varies over lengths of 1/scale and falls as the
-/// square of its argument, or faster: what follows once scale * wave is below 1e-9 is left out.
+/// The integral of f(wave(t)) over 0 <= t <= end, for a smooth f that varies over lengths of
+/// 1/scale and vanishes at 0 at least quadratically. The integral is truncated where the product of
+/// scale and envelope falls below 1e-9.
 template <class Function>
-double integral_along(const DecayingWave& wave, const Function& f, double scale, double end) {
-  // On a panel neither the oscillation nor scale * wave changes by more than 2: the nearest poles
-  // of the laplace law's 1 / (1 + (u scale)^2 / 2) are then far enough for 1e-16.
-  constexpr double kLargestChange = 2;
+double integrate_along_wave(const DecayingWave& wave, const Function& f, double scale, double end) {
+  // On a panel neither the phase nor scale * wave changes by more than 2. The nearest poles of the
+  // characteristic function 1 / (1 + (u scale)^2 / 2) of the Laplace law then allow 1e-16.
+  constexpr double kMaxChange = 2;
   const double speed = std::hypot(wave.frequency, wave.damping / 2);  // |wave'| <= envelope * speed
   const auto integrand = [&](double t) { return f(wave(t)); };
   double integral = 0;
   for (double t = 0; t < end;) {
     const double size = scale * wave.envelope(t);
     if (size < 1e-9) break;
-    const double stop = std::min(t + kLargestChange / speed / std::max(1.0, size), end);
+    const double stop = std::min(t + kMaxChange / speed / std::max(1.0, size), end);
     integral += boost::math::quadrature::gauss<double, 20>::integrate(integrand, t, stop);
     t = stop;
   }

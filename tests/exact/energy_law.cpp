@@ -13,7 +13,7 @@ namespace fpkcheck::exact {
 namespace {
 
 template <class Add>
-void panels(double from, double to, int count, const Add& add) {
+void for_each_node(double from, double to, int count, const Add& add) {
   using Gauss = boost::math::quadrature::gauss<double, 20>;
   const double half = (to - from) / count / 2;
   for (int n = 0; n < count; ++n) {
@@ -31,39 +31,43 @@ EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_pot
   const problem::System& system = problem.system;
   for (const auto& wall : {system.left(), system.right()}) {
     if (wall && wall->restitution != 1) {
-      throw InputError("no exact density is known with losses at the impact (restitution < 1)");
+      throw InputError("restitution < 1: no exact density is known for impacts with losses");
     }
   }
   const auto& damping = system.damping_polynomial();
-  const bool ring = damping.degree() > 0 || system.rayleigh() != 0;
-  const bool of_energy = damping.coefficient(1) == 0 && system.linear() &&
-                         damping.coefficient(2) == system.stiffness() * system.rayleigh() &&
-                         problem.impulses.rate_moment(1) == 0;
-  if (ring && !of_energy) throw InputError("the damping is not a function of the energy");
+  const bool is_nonlinear = damping.degree() > 0 || system.rayleigh() != 0;
+  const bool depends_on_energy_only =
+      damping.coefficient(1) == 0 && system.linear() &&
+      damping.coefficient(2) == system.stiffness() * system.rayleigh() &&
+      problem.impulses.rate_moment(1) == 0;
+  if (is_nonlinear && !depends_on_energy_only)
+    throw InputError("the damping is not a function of the energy");
   const double diffusion = total_intensity(problem) / 2;
   linear_ = damping.coefficient(0) / diffusion;
   quadratic_ = system.rayleigh() / diffusion;
 
   constexpr int kPanels = 40;
-  constexpr double kFarther = 0.3;
+  constexpr double kMarginFraction = 0.3;
   const problem::Scales scales = problem::scales(problem);
-  const double beyond = kFarther * (scales.y_high - scales.y_low);
+  const double beyond = kMarginFraction * (scales.y_high - scales.y_low);
   y_low_ = system.left() ? system.left()->position : scales.y_low - beyond;
   y_high_ = system.right() ? system.right()->position : scales.y_high + beyond;
-  const double v_high = (1 + kFarther) * scales.v_high;
-  // What is far from a wall that the motion hardly reaches needs no points.
-  panels(std::max(y_low_, scales.y_low - beyond), std::min(y_high_, scales.y_high + beyond),
-         kPanels, [&](double at, double weight) {
-           y_.push_back({at, weight});
-         });
-  panels(-v_high, v_high, kPanels, [&](double at, double weight) { v_.push_back({at, weight}); });
+  const double v_high = (1 + kMarginFraction) * scales.v_high;
+  // No points beyond the scales of the motion, even if the wall is farther away.
+  for_each_node(std::max(y_low_, scales.y_low - beyond), std::min(y_high_, scales.y_high + beyond),
+                kPanels, [&](double at, double weight) {
+                  y_.push_back({at, weight});
+                });
+  for_each_node(-v_high, v_high, kPanels, [&](double at, double weight) {
+    v_.push_back({at, weight});
+  });
   const auto exponent = [&](double y, double v) {
     const double h = v * v / 2 + potential_(y);
     return linear_ * h + quadratic_ * h * h;
   };
-  least_ = std::numeric_limits<double>::infinity();
+  min_exponent_ = std::numeric_limits<double>::infinity();
   for (const auto& y : y_) {
-    for (const auto& v : v_) least_ = std::min(least_, exponent(y.at, v.at));
+    for (const auto& v : v_) min_exponent_ = std::min(min_exponent_, exponent(y.at, v.at));
   }
   norm_ = moment(0, 0);
 }
@@ -71,7 +75,7 @@ EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_pot
 double EnergyLaw::unnormalised(double y, double v) const {
   if (y < y_low_ || y > y_high_) return 0;
   const double h = v * v / 2 + potential_(y);
-  return std::exp(least_ - linear_ * h - quadratic_ * h * h);
+  return std::exp(min_exponent_ - linear_ * h - quadratic_ * h * h);
 }
 
 double EnergyLaw::operator()(double y, double v) const { return unnormalised(y, v) / norm_; }

@@ -7,7 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::exact {
@@ -15,7 +15,7 @@ namespace {
 
 using problem::System;
 
-TEST(EnergyLaw, IsTheKnownOneOnTheHalfPlane) {
+TEST(EnergyLaw, EqualsTheDensityOfWhiteNoiseOnTheHalfPlane) {
   const auto p = tests::make_problem({.restitution = 1, .mean = 0.05});
   const WhiteNoiseDensity known(p);
   const EnergyLaw law(p);
@@ -39,7 +39,7 @@ TEST(EnergyLaw, HasTheMeanSquareVelocityOfEquipartition) {
   }
 }
 
-TEST(EnergyLaw, OfTheRingIsThatOfRayleighAndVanDerPol) {
+TEST(EnergyLaw, IsARingForRayleighAndVanDerPolDamping) {
   const double q = 0.4;
   const EnergyLaw law(tests::with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}), q));
@@ -52,12 +52,12 @@ TEST(EnergyLaw, OfTheRingIsThatOfRayleighAndVanDerPol) {
   EXPECT_NEAR(law.moment(2, 0), law.moment(0, 2), 1e-12);
 }
 
-TEST(EnergyLaw, IsTheSameInAnyFrame) {
+TEST(EnergyLaw, IsTheSameInWallCoordinates) {
   const auto p =
       tests::with_noise(System({.damping = 0.1, .stiffness = 1, .quadratic = 0.3, .cubic = 0.5},
                                {.right = 0.5, .right_restitution = 1}),
                         0.2);
-  const auto seen = tests::in_frame(p);
+  const auto seen = tests::in_wall_coordinates(p);
   const EnergyLaw here(p), there(seen);
   for (const double y : {-1.0, 0.2, 0.45}) {
     EXPECT_NEAR(here(y, 0.3), there(seen.frame.x(y), -0.3), 1e-12);
@@ -65,7 +65,7 @@ TEST(EnergyLaw, IsTheSameInAnyFrame) {
   EXPECT_EQ(here(0.51, 0), 0);
 }
 
-TEST(EnergyLaw, IsRefusedWhereItIsNotKnown) {
+TEST(EnergyLaw, IsRefusedForOtherProblems) {
   EXPECT_THROW(EnergyLaw(tests::paper_case(1)), InputError);
   EXPECT_THROW(EnergyLaw(tests::with_noise(
                    System({.damping = -1, .van_der_pol = 1, .stiffness = 1}, {.none = true}), 1)),

@@ -13,11 +13,11 @@ namespace {
 
 using std::numbers::pi;
 
-const problem::Problem& linear_and_symmetric(const problem::Problem& problem) {
-  const auto require = [](bool holds, const char* key, double value, const char* needed) {
+const problem::Problem& require_linear_and_symmetric(const problem::Problem& problem) {
+  const auto require = [](bool holds, const char* key, double value, const char* requirement) {
     if (holds) return;
-    throw InputError(fmt::format("{} = {} (the exact density of the linear oscillator needs {})",
-                                 key, value, needed));
+    throw InputError(fmt::format("{} = {}: the exact density of the linear oscillator requires {}",
+                                 key, value, requirement));
   };
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
@@ -51,7 +51,7 @@ double chebyshev_interpolant(const std::array<double, Points>& values, double x)
 }  // namespace
 
 LinearCharacteristicFunction::LinearCharacteristicFunction(const problem::Problem& problem)
-    : system_(linear_and_symmetric(problem).system),
+    : system_(require_linear_and_symmetric(problem).system),
       impulses_(problem.impulses),
       scale_(impulses_.law().deviation()) {
   tabulate();
@@ -68,11 +68,11 @@ double LinearCharacteristicFunction::radius(double u1, double u2) const {
 double LinearCharacteristicFunction::logarithm(double u1, double u2) const {
   const DecayingWave wave = impulse_response(system_, u1, u2);
   const double zero = wave.first_zero();
-  return marched(wave, zero) + from_zero_on(wave.envelope(zero));
+  return integrate_wave(wave, zero) + logarithm_from_zero(wave.envelope(zero));
 }
 
-double LinearCharacteristicFunction::largest_beyond(double radius) const {
-  constexpr int kDirections = 32;  // over half a turn; the other half is the same
+double LinearCharacteristicFunction::max_beyond(double radius) const {
+  constexpr int kDirections = 32;  // over half a turn, as phi is even
   const double c = system_.damping();
   const double w = std::sqrt(system_.stiffness() - c * c / 4);
   double largest = -HUGE_VAL;
@@ -84,44 +84,45 @@ double LinearCharacteristicFunction::largest_beyond(double radius) const {
   return std::exp(largest);
 }
 
-// lambda int_0^end ( M(wave(t)) - 1 ) dt
-double LinearCharacteristicFunction::marched(const DecayingWave& wave, double end) const {
+// The integral lambda int_0^end ( M(wave(t)) - 1 ) dt.
+double LinearCharacteristicFunction::integrate_wave(const DecayingWave& wave, double end) const {
   const auto excess = [this](double u) {
     return impulses_.law().characteristic_function(u).real() - 1;
   };
-  return impulses_.arrival_rate() * integral_along(wave, excess, scale_, end);
+  return impulses_.arrival_rate() * integrate_along_wave(wave, excess, scale_, end);
 }
 
-// The logarithm for a wave that starts with a zero.
-double LinearCharacteristicFunction::from_zero_on(double amplitude) const {
-  return marched_from_zero_on(amplitude, static_cast<double>(panels_.size()) / scale_);
+// The logarithm for a wave with phase 0.
+double LinearCharacteristicFunction::logarithm_from_zero(double amplitude) const {
+  return integrate_from_zero(amplitude, static_cast<double>(panels_.size()) / scale_);
 }
 
-// Half turn by half turn until the amplitude is within the table, or so small that the moments
-// suffice.
-double LinearCharacteristicFunction::marched_from_zero_on(double amplitude,
-                                                          double table_end) const {
-  constexpr double kSmall = 0.02;  // (the next term is (0.02)^8 / 16 at most)
+// Integrates over half-cycles of the wave until the amplitude is in the range of the table, or
+// small enough for the series in moments.
+double LinearCharacteristicFunction::integrate_from_zero(double amplitude, double table_end) const {
+  constexpr double kSmall = 0.02;  // the first omitted term is at most (0.02)^8 / 16
   const double tabulated = std::max(table_end, kSmall / scale_);
   const double c = system_.damping();
   const DecayingWave wave{amplitude, 0, c, std::sqrt(system_.stiffness() - c * c / 4)};
-  const double half_turns =
+  const double half_periods =
       amplitude > tabulated
-          ? std::ceil(std::log(amplitude / tabulated) / (c * wave.half_turn() / 2))
+          ? std::ceil(std::log(amplitude / tabulated) / (c * wave.half_period() / 2))
           : 0;
-  const double end = half_turns * wave.half_turn();
+  const double end = half_periods * wave.half_period();
   const double left = std::min(wave.envelope(end), tabulated);
-  return marched(wave, end) + (table_end > 0 ? interpolated(left) : small_wave_limit(left));
+  return integrate_wave(wave, end) +
+         (table_end > 0 ? interpolate_table(left) : small_amplitude_series(left));
 }
 
-// sum over j = 2, 4, 6 of (-1)^(j/2) lambda E[Y^j]/j! a^j int_0^inf exp(-j c t / 2) sin^j(wt) dt
-double LinearCharacteristicFunction::small_wave_limit(double amplitude) const {
+// The sum over j = 2, 4, 6 of
+// (-1)^(j/2) lambda E[Y^j]/j! a^j int_0^inf exp(-j c t / 2) sin^j(wt) dt.
+double LinearCharacteristicFunction::small_amplitude_series(double amplitude) const {
   const double c = system_.damping();
   const double w2 = system_.stiffness() - c * c / 4;
   double sum = 0;
   for (int j = 2; j < problem::kMomentCount; j += 2) {
     const double rate = j * c / 2;
-    // int = j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
+    // The integral is j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
     double term = impulses_.rate_moment(j) * std::pow(-amplitude * amplitude * w2, j / 2) / rate;
     for (int m = 1; m <= j / 2; ++m) term /= rate * rate + 4 * m * m * w2;
     sum += term;
@@ -129,14 +130,14 @@ double LinearCharacteristicFunction::small_wave_limit(double amplitude) const {
   return sum;
 }
 
-double LinearCharacteristicFunction::interpolated(double amplitude) const {
+double LinearCharacteristicFunction::interpolate_table(double amplitude) const {
   const double position = amplitude * scale_;
   const auto panel = std::min(static_cast<std::size_t>(position), panels_.size() - 1);
   return chebyshev_interpolant(panels_[panel], position - static_cast<double>(panel));
 }
 
 void LinearCharacteristicFunction::tabulate() {
-  constexpr int kMostPanels = 32;
+  constexpr int kMaxPanels = 32;
   constexpr double kNegligible = -40;  // exp(-40) = 4e-18
   std::vector<Panel> panels;
   do {
@@ -144,9 +145,9 @@ void LinearCharacteristicFunction::tabulate() {
     for (int n = 0; n <= kPanelOrder; ++n) {
       const double position =
           static_cast<double>(panels.size() - 1) + chebyshev_point(n, kPanelOrder);
-      panel[n] = marched_from_zero_on(position / scale_, 0);
+      panel[n] = integrate_from_zero(position / scale_, 0);
     }
-  } while (panels.size() < kMostPanels && panels.back().back() > kNegligible);
+  } while (panels.size() < kMaxPanels && panels.back().back() > kNegligible);
   panels_ = std::move(panels);
 }
 

@@ -14,42 +14,42 @@ namespace fpkcheck::exact {
 ///     log phi(u1, u2) = lambda int_0^inf ( M(u1 h(t) + u2 h'(t)) - 1 ) dt,
 ///     h(t) = exp(-ct/2) sin(wt)/w,   w = sqrt(k - c^2/4),
 ///
-/// M being the characteristic function of Y: filtered Poisson impulses (Campbell's theorem).
-/// It is real, positive and even, and falls like |u|^(-2 lambda / c).
+/// with the characteristic function M of Y: filtered Poisson impulses (Campbell's theorem). phi is
+/// real, positive and even, and decays like |u|^(-2 lambda / c).
 class LinearCharacteristicFunction {
  public:
-  /// @throws InputError naming the parameter for which the formula does not hold
+  /// @throws InputError with the parameter for which the formula does not hold
   explicit LinearCharacteristicFunction(const problem::Problem& problem);
 
-  /// phi(u1, u2) = E[exp(i (u1 z + u2 z'))], to 1e-12 of itself for frequent impulses: the rounding
-  /// error of the logarithm is some 1e-16 lambda/c.
+  /// phi(u1, u2) = E[exp(i (u1 z + u2 z'))]. The relative error is below 1e-12 for frequent
+  /// impulses: the rounding error of the logarithm is about 1e-16 lambda/c.
   double operator()(double u1, double u2) const;
   double logarithm(double u1, double u2) const;
 
-  /// R of u1 h(t) + u2 h'(t) = R exp(-ct/2) sin(wt + phase):
+  /// The radius R in u1 h(t) + u2 h'(t) = R exp(-ct/2) sin(wt + phase):
   /// R^2 = u2^2 + ((u1 - c u2 / 2) / w)^2.
   double radius(double u1, double u2) const;
-  /// The largest value of phi on all waves with radius(u1, u2) >= `radius`. As phi falls along each
-  /// spiral (u1, u2)(t) on which u1 h + u2 h' runs backwards, and all spirals cross the ellipse of
-  /// that radius, it is the largest value on that ellipse.
-  double largest_beyond(double radius) const;
+  /// The largest value of phi over all waves with radius(u1, u2) >= `radius`, which is the largest
+  /// value on the ellipse of this radius. Proof: phi decreases along each spiral (u1, u2)(t) on
+  /// which u1 h + u2 h' runs backwards in time, and all spirals cross the ellipse.
+  double max_beyond(double radius) const;
 
  private:
   static constexpr int kPanelOrder = 20;
   using Panel = std::array<double, kPanelOrder + 1>;
 
-  double marched(const DecayingWave& wave, double end) const;
-  double from_zero_on(double amplitude) const;
-  double marched_from_zero_on(double amplitude, double table_end) const;
-  double small_wave_limit(double amplitude) const;
-  double interpolated(double amplitude) const;
+  double integrate_wave(const DecayingWave& wave, double end) const;
+  double logarithm_from_zero(double amplitude) const;
+  double integrate_from_zero(double amplitude, double table_end) const;
+  double small_amplitude_series(double amplitude) const;
+  double interpolate_table(double amplitude) const;
   void tabulate();
 
   problem::System system_;
   problem::ImpulseTrain impulses_;
   double scale_;  ///< standard deviation of Y
-  /// The logarithm at waves that start from zero, on Chebyshev points of panels of the amplitude
-  /// of width 1/scale_ from 0 on.
+  /// The logarithm for waves with phase 0, at Chebyshev points of panels of the amplitude. The
+  /// panels have the width 1/scale_ and begin at 0.
   std::vector<Panel> panels_;
 };
 

@@ -16,7 +16,7 @@ using namespace problem;
 
 namespace {
 
-// The formula itself, on panels too short for any of the laws to matter.
+// Direct quadrature of the formula on panels that are short for all laws.
 double log_phi(const Problem& problem, double u1, double u2) {
   const double c = problem.system.damping();
   const double w = std::sqrt(problem.system.stiffness() - c * c / 4);
@@ -34,7 +34,7 @@ double log_phi(const Problem& problem, double u1, double u2) {
   return problem.impulses.arrival_rate() * sum;
 }
 
-TEST(LinearCharacteristicFunction, IsTheIntegralOfTheFormula) {
+TEST(LinearCharacteristicFunction, EqualsTheQuadratureOfTheFormula) {
   for (const char* law : tests::kSymmetricLaws) {
     for (const double damping : {0.1, 0.9, 1.9}) {
       const Problem p = tests::linear_problem({.damping = damping, .stiffness = 1.3, .law = law});
@@ -43,7 +43,7 @@ TEST(LinearCharacteristicFunction, IsTheIntegralOfTheFormula) {
                                 {20, -3.0}, {-7, 40}, {-30, -150}, {400, 2}};
       for (const auto& [u1, u2] : wave) {
         const double exact = log_phi(p, u1, u2);
-        // (Against the rounding errors of the check itself, where it adds up 1e5 panels.)
+        // The tolerance includes the rounding errors of the sum over 1e5 panels in log_phi.
         EXPECT_NEAR(phi.logarithm(u1, u2), exact, 2e-13 * (1 + std::abs(exact)))
             << law << ", c = " << damping << ", u = " << u1 << ", " << u2;
       }
@@ -59,7 +59,7 @@ TEST(LinearCharacteristicFunction, HasTheExactCumulants) {
     const double direction[][2] = {{1, 0}, {0, 1}, {0.6, 0.8}, {0.6, -0.8}};
     for (const auto& [a, b] : direction) {
       for (const double u : {0.1, 0.2}) {
-        // log phi(u a, u b) = sum_pq kappa_pq (i u a)^p (i u b)^q / (p! q!), to sixth order
+        // log phi(u a, u b) = sum_pq kappa_pq (i u a)^p (i u b)^q / (p! q!), up to order six.
         double series = 0;
         for (int order = 2; order <= 6; order += 2) {
           for (int q = 0; q <= order; ++q) {
@@ -68,7 +68,7 @@ TEST(LinearCharacteristicFunction, HasTheExactCumulants) {
                       std::pow(u * b, q) / (factorial[n] * factorial[q]);
           }
         }
-        // The eighth: lambda E[Y^8] / 8! int h^8 <= 10 * 2520 s^8 / 8! / 4.
+        // Term of order eight: lambda E[Y^8] / 8! int h^8 <= 10 * 2520 s^8 / 8! / 4.
         const double eighth = 10 * 2520 * std::pow(0.1, 4) / 40320 / 4 * std::pow(u, 8);
         EXPECT_NEAR(phi.logarithm(u * a, u * b), series, 1.1 * eighth + 1e-15)
             << law << ", u = " << u << ", direction " << a << ", " << b;
@@ -77,7 +77,7 @@ TEST(LinearCharacteristicFunction, HasTheExactCumulants) {
   }
 }
 
-TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
+TEST(LinearCharacteristicFunction, HasItsMaximumBeyondAnEllipseOnTheEllipse) {
   for (const char* law : tests::kSymmetricLaws) {
     const Problem p = tests::linear_problem({.damping = 0.3, .law = law});
     const LinearCharacteristicFunction phi(p);
@@ -85,7 +85,7 @@ TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
       for (double u2 = 0; u2 <= 40; u2 += 5.1) {
         const double radius = phi.radius(u1, u2);
         for (const double inner : {0.5, 0.8, 1.0}) {
-          EXPECT_LE(phi(u1, u2), 1.02 * phi.largest_beyond(inner * radius)) << law;
+          EXPECT_LE(phi(u1, u2), 1.02 * phi.max_beyond(inner * radius)) << law;
         }
       }
     }
@@ -93,7 +93,7 @@ TEST(LinearCharacteristicFunction, IsLargestOnTheEllipseThatOneLooksBeyond) {
   }
 }
 
-TEST(LinearCharacteristicFunction, RefusesByNameWhatItDoesNotHoldFor) {
+TEST(LinearCharacteristicFunction, RefusesOtherProblemsByParameter) {
   const auto expect_refused = [](const tests::Parameters& parameters, const std::string& key) {
     try {
       LinearCharacteristicFunction{tests::make_problem(parameters)};

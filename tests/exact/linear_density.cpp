@@ -18,13 +18,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kMostWaves = 5e4;  // a few seconds
+constexpr double kMaxWaves = 5e4;  // a few seconds
 
-// Some x with P(|u1 z + u2 z'| > x) <= probability, by Chernoff's bound: for every theta > 0
+// An x with P(|u1 z + u2 z'| > x) <= probability, by Chernoff's bound for a symmetric law. The
+// bound holds for every theta > 0; the search minimises it:
 //
 //     x = ( lambda int_0^inf [ E[exp(theta a(t) Y)] - 1 ] dt - log(probability / 2) ) / theta,
-//
-// a = u1 h + u2 h'. (Symmetric law.)
+//     a = u1 h + u2 h'.
 double range(const problem::Problem& problem, double u1, double u2, double probability) {
   const auto& law = problem.impulses.law();
   const double deviation = std::sqrt(mean_square_velocity(problem)) * std::hypot(u1, u2);
@@ -33,24 +33,24 @@ double range(const problem::Problem& problem, double u1, double u2, double proba
     const DecayingWave wave = impulse_response(problem.system, theta * u1, theta * u2);
     if (!std::isfinite(law.moment_generating_function(wave.peak()))) return smallest;
     const auto excess = [&](double a) { return law.moment_generating_function(a) - 1; };
-    const double exponent =
-        problem.impulses.arrival_rate() * integral_along(wave, excess, law.deviation(), HUGE_VAL);
+    const double exponent = problem.impulses.arrival_rate() *
+                            integrate_along_wave(wave, excess, law.deviation(), HUGE_VAL);
     const double bound = (exponent - std::log(probability / 2)) / theta;
     if (bound > smallest) return smallest;
     smallest = bound;
   }
 }
 
-// A radius beyond which phi is below the cut-off, too large by a twentieth at most.
+// A radius beyond which phi is below the cut-off; at most 5 % above the smallest such radius.
 double cutoff_radius(const LinearCharacteristicFunction& phi, double cutoff, double start,
                      double largest) {
   for (double radius = start; radius < largest; radius *= 1.05) {
-    if (phi.largest_beyond(radius) < cutoff) return radius;
+    if (phi.max_beyond(radius) < cutoff) return radius;
   }
   throw InputError(fmt::format(
-      "cut-off {} (the characteristic function is still {:.1g} where {:.0f} waves are taken; use a "
-      "larger cut-off or more frequent impulses)",
-      cutoff, phi.largest_beyond(largest), kMostWaves));
+      "cut-off {}: the characteristic function is {:.1g} at the limit of {:.0f} waves; use a "
+      "larger cut-off or more frequent impulses",
+      cutoff, phi.max_beyond(largest), kMaxWaves));
 }
 
 void require_edges(std::span<const double> edges, const char* variable, double least) {
@@ -59,12 +59,12 @@ void require_edges(std::span<const double> edges, const char* variable, double l
       std::all_of(edges.begin(), edges.end(), [](double x) { return std::isfinite(x); });
   if (edges.size() < 2 || !increase || edges.front() < least) {
     throw InputError(fmt::format("edges of {} bins (must be two or more increasing numbers{})",
-                                 variable, least == 0 ? " from 0 or more" : ""));
+                                 variable, least == 0 ? ", none negative" : ""));
   }
 }
 
-// Averages over bins of cos(n pi x / range) and sin(n pi x / range), shape (bins, count), of what
-// of a bin lies within -range .. range.
+// Averages over bins of cos(n pi x / range) and sin(n pi x / range) on -range .. range and 0
+// outside, of shape (bins, count).
 struct WaveAverages {
   Eigen::MatrixXd cosine, sine;
 };
@@ -86,7 +86,7 @@ WaveAverages wave_averages(std::span<const double> edges, double range, int coun
   return averages;
 }
 
-std::vector<double> row_major(const Eigen::MatrixXd& matrix) {
+std::vector<double> to_row_major(const Eigen::MatrixXd& matrix) {
   std::vector<double> values(static_cast<std::size_t>(matrix.size()));
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       values.data(), matrix.rows(), matrix.cols()) = matrix;
@@ -102,24 +102,24 @@ LinearDensity::LinearDensity(const problem::Problem& problem, double cutoff) : p
   const double decay = 2 * problem.impulses.arrival_rate() / problem.system.damping();
   if (decay <= 2) {
     throw InputError(
-        fmt::format("impulse.rate = {} (must be above system.damping = {}: the density has no "
-                    "finite value at rest)",
+        fmt::format("impulse.rate = {} (must be above system.damping = {}: the density is infinite "
+                    "at rest)",
                     problem.impulses.arrival_rate(), problem.system.damping()));
   }
   z_.range = range(problem, 1, 0, cutoff);
   v_.range = range(problem, 0, 1, cutoff);
 
-  // The ellipse radius(u1, u2) = R reaches to u1 = sqrt(k) R and u2 = R.
+  // The largest u1 and u2 on the ellipse radius(u1, u2) = R are sqrt(k) R and R.
   const double frequency = std::sqrt(problem.system.stiffness());
   const double waves_per_square = frequency * z_.range * v_.range / (pi * pi);
-  const double largest = std::sqrt(kMostWaves / waves_per_square);
+  const double largest = std::sqrt(kMaxWaves / waves_per_square);
   const double start = 1 / std::sqrt(mean_square_velocity(problem));
   const double radius = cutoff_radius(phi_, cutoff, start, largest);
   z_.count = static_cast<int>(frequency * radius * z_.range / pi) + 1;
   v_.count = static_cast<int>(radius * v_.range / pi) + 1;
   const double damped = std::sqrt(problem.system.stiffness() -
                                   problem.system.damping() * problem.system.damping() / 4);
-  // 2 / (4 pi^2) int_{R > R0} cutoff (R0 / R)^decay w R dR d(phase)
+  // The integral 2 / (4 pi^2) int_{R > R0} cutoff (R0 / R)^decay w R dR d(phase).
   joint_truncation_ = cutoff * damped * radius * radius / (pi * (decay - 2));
 
   even_.setZero(z_.count, v_.count);
@@ -127,8 +127,8 @@ LinearDensity::LinearDensity(const problem::Problem& problem, double cutoff) : p
   const auto wave = [&](double u1, double u2) {
     return phi_.radius(u1, u2) < radius ? phi_(u1, u2) : 0;
   };
-  // p_Z = 1 / (4 Z V) sum over all n, m of phi cos(u_n z + w_m v); here over n, m >= 0, and p = 2
-  // p_Z.
+  // p_Z = 1 / (4 Z V) sum of phi cos(u_n z + w_m v) over all n, m. The loops run over n, m >= 0,
+  // and p = 2 p_Z.
   const double weight = 2 / (4 * z_.range * v_.range);
   for (int n = 0; n < z_.count; ++n) {
     for (int m = 0; m < v_.count; ++m) {
@@ -150,15 +150,16 @@ Eigen::MatrixXd LinearDensity::averages(const Eigen::MatrixXd& even_y, const Eig
 
 std::vector<double> LinearDensity::displacement_averages(std::span<const double> edges) const {
   require_edges(edges, "y", 0);
-  // The integral over all v leaves the waves with u2 = 0.
-  return row_major(wave_averages(edges, z_.range, z_.count).cosine * even_.col(0) * (2 * v_.range));
+  // In the integral over all v only the waves with u2 = 0 remain.
+  return to_row_major(wave_averages(edges, z_.range, z_.count).cosine * even_.col(0) *
+                      (2 * v_.range));
 }
 
 std::vector<double> LinearDensity::velocity_averages(std::span<const double> edges) const {
   require_edges(edges, "y'", -HUGE_VAL);
   const std::array half_plane{0.0, z_.range};
   const auto y = wave_averages(half_plane, z_.range, z_.count);
-  return row_major(averages(y.cosine, y.sine, edges) * z_.range);
+  return to_row_major(averages(y.cosine, y.sine, edges) * z_.range);
 }
 
 std::vector<double> LinearDensity::joint_averages(std::span<const double> y_edges,
@@ -166,7 +167,7 @@ std::vector<double> LinearDensity::joint_averages(std::span<const double> y_edge
   require_edges(y_edges, "y", 0);
   require_edges(v_edges, "y'", -HUGE_VAL);
   const auto y = wave_averages(y_edges, z_.range, z_.count);
-  return row_major(averages(y.cosine, y.sine, v_edges));
+  return to_row_major(averages(y.cosine, y.sine, v_edges));
 }
 
 }  // namespace fpkcheck::exact

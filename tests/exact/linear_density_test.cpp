@@ -24,10 +24,10 @@ std::vector<double> uniform_edges(double from, double to, int bins) {
   return edges;
 }
 
-// A density on cells, and expectations with all mass of a cell at its middle.
+// A density on cells; expectations are computed with the mass of a cell at its centre.
 struct Cells {
   double width_y, width_v;
-  std::vector<double> y, v;     // middles
+  std::vector<double> y, v;     // centres
   std::vector<double> density;  // row-major (y, v)
 
   Cells(const LinearDensity& exact, int ny, int nv) {
@@ -61,7 +61,7 @@ TEST(LinearDensity, HasTheExactMomentsForEveryLaw) {
     const double v4 = cells.mean([](double, double v) { return v * v * v * v; });
     const double y2v2 = cells.mean([](double y, double v) { return y * y * v * v; });
     const double yv3 = cells.mean([](double y, double v) { return y * v * v * v; });
-    // Sheppard's corrections of moments of bins of width h: exact up to the tails here.
+    // Sheppard's corrections for moments of bins of width h; exact up to the tails here.
     const double h = cells.width_y * cells.width_y / 12, w = cells.width_v * cells.width_v / 12;
     EXPECT_NEAR(y2 - h, cumulant(2, 0), 1e-11);
     EXPECT_NEAR(v2 - w, cumulant(0, 2), 1e-11);
@@ -71,25 +71,25 @@ TEST(LinearDensity, HasTheExactMomentsForEveryLaw) {
                 1e-10);
     EXPECT_NEAR(y2v2 - h * v2 - w * y2 + h * w, cumulant(2, 2) + cumulant(2, 0) * cumulant(0, 2),
                 1e-10);
-    EXPECT_NEAR(yv3, cumulant(1, 3), 1e-10);  // (E[z z'] = 0; the sign tells z' from -z')
+    EXPECT_NEAR(yv3, cumulant(1, 3), 1e-10);  // E[z z'] = 0; the sign distinguishes z' from -z'
     EXPECT_GT(std::abs(cumulant(1, 3)), 1e-4);
     EXPECT_NEAR(cells.mean([](double, double) { return 1; }), 1, 1e-12);
   }
 }
 
-TEST(LinearDensity, HasTheFourthMomentsOfTheTheoryNotes) {
+TEST(LinearDensity, HasKnownFourthMoments) {
   const Cells cells(LinearDensity(tests::linear_problem()), 2000, 2000);
   EXPECT_NEAR(cells.mean([](double y, double) { return y * y * y * y; }), 0.8058313, 5e-5);
   EXPECT_NEAR(cells.mean([](double, double v) { return v * v * v * v; }), 0.8063896, 1e-4);
 }
 
-TEST(LinearDensity, IsPositiveAndItsMarginalsAreTheSumsOfTheJointDensity) {
+TEST(LinearDensity, IsPositiveAndHasConsistentMarginals) {
   for (const char* law : tests::kSymmetricLaws) {
     SCOPED_TRACE(law);
     const LinearDensity density(tests::linear_problem({.law = law}));
     const double far = density.velocity_range();
     std::vector<double> y_edges = uniform_edges(0, 3, 30), v_edges = uniform_edges(-3, 3, 60);
-    y_edges.push_back(2 * far);  // over the whole range, and unevenly
+    y_edges.push_back(2 * far);  // a wide last bin covers the whole range
     v_edges.push_back(2 * far);
     v_edges.insert(v_edges.begin(), -2 * far);
     const auto joint = density.joint_averages(y_edges, v_edges);
@@ -122,14 +122,14 @@ TEST(LinearDensity, IsPositiveAndItsMarginalsAreTheSumsOfTheJointDensity) {
 //
 //     E[y'^3] = 2c ( E[y y'^2] - E[y] E[y'^2] ),
 //
-// which is not zero unless the impulses are white noise: p(y') of paper (34) is not even.
-TEST(LinearDensity, LeansAsTheEnergyOfImpulsesAndDampingDemands) {
+// which is zero only for white noise: p(y') of paper (34) is not even under impulses.
+TEST(LinearDensity, HasTheThirdMomentOfTheBalance) {
   for (const char* law : tests::kSymmetricLaws) {
     SCOPED_TRACE(law);
     const Problem p = tests::linear_problem({.damping = 0.4, .rate = 4, .law = law});
     const LinearDensity density(p);
     // The kink of |y| at 0 leaves an error of second order in the width: extrapolated.
-    const auto on_cells = [&](int ny) {
+    const auto average_over_cells = [&](int ny) {
       const Cells cells(density, ny, 400);
       const double v2 = p.impulses.intensity() / (2 * p.system.damping());
       const double w = cells.width_v * cells.width_v / 12;
@@ -137,8 +137,8 @@ TEST(LinearDensity, LeansAsTheEnergyOfImpulsesAndDampingDemands) {
                        2 * p.system.damping() *
                            cells.mean([&](double y, double v) { return y * (v * v - w - v2); })};
     };
-    const auto [cube, coarse] = on_cells(200);
-    const double fine = on_cells(400).second;
+    const auto [cube, coarse] = average_over_cells(200);
+    const double fine = average_over_cells(400).second;
     EXPECT_NEAR(cube, (4 * fine - coarse) / 3, 1e-8);
     EXPECT_GT(cube, 1e-4);
   }
@@ -155,7 +155,7 @@ TEST(LinearDensity, OfFrequentImpulsesIsTheGaussianOfWhiteNoise) {
     const double cell = (y[1] - y[0]) * (v[1] - v[0]);
     for (std::size_t n = 0; n < joint.size(); ++n) {
       const std::size_t i = n / 24, j = n % 24;
-      // lambda / c = 1e6: relative fourth cumulants of 1e-6.
+      // lambda / c = 1e6: the relative fourth cumulants are 1e-6.
       EXPECT_NEAR(joint[n], 2 * probability(y[i], y[i + 1]) * probability(v[j], v[j + 1]) / cell,
                   2e-6)
           << law;
@@ -178,12 +178,12 @@ TEST(LinearDensity, DoesNotDependOnTheCutOff) {
         error = std::max(error, std::abs(coarse[n] - sharp[n]));
       }
       EXPECT_LT(error, density.joint_truncation() + cutoff);
-      EXPECT_GT(error, cutoff / 1e5);  // the comparison sees something
+      EXPECT_GT(error, cutoff / 1e5);  // the comparison is sensitive to the cut-off
     }
   }
 }
 
-TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndAcrossItKeepTheirMass) {
+TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndCellsAcrossItConserveMass) {
   const LinearDensity density(tests::linear_problem());
   const double z = density.displacement_range();
   const auto averages = density.displacement_averages(std::vector{0.0, 1e3 * z, 2e3 * z});
@@ -191,7 +191,7 @@ TEST(LinearDensity, CellsOutsideTheRangeAreEmptyAndAcrossItKeepTheirMass) {
   EXPECT_EQ(averages[1], 0);
 }
 
-TEST(LinearDensity, RefusesWhatItCannotGive) {
+TEST(LinearDensity, RefusesUnsupportedProblemsAndEdges) {
   EXPECT_THROW(LinearDensity{tests::make_problem()}, InputError);
   EXPECT_THROW(LinearDensity{tests::linear_problem({.rate = 0.1})}, InputError);  // unbounded
   EXPECT_THROW(LinearDensity{tests::linear_problem({.rate = 0.2})}, InputError);  // too many waves

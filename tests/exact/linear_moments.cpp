@@ -11,10 +11,10 @@
 namespace fpkcheck::exact {
 namespace {
 
-void require(bool holds, const char* key, double value, const char* needed) {
+void require(bool holds, const char* key, double value, const char* requirement) {
   if (holds) return;
-  throw InputError(fmt::format("{} = {} (the exact moments of the linear oscillator need {})", key,
-                               value, needed));
+  throw InputError(fmt::format("{} = {}: the exact moments of the linear oscillator require {}",
+                               key, value, requirement));
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
   require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
-  require(std::isfinite(time) && time >= 0, "time", time, "a time from 0 on");
+  require(std::isfinite(time) && time >= 0, "time", time, "a finite time, not negative");
 
   const double c = system.damping(), k = system.stiffness();
   const double velocity_variance = problem::total_intensity(problem) / (2 * c);

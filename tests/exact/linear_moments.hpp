@@ -19,19 +19,19 @@ struct MeanAndCovariance {
   double var_z = 0, cov_zv = 0, var_v = 0;
 };
 
-/// The moments at `time` of the linear oscillator (g = k y, f = c y', any c) with r = 1 at a wall
-/// at y = 0, or without walls, under impulses with E[Y] = 0 and noise, started from the given ones:
-/// with x = (z, z'), A = (0 1; -k -c) and S = E[x x^T],
+/// The moments at `time` of the linear oscillator (g = k y, f = c y', any c) with an elastic wall
+/// at y = 0 or without walls, under impulses with E[Y] = 0 and white noise, from the moments
+/// `start` at time 0. With x = (z, z'), A = (0 1; -k -c) and S = E[x x^T],
 ///
 ///     dE[x]/dt = A E[x],      dS/dt = A S + S A^T + diag(0, lambda E[Y^2] + 2D),
 ///     E[x](T) = e^(AT) E[x](0),
 ///     S(T) = S_inf + e^(AT) (S(0) - S_inf) e^(AT)^T,
 ///     S_inf = (lambda E[Y^2] + 2D) / (2c) diag(1/k, 1).
 ///
-/// They do not depend on the law further. In particular they hold in the (z, z') plane of paper
-/// (5), where the amplitudes carry the sign of z; without walls z is y.
-/// @throws InputError naming the parameter for which this does not hold, and for a time that is
-/// negative or not finite
+/// Only the intensity of the law matters. Thus the formulas hold in the (z, z') plane of paper (5),
+/// where the amplitudes have the sign of z; without walls z = y.
+/// @throws InputError with the parameter for which the formulas do not hold, and for a time that is
+///         negative or not finite
 LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCovariance& start,
                                 double time);
 

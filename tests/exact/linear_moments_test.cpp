@@ -20,7 +20,7 @@ Problem linear(double damping, double mean = 0) {
       {.damping = damping, .stiffness = 1.7, .cubic = 0, .restitution = 1, .mean = mean});
 }
 
-TEST(LinearMoments, BeginWithTheGivenOnes) {
+TEST(LinearMoments, BeginWithTheInitialMoments) {
   const auto m = linear_moments_at(linear(0.3), kStart, 0);
   EXPECT_DOUBLE_EQ(m.z, 0.4);
   EXPECT_DOUBLE_EQ(m.v, -0.7);
@@ -41,7 +41,7 @@ TEST(LinearMoments, ObeyTheirDifferentialEquations) {
       const auto rate = [&](double LinearMoments::*moment) {
         return (next.*moment - last.*moment) / (2 * kStep);
       };
-      // Central differences: step^2 / 6 times third derivatives, which are below 100 here.
+      // Error of central differences: step^2 / 6 times third derivatives, which are below 100 here.
       constexpr double kError = 2e-5;
       EXPECT_NEAR(rate(&LinearMoments::z), m.v, kError);
       EXPECT_NEAR(rate(&LinearMoments::v), -k * m.z - c * m.v, kError);
@@ -52,7 +52,7 @@ TEST(LinearMoments, ObeyTheirDifferentialEquations) {
   }
 }
 
-TEST(LinearMoments, EndInTheStationaryOnes) {
+TEST(LinearMoments, ConvergeToTheStationaryMoments) {
   const auto m = linear_moments_at(linear(0.3), kStart, 300);
   EXPECT_NEAR(m.z, 0, 1e-14);
   EXPECT_NEAR(m.v, 0, 1e-14);
@@ -61,7 +61,7 @@ TEST(LinearMoments, EndInTheStationaryOnes) {
   EXPECT_NEAR(m.vv, 0.1 / (2 * 0.3), 1e-14);
 }
 
-TEST(LinearMoments, RefuseWhatTheyDoNotHoldFor) {
+TEST(LinearMoments, RefuseOtherProblems) {
   EXPECT_THROW(linear_moments_at(tests::make_problem(), kStart, 1), InputError);
   EXPECT_THROW(linear_moments_at(linear(0.3, 0.1), kStart, 1), InputError);
   EXPECT_THROW(linear_moments_at(linear(0.3), kStart, -1), InputError);

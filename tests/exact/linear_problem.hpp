@@ -6,7 +6,7 @@ namespace fpkcheck::tests {
 
 inline constexpr const char* kSymmetricLaws[] = {"gaussian", "laplace", "two_point", "uniform"};
 
-/// A linear spring and impacts without loss: what has exact solutions.
+/// A problem with exact solutions: linear restoring force and elastic impacts.
 inline problem::Problem linear_problem(Parameters parameters = {}) {
   parameters.cubic = 0;
   parameters.restitution = 1;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRounding = 1e-14;
 
-TEST(WallExponent, IsZeroWithoutLossesAndOneWhereHalfTheSpeedIsLost) {
+TEST(WallExponent, IsZeroForOneAndOneForOneHalf) {
   EXPECT_NEAR(wall_exponent(1), 0, kRounding);
   EXPECT_NEAR(wall_exponent(0.5), 1, kRounding);  // 1/r = 2 sin(pi/2)
 }
@@ -29,8 +29,8 @@ TEST(WallExponent, IsTheRootThatIsNotTwo) {
   }
 }
 
-// As solved for by another program, to the digits given.
-TEST(WallExponent, HasTheDigitsThatAreKnown) {
+// Reference values from an independent program.
+TEST(WallExponent, AgreesWithIndependentValues) {
   EXPECT_NEAR(wall_exponent(0.98), 0.022627, 5e-7);
   EXPECT_NEAR(wall_exponent(0.9), 0.125499, 5e-7);
   EXPECT_NEAR(wall_exponent(0.8), 0.28565, 5e-6);

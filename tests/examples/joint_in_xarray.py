@@ -1,4 +1,4 @@
-# joint.nc as xarray sees it: labels, axes, masses, and marginals that are those of marginals.csv.
+# Tests joint.nc in xarray: labels, axes, masses, and agreement of the marginals with marginals.csv.
 import csv, sys
 import matplotlib
 matplotlib.use("Agg")
@@ -24,7 +24,7 @@ for case in ("case1", "case4"):
         if (case, id, "y") not in averages:
             assert case == "case1" and id == "epc-gaussian-n8" and numpy.isnan(density).all()
             continue
-        # A cell is two bins of the marginal high. A closure that was cut off inside the axes jumps there.
+        # The height of a cell is two bins of the marginal. A closure that is cut off inside the axes has a jump.
         p_y = numpy.array(averages[case, id, "y"]).reshape(-1, 2).mean(axis=1)
         p_v = numpy.array(averages[case, id, "ydot"])
         allowed = 1e-3 if id == "epc-gaussian-n8" else 1e-6

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The commands of README.md as they are printed there, in a folder beside its examples/ and cases/.
+"""Tests the commands in README.md, in a temporary folder with links to examples/ and cases/.
 
-usage: readme_commands.py SOURCE FPKCHECK [--run]     without --run: that the files they name are there
+usage: readme_commands.py SOURCE FPKCHECK [--run]     without --run: only tests that their files exist
 
-Exit code 0 of every command, or 1 where a solver that was asked for finds no density.
+Every command must end with exit code 0, or 1 (a solver has no density).
 """
 import pathlib
 import re
@@ -14,7 +14,7 @@ import tempfile
 
 
 def commands(readme):
-    """The lines of the block that begins with `fpkcheck paper`, without comments."""
+    """The commands of all code blocks that begin with `fpkcheck`, without comments."""
     blocks = re.findall(r"^```\n(fpkcheck .*?)^```", readme, re.MULTILINE | re.DOTALL)
     assert blocks, "README.md has no block of commands"
     return [shlex.split(line, comments=True) for block in blocks for line in block.splitlines() if line.strip()]

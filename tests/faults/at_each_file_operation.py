@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Stops a run before each thing that it does to a file: afterwards its directory holds the run of
-before, the new one or (where there was none) nothing, and never some files of both.
+"""Kills a run, or fills the disk, before each of its file operations. Afterwards the directory must hold
+the earlier run, the new run or (without an earlier run) nothing, but never files of both.
 
     at_each_file_operation.py PROGRAM LIBRARY [--all] [--verbose]
 
-Without --all, at a part of them.
+Without --all, tests a part of the operations.
 """
 
 import json
@@ -16,17 +16,17 @@ import sys
 import tempfile
 
 FILES = ["summary.json", "marginals.csv", "joint.nc", "report.html"]
-# Of the things that it does, one of so many, by the fault and by whether there was a run.
+# Step from one tested operation to the next without --all, by fault and existence of an earlier run.
 STRIDES = {("kill", True): 2, ("kill", False): 8, ("full", True): 5, ("full", False): 10}
 
 
-# Without gnuplot: pictures come after the run and are drawn again from it. What is said to sanitizers
-# goes on to them.
+# The environment has no gnuplot: figures are drawn after the files of the run. Options of sanitizers are
+# kept.
 BARE = {"PATH": "/nowhere",
         **{name: value for name, value in os.environ.items() if name.endswith("SAN_OPTIONS")}}
 
 
-# What is solved in the shortest time: every command that solves writes the same files in the same way.
+# The fastest solution; all solving commands write the same files in the same way.
 def run(program, directory, restitution, **environment):
     return subprocess.run(
         [program, "mcs", "case1", "--time", "1e4", "--accuracy", "1", "--streams", "16", "--quiet",
@@ -39,16 +39,16 @@ def names(directory):
 
 
 def state(program, directory):
-    """'old', 'new' or 'none', by what the program itself reads there."""
+    """'old', 'new' or 'none': the run that the program reads in the directory."""
     report = subprocess.run([program, "report", str(directory)], env=BARE, capture_output=True,
                             text=True, timeout=60)
     if report.returncode != 0:
         if "no run in" in report.stderr and not any(name in FILES for name in names(directory)):
             return "none"
-        raise SystemExit(f"neither a run nor none in {directory}: {report.stderr}")
+        raise SystemExit(f"partial run in {directory}: {report.stderr}")
     summary = json.loads((directory / "summary.json").read_text())
     restitution = summary["cases"][0]["system"]["restitution"]
-    # Finished and read, it has no left-overs of the writing.
+    # The reader must have removed all temporary files of the writer.
     for name in names(directory):
         if "commit" in name and "partial" not in name:
             raise SystemExit(f"{name} is left in {directory}")
@@ -77,23 +77,23 @@ def main(program, library, every, verbose):
                 done = run(program, directory, 0.9, LD_PRELOAD=library, FAULT=fault,
                            FAULT_AT=str(number))
                 if fault == "kill" and done.returncode >= 0:
-                    break  # over a run there is less to make
+                    break  # fewer operations are needed to replace a run
                 found = state(program, directory)
                 assert found != ("none" if there else "old"), (fault, number, found)
                 if fault == "full":
                     if done.returncode < 0 or len(done.stderr.splitlines()) > 2:
                         raise SystemExit(f"full disk at {number}: {done.returncode} {done.stderr}")
                     if done.returncode == 0 and found != "new":
-                        raise SystemExit(f"full disk at {number}: said nothing, {found}")
+                        raise SystemExit(f"full disk at {number}: no error message, {found}")
                 seen.append(found)
                 if verbose:
                     print(fault, there, number, found, done.returncode, done.stderr.strip()[:150])
-            # Both sides of the moment at which the new run is there were met.
+            # The faults cover both sides of the operation that publishes the new run.
             assert "new" in seen and ("old" in seen or "none" in seen), (fault, there, seen)
             assert seen == sorted(seen, key=lambda each: each == "new"), (fault, there, seen)
             total[fault, there] = len(seen)
     shutil.rmtree(base)
-    print("moments:", ", ".join(f"{fault}, {'over a run' if there else 'alone'}: {count}"
+    print("operations:", ", ".join(f"{fault}, {'over a run' if there else 'alone'}: {count}"
                                 for (fault, there), count in total.items()))
 
 

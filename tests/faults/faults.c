@@ -1,6 +1,6 @@
-// Preloaded, it counts what the program does to files (new ones, writes, flushes, links, renames,
-// removals) and before number FAULT_AT kills it (FAULT=kill) or finds the disk full from then on
-// (FAULT=full).
+// Library for LD_PRELOAD that counts the file operations of a program (creations, writes, flushes,
+// links, renames, removals). Before operation number FAULT_AT the program is killed (FAULT=kill),
+// or the disk is full from then on (FAULT=full).
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -23,10 +23,10 @@ __attribute__((constructor)) static void begin(void) {
   const char* what = getenv("FAULT");
   fault_at = at ? atol(at) : 0;
   kills = what && strcmp(what, "kill") == 0;
-  unsetenv("LD_PRELOAD");  // the programs that it starts are left alone
+  unsetenv("LD_PRELOAD");  // child processes are not affected
 }
 
-// How many there were.
+// Writes the number of operations to the file FAULT_COUNT.
 __attribute__((destructor)) static void end(void) {
   const char* to = getenv("FAULT_COUNT");
   FILE* const out = to ? fopen(to, "w") : NULL;
@@ -35,7 +35,7 @@ __attribute__((destructor)) static void end(void) {
   fclose(out);
 }
 
-// Whether there is no space for this.
+// Counts an operation; true if the disk is full.
 static int full(void) {
   const long number = atomic_fetch_add(&count, 1) + 1;
   if (fault_at == 0 || number < fault_at) return 0;
@@ -62,7 +62,7 @@ ssize_t write(int file, const void* bytes, size_t size) {
 
 int fsync(int file) { return full() ? -1 : REAL(fsync)(file); }
 int link(const char* from, const char* to) { return full() ? -1 : REAL(link)(from, to); }
-// Taking away needs no space.
+// Renaming and removing need no disk space.
 int rename(const char* from, const char* to) {
   if (kills && full()) return -1;
   return REAL(rename)(from, to);

@@ -1,6 +1,6 @@
-// Preloaded, it makes one function of the libraries that the solvers call, or the allocation of
-// memory, fail: FAULT_FUNCTION is its name, FAULT_AT the number of the first call that fails.
-// FAULT_COUNT is a file for how many calls there were.
+// Library for LD_PRELOAD that makes a function of the libraries of the solvers, or the allocation
+// of memory, fail. FAULT_FUNCTION is the name of the function, FAULT_AT the number of the first
+// call that fails, FAULT_COUNT a file for the number of calls.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -20,7 +20,7 @@ __attribute__((constructor)) static void begin(void) {
   const char* at = getenv("FAULT_AT");
   fault_at = at ? atol(at) : 0;
   if (getenv("FAULT_FUNCTION")) function = getenv("FAULT_FUNCTION");
-  unsetenv("LD_PRELOAD");  // the programs that it starts are left alone
+  unsetenv("LD_PRELOAD");  // child processes are not affected
 }
 
 __attribute__((destructor)) static void end(void) {
@@ -41,7 +41,7 @@ static int fails(const char* name) {
 
 #define REAL(name) dlsym(RTLD_NEXT, #name)
 
-// KLU: what it returns without memory.
+// Functions of KLU fail as they do without memory.
 #define KLU_FAULT(type, name, failure, parameters, arguments)   \
   type name parameters {                                        \
     if (fails(#name)) {                                         \
@@ -50,7 +50,8 @@ static int fails(const char* name) {
     }                                                           \
     return ((type(*) parameters)REAL(name))arguments;           \
   }
-// Indices: SuiteSparse 5 declares long, 7 int64_t; both are one type on 64-bit Linux. Flags: long, then int.
+// Index types: long in SuiteSparse 5, int64_t in 7, which are equal on 64-bit Linux. Flags: long in
+// 5, int in 7.
 typedef int64_t Long;
 #if KLU_MAIN_VERSION >= 2
 typedef int Flag;
@@ -78,7 +79,7 @@ KLU_FAULT(Flag, klu_l_rgrowth, 0,
            klu_l_common* common),
           (p, i, x, symbolic, numeric, common))
 
-// Others: six arguments hold what any of them is called with.
+// Other functions, with at most six pointer or integer arguments.
 #define FAULT(type, name, failure)                                                   \
   type name(void* a, void* b, void* c, void* d, void* e, void* f) {                  \
     if (fails(#name)) return (type)failure;                                          \
@@ -93,7 +94,7 @@ FAULT(int, CVodeSetPreconditioner, -30)
 FAULT(int, SUNLinSolInitialize, -808)
 FAULT(int, SUNLinSolSetup, -806)
 
-// With numbers among their arguments.
+// Functions with floating-point arguments or other signatures.
 void* CVodeCreate(int method, void* context) {
   return fails("CVodeCreate") ? NULL : ((void* (*)(int, void*))REAL(CVodeCreate))(method, context);
 }
@@ -111,7 +112,7 @@ int SUNLinSolSolve(void* solver, void* matrix, void* x, void* b, double toleranc
                                                                              tolerance);
 }
 
-// What is small is there.
+// Small allocations always succeed.
 static int no_memory(size_t size) { return size >= 32768 && fails("malloc"); }
 void* malloc(size_t size) {
   static void* (*real)(size_t);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Functions of SUNDIALS, KLU and CHOLMOD, and the allocation of memory, made to fail: the program
-says so by a status or one line. It never crashes, hangs, or calls an answer ok that is another.
+"""Makes functions of SUNDIALS, KLU and CHOLMOD, and the allocation of memory, fail. The program must
+report the failure by a status or a message; it must not crash, hang, or give a wrong solution the status ok.
 
     of_libraries.py PROGRAM LIBRARY [--all] [--verbose]
 
-Without --all, some commands with few places at which memory ends.
+Without --all, tests a part of the commands, and memory failures at a few calls.
 """
 
 import json
@@ -33,17 +33,17 @@ GMRES = ["SUNLinSol_SPGMR", "SUNLinSolInitialize", "SUNLinSolSetup", "SUNLinSolS
 FUNCTIONS = {"fd": KLU + CVODE + GMRES, "direct": KLU + GMRES, "characteristics": GMRES,
              "transient": KLU + CVODE + GMRES, "bounds": KLU, "controlled": KLU, "run": KLU + CVODE + GMRES}
 FEW = ["fd", "characteristics"]
-LONGEST = 90  # seconds of a run; none hangs
+LONGEST = 90  # time limit of a run in seconds, to detect hangs
 
 
 def run(program, command, **environment):
-    # Small pieces of large blocks would come from the threads' arenas.
+    # With arenas of threads, small allocations would also fail as parts of large blocks.
     return subprocess.run([program, *command, "--json"], capture_output=True, text=True,
                           timeout=LONGEST, env=os.environ | {"MALLOC_ARENA_MAX": "1"} | environment)
 
 
-def answers(done):
-    """By id what is ok: its moments."""
+def ok_moments(done):
+    """{id: moments} of the solutions with status ok."""
     try:
         summary = json.loads(done.stdout)
     except json.JSONDecodeError:
@@ -53,7 +53,7 @@ def answers(done):
 
 
 def reasons(done):
-    """What solutions say that are not ok."""
+    """The reasons of the solutions without status ok."""
     try:
         summary = json.loads(done.stdout)
     except json.JSONDecodeError:
@@ -62,25 +62,25 @@ def reasons(done):
             if s["status"] != "ok" and s["reason"]] or summary.get("reason", [])
 
 
-def wrong(done, true):
-    """What is wrong with it, or nothing."""
-    # METIS ends the program when memory ends within it, after CHOLMOD looked whether there is
-    # enough: it says so, and nothing is there to catch it.
+def defect(done, true):
+    """The defect of a run with a fault, or an empty text."""
+    # METIS aborts the program with a message when an allocation in METIS fails, although CHOLMOD
+    # tested the available memory before. The program cannot catch this.
     if done.returncode == -6 and "***Memory" in done.stderr:
         return ""
     if done.returncode < 0 or done.returncode > 128:
         return f"ended by signal {-done.returncode}"
     lines = done.stderr.splitlines()
     if done.returncode != 0 and not lines and not reasons(done):
-        return "no word of it"
+        return "no message and no reason"
     if len(lines) > 6 or any(len(line) > 600 for line in lines):
-        return f"{len(lines)} lines"
-    for solution, moments in answers(done).items():
+        return f"message of {len(lines)} lines"
+    for solution, moments in ok_moments(done).items():
         for name, value in moments.items():
             was = true.get(solution, moments)[name]
-            # Less time, or one grid less: within what an answer that is ok may state.
+            # Less time or fewer grids may change a solution within the accuracy of status ok.
             if value is not None and abs(value - was) > 2e-2 * abs(was) + 1e-3:
-                return f"{solution} is ok with {name} = {value}, which is {was}"
+                return f"{solution} is ok with {name} = {value} instead of {was}"
     return ""
 
 
@@ -91,7 +91,7 @@ def main(program, library, every, verbose):
     for name, command in COMMANDS.items():
         if not every and name not in FEW:
             continue
-        true = answers(run(program, command))
+        true = ok_moments(run(program, command))
         for function in [*FUNCTIONS.get(name, []), "malloc"]:
             faulty = {"LD_PRELOAD": library, "FAULT_FUNCTION": function}
             numbers, calls = [1, 30, 300] if function == "malloc" else [1], "?"
@@ -104,7 +104,7 @@ def main(program, library, every, verbose):
                                   for k in range(parts)}) if calls else []
             for number in numbers:
                 done = run(program, command, FAULT_AT=str(number), **faulty)
-                found = wrong(done, true)
+                found = defect(done, true)
                 tried += 1
                 if verbose or found:
                     print(f"{name}: {function} from call {number} of {calls}: "

@@ -1,5 +1,6 @@
-// Observed orders of the scheme, two-sided, on three grids each: against exact solutions, against a
-// manufactured one that an impact with losses maps onto itself, and against itself.
+// Observed orders of the scheme, with lower and upper limits, on three grids each: against exact
+// solutions, against a manufactured density that an impact with losses maps onto itself, and by
+// self-convergence.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -18,9 +19,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Cell averages of a function, five Gauss points a direction.
+// Cell averages of a function, by five Gauss points in each direction.
 template <class Function>
-Eigen::VectorXd averages_of(const Grid& grid, const Function& f) {
+Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
   using Rule = boost::math::quadrature::gauss<double, 5>;
   Eigen::VectorXd averages(grid.size());
   for (int i = 0; i < grid.nx(); ++i) {
@@ -42,7 +43,7 @@ double l1(const Grid& grid, const Eigen::VectorXd& averages) {
   return grid.areas().dot(averages.cwiseAbs());
 }
 
-// Widths fall by the same factor from one error to the next.
+// Checks the observed orders; widths decrease by the same factor from one error to the next.
 void expect_order(double coarse, double middle, double fine, double factor, double least,
                   double most) {
   for (const double observed :
@@ -52,7 +53,7 @@ void expect_order(double coarse, double middle, double fine, double factor, doub
   }
 }
 
-// The null vector on a grid; cells scaled from a first grid by a power of 1.5.
+// The null vector on a grid.
 struct Solved {
   Grid grid;
   Eigen::VectorXd averages;
@@ -69,23 +70,23 @@ Solved stationary(const problem::Problem& p, Equation equation, int order, int n
   return {std::move(grid), *solution.averages};
 }
 
-class OrderOf : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Convergence, OrderOf, testing::Values(3, 5, 7),
+class ObservedOrder : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Convergence, ObservedOrder, testing::Values(3, 5, 7),
                          [](const auto& of) { return "Order" + std::to_string(of.param); });
 
-TEST_P(OrderOf, TheJointDensityUnderWhiteNoiseIsThatOfTheScheme) {
+TEST_P(ObservedOrder, JointDensityUnderWhiteNoiseHasTheOrderOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.restitution = 1});
   const exact::WhiteNoiseDensity exact(p);
   const auto error = [&](int nx) {
     const auto [grid, averages] = stationary(p, Equation::white, order, nx, 2 * nx, 4.6, 5.0);
     return l1(grid,
-              averages - averages_of(grid, [&](double x, double v) { return 2 * exact(x, v); }));
+              averages - cell_averages(grid, [&](double x, double v) { return 2 * exact(x, v); }));
   };
   expect_order(error(20), error(30), error(45), 1.5, order - 0.6, order + 1.2);
 }
 
-TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
+TEST_P(ObservedOrder, MarginalsAndJointDensityUnderJumpsHaveTheOrderOfTheScheme) {
   const int order = GetParam();
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   static const exact::LinearDensity exact(p);
@@ -105,7 +106,7 @@ TEST_P(OrderOf, MarginalsAndJointDensityUnderJumpsAreThatOfTheScheme) {
                   grid.x1.widths().dot((of_y - as_vector(y)).cwiseAbs()),
                   grid.x2.widths().dot((of_v - as_vector(v)).cwiseAbs())};
   };
-  const int first = order < 7 ? 24 : 36;  // the seventh order shows itself later
+  const int first = order < 7 ? 24 : 36;  // the seventh order is observed on finer grids only
   const auto coarse = errors(first), middle = errors(first * 3 / 2), fine = errors(first * 9 / 4);
   expect_order(coarse.joint, middle.joint, fine.joint, 1.5, order - 0.6, order + 1.4);
   expect_order(coarse.y, middle.y, fine.y, 1.5, order - 0.6, order + 1.6);
@@ -127,8 +128,9 @@ TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
   }
 }
 
-// p = exp(-x^2) P(v), P = v^6 exp(-v^2) for v < 0 and (v/r)^6 exp(-(v/r)^2) / r^2 for v > 0: what
-// the impact returns, p(0, w) = p(0, -w/r) / r^2, is what is there. P has five derivatives at 0.
+// p = exp(-x^2) P(v), with P = v^6 exp(-v^2) for v < 0 and (v/r)^6 exp(-(v/r)^2) / r^2 for v > 0.
+// This density satisfies the impact condition p(0, w) = p(0, -w/r) / r^2. P has five derivatives at
+// 0.
 struct Manufactured {
   const problem::System& system;
   double d2;
@@ -150,7 +152,7 @@ struct Manufactured {
   }
 };
 
-TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
+TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
   const int order = GetParam();
   for (const double r : {0.8, 0.5}) {
     const auto p = tests::make_problem({.cubic = 0.3, .restitution = r, .intensity = 0.5});
@@ -160,10 +162,11 @@ TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
       const Excitation excitation = white_noise(p.impulses);
       const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
       const Eigen::VectorXd density =
-          averages_of(grid, [&](double x, double v) { return exact.density(x, v); });
+          cell_averages(grid, [&](double x, double v) { return exact.density(x, v); });
       Eigen::VectorXd source =
-          averages_of(grid, [&](double x, double v) { return exact.rate(x, v); });
-      // L q = source has a solution when the source has no mass, as it has up to the box.
+          cell_averages(grid, [&](double x, double v) { return exact.rate(x, v); });
+      // L q = source is solvable for a source of mass 0; the mass of this source is 0 except for
+      // the truncation by the box.
       Eigen::VectorXd defect = source - op * density;
       defect.array() -= op.mass(defect) / op.areas.sum();
       Preconditioner preconditioner(p, excitation, Impact::map, grid);
@@ -184,10 +187,10 @@ TEST_P(OrderOf, AManufacturedDensityWithLossesAtTheImpactIsThatOfTheScheme) {
 }
 
 // Without an exact solution: differences of moments on grids refined by sqrt(2).
-TEST(SelfConvergence, OfThePapersCasesIsOfFifthOrderOnGradedGrids) {
+TEST(SelfConvergence, ThePapersCasesHaveOrderFiveOnGradedGrids) {
   for (const double r : {0.98, 0.7}) {
-    for (const int number : {1, 2, 4}) {  // 3 is 2 in other units
-      if (number != (r > 0.9 ? 1 : 4) && !tests::thorough()) continue;
+    for (const int number : {1, 2, 4}) {  // case 3 equals case 2 in other units
+      if (number != (r > 0.9 ? 1 : 4) && !tests::is_thorough()) continue;
       auto p = tests::paper_case(number);
       auto coefficients = p.system.coefficients();
       coefficients.restitution = r;

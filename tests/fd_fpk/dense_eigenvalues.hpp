@@ -7,8 +7,8 @@
 
 namespace fpkcheck::tests {
 
-/// All eigenvalues on or above the real axis, the rightmost first, by a dense solver. Compiled once
-/// for all tests that compare with it: the solver takes half a minute.
+/// All eigenvalues on or above the real axis, by decreasing real part, by a dense solver. Compiled
+/// once for all tests: the solver takes half a minute to compile.
 std::vector<std::complex<double>> dense_eigenvalues(
     const Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>& matrix);
 

@@ -9,12 +9,13 @@
 #include "problem/undamped_orbits.hpp"
 #include "transform/solution.hpp"
 
-/// White noise and an elastic impact, where the density is known: for a test and a benchmark.
+/// White noise and an elastic impact, with a known density: for a test and a benchmark.
 namespace fpkcheck::tests {
 
-/// The null vector on nx x nv cells, in a box whose walls lie on one level of energy, 5.5
-/// deviations of the velocity from rest.
-inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order, int nx, int nv) {
+/// Options for the null vector on nx x nv cells. The walls of the box have equal energy, at 5.5
+/// standard deviations of the velocity from rest.
+inline fd_fpk::Options elastic_white_noise_exponent(const problem::Problem& p, int order, int nx,
+                                                    int nv) {
   constexpr double kDeviations = 5.5;
   const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
   return {.equation = problem::Equation::white,
@@ -22,12 +23,12 @@ inline fd_fpk::Options elastic_white_noise(const problem::Problem& p, int order,
           .order = order,
           .nx = nx,
           .nv = nv,
-          .x1_max = problem::UndampedOrbits(p).swings(v2 / 2).back().right,
+          .x1_max = problem::UndampedOrbits(p).half_cycles(v2 / 2).back().right,
           .x2_max = std::sqrt(v2),
           .error_estimate = false};
 }
 
-/// Integrals of |bin average - exact bin average| over the cells of the solution's own grid.
+/// Integrals of |bin average - exact bin average| over the cells of the solution.
 struct MarginalErrors {
   double y, v;
 };

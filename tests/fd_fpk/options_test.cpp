@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Every option differs from its default and from every other.
+// Every option differs from its default and from every other option.
 Options changed() {
   return {.equation = Equation::km4,
           .impact = Impact::delta,
@@ -23,28 +23,28 @@ Options changed() {
           .regularisation_length = 0.31,
           .wall_density = 2e-7,
           .refine_unresolved = false,
-          .error_estimate = true,  // as by default: of two flags, one
+          .error_estimate = true,  // as by default: two flags cannot both differ
           .accuracy = 0.015,
           .max_seconds = 12.5,
           .tolerance = 1.1e-5,
           .residual_tolerance = 2.2e-9};
 }
 
-TEST(Options, ComeBackFromTheirValues) {
-  const auto values = description().values(changed()), usual = description().values({});
+TEST(Options, RoundTripThroughTheirValues) {
+  const auto values = description().values(changed()), defaults = description().values({});
   EXPECT_EQ(description().values(description().read(values, "options")), values);
-  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+  EXPECT_EQ(description().values(description().read(defaults, "options")), defaults);
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (values[k].name == "error_estimate") continue;
-    EXPECT_NE(values[k].value, usual[k].value)
-        << values[k].name << " is as by default: its way back is not tested";
+    EXPECT_NE(values[k].value, defaults[k].value)
+        << values[k].name << " has its default value: its round trip is not tested";
     for (std::size_t other = 0; other < k; ++other) {
       EXPECT_NE(values[k].value, values[other].value) << values[k].name;
     }
   }
 }
 
-TEST(Options, EveryEquationComesBack) {
+TEST(Options, EquationsRoundTripThroughTheirNames) {
   for (const auto& [equation, name, meaning] : names(Equation{})) {
     const auto values = description().values({.equation = equation});
     EXPECT_EQ(description().read(values, "options").equation, equation) << name;
@@ -87,7 +87,7 @@ std::string refusal(const Options& options) {
   return "";
 }
 
-TEST(Options, ThatCannotBeUsedAreRefusedByName) {
+TEST(Options, InvalidValuesAreRefusedByName) {
   EXPECT_EQ(refusal({}), "");
   EXPECT_EQ(refusal({.order = 9}), "fd order = 9 (must be between 2 and 8)");
   EXPECT_EQ(refusal({.nv = 31}),
@@ -105,15 +105,15 @@ TEST(Options, ThatCannotBeUsedAreRefusedByName) {
   EXPECT_NE(refusal({.residual_tolerance = 0}), "");
 }
 
-TEST(Options, ThatContradictOneAnotherAreRefused) {
+TEST(Options, ContradictoryOptionsAreRefused) {
   EXPECT_EQ(refusal({.regularisation_length = 0.3}),
-            "regularisation length with equation kf (only km4 has one: leave it out)");
+            "regularisation length with equation kf: only km4 has one; leave it out");
   EXPECT_EQ(refusal({.equation = Equation::km4, .regularisation_length = 0.0}), "");
   EXPECT_NE(refusal({.equation = Equation::km4, .regularisation_length = -0.3}), "");
   EXPECT_NE(refusal({.nx = 40, .tolerance = 1e-4}), "");
 }
 
-TEST(Options, AnIdStandsForItsEquationAndImpact) {
+TEST(Options, AnIdDeterminesEquationAndImpact) {
   for (const auto* wanted : {"fd-white", "fd-km4", "fd-km4-pade", "fd-kf", "fd-white-delta",
                              "fd-km4-delta", "fd-km4-pade-delta", "fd-kf-delta"}) {
     const auto options = options_of(wanted);
@@ -127,7 +127,7 @@ TEST(Options, AnIdStandsForItsEquationAndImpact) {
   }
 }
 
-TEST(Options, SayWhichSolutionTheyAskFor) {
+TEST(Options, DetermineTheIdentityOfTheSolution) {
   const auto identity = fd_fpk::identity({.equation = Equation::km4, .impact = Impact::delta});
   EXPECT_EQ(identity.id, "fd-km4-delta");
   EXPECT_EQ(identity.method, "fd");

@@ -29,7 +29,7 @@ TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensi
   ASSERT_EQ(study.rows.size(), 15u);
   EXPECT_NEAR(study.default_length, std::sqrt(0.1), 1e-12);
 
-  // 16 D4/h^4 - 6.04 D2/h^2 < 0 at h = l: there the literal scheme is the regularised one.
+  // 16 D4/h^4 - 6.04 D2/h^2 < 0 at h = l: there the literal and the regularised scheme coincide.
   EXPECT_FALSE(row_of(study, "literal", 1).growth(p));
   EXPECT_EQ(row_of(study, "literal", 1).l1_y, row_of(study, "regularised", 1).l1_y);
   EXPECT_NEAR(*row_of(study, "literal", 2).growth(p), 16.5, 1.5);
@@ -50,14 +50,14 @@ TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensi
     EXPECT_EQ(row.remark, "");
     EXPECT_FALSE(row_of(study, "pade", division).growth(p));
   }
-  // On both sides of the threshold, on a step that resolves it.
+  // On both sides of the threshold, with a step that resolves it.
   EXPECT_GT(row_of(study, "0.9 l*", 4).symbol->rate, 1);
   EXPECT_NEAR(row_of(study, "0.9 l*", 4).growth(p).value_or(0), 1.5, 0.3);
   EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth(p));
 }
 
-TEST(RegularisationStudy, SaysWhatDoesNotExistForALaw) {
-  // A small spread about a large mean: so skew about zero that the Pade approximant has a pole.
+TEST(RegularisationStudy, ReportsSchemesThatDoNotExistForALaw) {
+  // A small variance about a large mean: so skew about zero that the Pade approximant has a pole.
   const auto skew = tests::make_problem({.mean = 0.29, .law = "two_point"});
   const auto study = study_regularisation(skew, {.divisions = {1}});
   const auto& pade = row_of(study, "pade", 1);
@@ -66,7 +66,7 @@ TEST(RegularisationStudy, SaysWhatDoesNotExistForALaw) {
   EXPECT_TRUE(row_of(study, "regularised", 1).l1_y);
 }
 
-TEST(RegularisationStudy, GoesWithoutEigenvaluesWhereTheMatrixIsLarge) {
+TEST(RegularisationStudy, OmitsEigenvaluesOfLargeMatrices) {
   const auto frequent = tests::make_problem({.rate = 40});
   const auto study = study_regularisation(frequent, {.divisions = {2}, .nx = 16});
   for (const auto& row : study.rows) {
@@ -78,13 +78,12 @@ TEST(RegularisationStudy, GoesWithoutEigenvaluesWhereTheMatrixIsLarge) {
 }
 
 TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
-  // Its kernel reaches far beyond a stencil: a line that cuts it off shows growth that is not
-  // there.
+  // The kernel extends far outside a stencil: a truncated axis would show a spurious instability.
   const auto p = tests::make_problem();
   Options pade;
   pade.equation = Equation::km4_pade;
   for (const double step : {0.1, 0.04, 0.02}) {
-    EXPECT_FALSE(grows(largest_growth(p, pade, step), p.impulses)) << step;
+    EXPECT_FALSE(is_unstable(largest_growth(p, pade, step), p.impulses)) << step;
   }
 }
 

@@ -11,12 +11,12 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // r from 0.3 to 1, lambda from 0.2 to 20, mu from 0 to 10, intensities from 0.1 to 1.
-TEST(Robustness, RandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
+TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
   std::mt19937_64 engine(2026);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::generate_canonical<double, 53>(engine);
   };
-  for (int k = 0; k < tests::usually(14, 40); ++k) {
+  for (int k = 0; k < tests::part_unless_thorough(14, 40); ++k) {
     const double restitution = uniform(0.3, 1);
     const double rate = 0.2 * std::pow(100, uniform(0, 1));
     const double cubic = uniform(0, 10);
@@ -33,12 +33,11 @@ TEST(Robustness, RandomProblemsAreResolvedToTheBarsOfMassEnergyAndSign) {
   }
 }
 
-TEST(Robustness, ABoxOfMoreCellsThanCanBeCountedIsRefused) {
+TEST(Robustness, ABoxWithMoreCellsThanAnIntHoldsIsRefused) {
   for (const double y : {1e20, 1e300}) {
     const auto solution = solve(tests::paper_case(1), {.x1_max = y}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
-    EXPECT_NE(solution.reason.find("cells, more than 100000 (give nx, nv or a smaller box)"),
-              std::string::npos)
+    EXPECT_NE(solution.reason.find("cells, more than 100000: use fewer cells"), std::string::npos)
         << solution.reason;
     EXPECT_EQ(solution.reason.find('-'), std::string::npos) << solution.reason;
   }

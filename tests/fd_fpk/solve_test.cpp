@@ -18,7 +18,7 @@ using tests::uniform_edges;
 using transform::Status;
 using transform::Variable;
 
-// One grid, which is what the claims are of: error estimates have tests of their own.
+// A single grid: error estimates have their own tests.
 Options direct(Equation equation) {
   return {.equation = equation, .stepper = Stepper::direct, .error_estimate = false};
 }
@@ -62,7 +62,7 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   EXPECT_LT(fine, 4e-5);
 }
 
-TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
+TEST(Solve, StatesIdentityErrorsAndMetrics) {
   const auto p = tests::paper_case(1);
   Options options{.equation = Equation::km4,
                   .impact = Impact::delta,
@@ -70,12 +70,12 @@ TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
                   .error_estimate = false};
   const auto plain = solve(p, options);
   EXPECT_EQ(plain.solution.identity, identity(options));
-  EXPECT_EQ(plain.solution.observations, observations(plain.summary));
+  EXPECT_EQ(plain.solution.metrics, metrics(plain.summary));
   EXPECT_FALSE(plain.solution.error);
   options.error_estimate = true;
   const auto [solution, summary] = solve(p, options);
   EXPECT_EQ(solution.identity, identity(options));
-  EXPECT_EQ(solution.observations, observations(summary));
+  EXPECT_EQ(solution.metrics, metrics(summary));
   ASSERT_TRUE(solution.error && summary.error);
   EXPECT_EQ(solution.error->y_l1, summary.error->y_l1);
   EXPECT_EQ(solution.error->ydot_l1, summary.error->ydot_l1);
@@ -83,12 +83,12 @@ TEST(Solve, SaysWhatItSolvedAndHandsItsErrorsAndObservationsOn) {
   EXPECT_GT(solution.error->moments.v4, 0);
 }
 
-TEST(Solve, SaysWhatItSolvedOfAProblemWithoutASolutionToo) {
+TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
   const Options literal{.equation = Equation::km4, .regularisation_length = 0};
   const auto [solution, summary] = solve(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
-  EXPECT_EQ(solution.observations, observations(summary));
-  EXPECT_GT(*number(solution.observations, "growth_rate"), 1.0);
+  EXPECT_EQ(solution.metrics, metrics(summary));
+  EXPECT_GT(*number(solution.metrics, "growth_rate"), 1.0);
 }
 
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
@@ -128,10 +128,10 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
   }
 }
 
-TEST(Solve, SteppingMeetsTheBarsOfMassEnergyAndStationarityOnThePapersCases) {
+TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) {
   for (const int number : {1, 4}) {
     for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
-      // Stepping takes no part where the time is short, and this machine may have little of it.
+      // Stepping is skipped when time is short, and this machine may be slow.
       const auto [solution, summary] =
           solve(tests::paper_case(number),
                 {.equation = equation, .error_estimate = false, .max_seconds = 600});
@@ -163,7 +163,7 @@ TEST(Solve, CasesTwoAndThreeAreOneProblem) {
   EXPECT_NEAR(three.moments.y4 * 100, two.moments.y4, 1e-7 * two.moments.y4);
 }
 
-TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
+TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
   const auto p = tests::paper_case(1);
   const auto kf = solve(p, direct(Equation::kf)).solution;
   const auto km4 = solve(p, direct(Equation::km4)).solution;
@@ -174,7 +174,7 @@ TEST(Solve, TruncationCostsLittleAndWhiteNoiseMuch) {
   EXPECT_GT(l1(marginal(white, Variable::ydot, edges), reference), 2e-2);
 }
 
-TEST(Solve, LiteralTruncationOnAFineGridIsReportedAndNotStepped) {
+TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
   const auto [solution, summary] =
       solve(tests::paper_case(1), {.equation = Equation::km4, .regularisation_length = 0});
   EXPECT_EQ(solution.status, Status::ill_posed);
@@ -182,8 +182,9 @@ TEST(Solve, LiteralTruncationOnAFineGridIsReportedAndNotStepped) {
   EXPECT_GT(summary.growth_rate, 1.0);
   EXPECT_EQ(summary.steps, 0);
   EXPECT_NE(solution.reason.find("least 0.23 "), std::string::npos)
-      << solution.reason;                                                          // what it needs
-  EXPECT_NE(solution.reason.find("0.316"), std::string::npos) << solution.reason;  // the default
+      << solution.reason;  // the required length
+  // The default length.
+  EXPECT_NE(solution.reason.find("0.316"), std::string::npos) << solution.reason;
 }
 
 TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
@@ -196,13 +197,13 @@ TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
   }
 }
 
-// Whatever the equation, the law and the impact: problem/motion_balances.hpp. A wrong sign of the
-// mean or factor of the impact would leave a few per cent and more.
+// For any equation, law and impact: problem/motion_balances.hpp. A wrong sign of the mean or factor
+// of the impact would leave a residual of a few per cent or more.
 TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
   for (const double mean : {0.1, -0.1}) {
     const auto p = tests::make_problem({.restitution = 0.9, .mean = mean});
     for (const auto impact : {Impact::map, Impact::delta}) {
-      if ((mean > 0) != (impact == Impact::map) && !tests::thorough()) continue;
+      if ((mean > 0) != (impact == Impact::map) && !tests::is_thorough()) continue;
       for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
         SCOPED_TRACE(std::string(name(equation)) + "/" + std::string(name(impact)));
         Options options = direct(equation);
@@ -211,8 +212,7 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
         ASSERT_TRUE(solution.density.has_value()) << solution.reason;
         EXPECT_LT(std::abs(*summary.balances.virial), 5e-5);
         EXPECT_LT(std::abs(*summary.balances.momentum), 5e-5);
-        EXPECT_EQ(transform::number(solution.observations, "balances.virial"),
-                  summary.balances.virial);
+        EXPECT_EQ(transform::number(solution.metrics, "balances.virial"), summary.balances.virial);
       }
     }
   }
@@ -225,9 +225,9 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
   EXPECT_LT(summary.wall.x2, 1e-5);
 }
 
-// Heavily damped, rare impulses leave a spike at the wall that no uniform grid of this size
+// Under heavy damping rare impulses cause a spike at the wall that no uniform grid of this size
 // resolves.
-TEST(Solve, DoesNotPassOffAnUnresolvedDensity) {
+TEST(Solve, AnUnresolvedDensityIsInadmissible) {
   for (const auto& p :
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
     Options free = direct(Equation::kf);
@@ -262,8 +262,8 @@ TEST(Solve, DoesNotDependOnTheUnitOfTime) {
   }
 }
 
-// At a given intensity the fourth cumulant of the velocity is what is left of frequent impulses, as
-// 1 / rate; on cells 300 times as wide as an impulse too.
+// At a given intensity the effect of frequent impulses beyond white noise is their fourth cumulant,
+// proportional to 1 / rate; also on cells 300 times as wide as an impulse.
 TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   const auto problem = [](double rate, double cubic) {
     return tests::make_problem({.cubic = cubic, .restitution = 1, .rate = rate});
@@ -282,7 +282,7 @@ TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   EXPECT_NEAR(at_1e3 / at_1e4, 10, 0.1);
 }
 
-// Where impacts take energy too: a grid for impulses that come one by one is off by 1.5e-4 there.
+// With losses at the impact: the grid for separate impulses has an error of 1.5e-4 here.
 TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   const auto p = [](double rate) {
     return tests::make_problem({.restitution = 0.5, .rate = rate});
@@ -294,7 +294,7 @@ TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   EXPECT_NEAR(kf.solution.moments.y2, white.solution.moments.y2, 1e-7);
 }
 
-TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
+TEST(Solve, RefusesGridsThatAreTooLargeOrTooCoarse) {
   Options many = direct(Equation::kf);
   many.refinement = 10;
   const auto huge = solve(tests::paper_case(1), many).solution;
@@ -306,7 +306,7 @@ TEST(Solve, RefusesGridsThatCannotDoWithWhatIsNeeded) {
   EXPECT_EQ(solve(tests::paper_case(1), long_step).solution.status, Status::failed);
 }
 
-TEST(Solve, SaysThatABoxIsTooSmall) {
+TEST(Solve, ReportsABoxThatIsTooSmall) {
   Options options = direct(Equation::kf);
   options.x1_max = 1.0;
   options.x2_max = 1.2;
@@ -315,7 +315,7 @@ TEST(Solve, SaysThatABoxIsTooSmall) {
   EXPECT_NE(solution.reason.find("box"), std::string::npos);
 }
 
-TEST(Solve, SaysThatAResidualWasNotReached) {
+TEST(Solve, ReportsAResidualAboveItsThreshold) {
   for (const auto stepper : {Stepper::cvode, Stepper::direct}) {
     const auto solution = solve(tests::paper_case(1), {.equation = Equation::white,
                                                        .stepper = stepper,
@@ -329,7 +329,7 @@ TEST(Solve, SaysThatAResidualWasNotReached) {
   }
 }
 
-TEST(Solve, RefusesOptionsThatCannotBeUsed) {
+TEST(Solve, RefusesInvalidOptions) {
   EXPECT_THROW(solve(tests::paper_case(1), {.order = 9}), InputError);
   EXPECT_THROW(solve(tests::paper_case(1), {.regularisation_length = 0.3}), InputError);
 }

@@ -11,9 +11,9 @@ namespace {
 
 using transform::Kind;
 
-std::vector<std::string> paths(const transform::Observations& observations) {
+std::vector<std::string> paths(const transform::Metrics& metrics) {
   std::vector<std::string> list;
-  for (const auto& observation : observations) list.push_back(observation.path);
+  for (const auto& observation : metrics) list.push_back(observation.path);
   return list;
 }
 
@@ -44,29 +44,29 @@ const std::vector<std::string> kWithoutEstimate{"nx",
                                                 "balances.momentum",
                                                 "order"};
 
-TEST(Summary, IsObservedInTheOrderOfSummaryFiles) {
-  EXPECT_EQ(paths(observations({})), kWithoutEstimate);
+TEST(Summary, MetricsHaveTheOrderOfSummaryFiles) {
+  EXPECT_EQ(paths(metrics({})), kWithoutEstimate);
   auto with_estimate = kWithoutEstimate;
   with_estimate.insert(with_estimate.end(),
                        {"error.impact_rate", "error.observed_order", "error.extrapolated.y1",
                         "error.extrapolated.y2", "error.extrapolated.y4", "error.extrapolated.v1",
                         "error.extrapolated.v2", "error.extrapolated.v4"});
-  EXPECT_EQ(paths(observations({.error = ErrorEstimate{}})), with_estimate);
+  EXPECT_EQ(paths(metrics({.error = ErrorEstimate{}})), with_estimate);
 }
 
-TEST(Summary, OfCharacteristicsTellsWhatTheyHold) {
+TEST(Summary, CharacteristicsHaveTheirOwnMetrics) {
   Summary summary;
   summary.transport = Transport::characteristics;
   summary.visits = 1000;
   summary.rest_mass = 0.25;
-  const auto all = observations(summary);
+  const auto all = metrics(summary);
   EXPECT_EQ(find(all, "transport")->value, base::Value(std::string("characteristics")));
   EXPECT_EQ(find(all, "visits")->kind, Kind::work);
   EXPECT_EQ(number(all, "rest_mass"), 0.25);
 }
 
-TEST(Summary, TellsTheAnswerFromTheWork) {
-  const auto all = observations({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
+TEST(Summary, MetricsSeparateResultsFromWork) {
+  const auto all = metrics({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
   EXPECT_EQ(find(all, "nx")->value, base::Value(std::int64_t{40}));
   EXPECT_EQ(find(all, "nx")->kind, Kind::result);
   EXPECT_EQ(find(all, "steps")->value, base::Value(std::int64_t{5}));
@@ -79,14 +79,14 @@ TEST(Summary, TellsTheAnswerFromTheWork) {
                              "regularisation_length", "impact_rate", "wall_density.ydot"}) {
     EXPECT_EQ(find(all, result)->kind, Kind::result) << result;
   }
-  EXPECT_EQ(find(all, "wall_density.y")->least_scale, 1e-6);
+  EXPECT_EQ(find(all, "wall_density.y")->min_scale, 1e-6);
   EXPECT_EQ(number(all, "wall_density.ydot"), 2e-9);
 }
 
-// The rate is a part of the answer, its error a statement; of infinitely many impacts there is neither.
-TEST(Summary, TheImpactRateHasAnErrorWhereThereIsOne) {
+// The rate is a result and its error is not; an infinite rate has neither metric.
+TEST(Summary, AFiniteImpactRateHasAnError) {
   const auto of = [](double rate, double error) {
-    return observations({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});
+    return metrics({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});
   };
   const auto all = of(0.3, 2e-4);
   EXPECT_EQ(number(all, "error.impact_rate"), 2e-4);
@@ -96,15 +96,15 @@ TEST(Summary, TheImpactRateHasAnErrorWhereThereIsOne) {
   EXPECT_EQ(find(infinite, "impact_rate"), nullptr);
 }
 
-TEST(Summary, ALimitIsJudgedByTheSizeOfItsMoment) {
-  const auto all = observations(
-      {.error = ErrorEstimate{.observed_order = 4.9,
-                              .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
-  EXPECT_TRUE(find(all, "error.observed_order")->delicate);
-  EXPECT_EQ(find(all, "error.extrapolated.y1")->least_scale, 0.1);
-  EXPECT_EQ(find(all, "error.extrapolated.y2")->least_scale, 3);
-  EXPECT_EQ(find(all, "error.extrapolated.v1")->least_scale, 2);
-  EXPECT_FALSE(find(all, "error.extrapolated.v1")->delicate);
+TEST(Summary, ALimitIsComparedOnTheScaleOfItsMoment) {
+  const auto all =
+      metrics({.error = ErrorEstimate{.observed_order = 4.9,
+                                      .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
+  EXPECT_TRUE(find(all, "error.observed_order")->is_rounding_sensitive);
+  EXPECT_EQ(find(all, "error.extrapolated.y1")->min_scale, 0.1);
+  EXPECT_EQ(find(all, "error.extrapolated.y2")->min_scale, 3);
+  EXPECT_EQ(find(all, "error.extrapolated.v1")->min_scale, 2);
+  EXPECT_FALSE(find(all, "error.extrapolated.v1")->is_rounding_sensitive);
 }
 
 }  // namespace

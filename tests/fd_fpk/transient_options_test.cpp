@@ -9,9 +9,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-TEST(TransientOptions, ComeBackFromTheirValues) {
+TEST(TransientOptions, RoundTripThroughTheirValues) {
   const auto& description = transient_description();
-  const auto usual = description.values({});
+  const auto defaults = description.values({});
   const auto values = description.values({.until = 7,
                                           .snapshots = 11,
                                           .start_displacement = 0.3,
@@ -21,7 +21,8 @@ TEST(TransientOptions, ComeBackFromTheirValues) {
                                           .relative_tolerance = 1e-4,
                                           .max_order = 3});
   EXPECT_EQ(description.values(description.read(values, "options")), values);
-  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_NE(values[k], defaults[k]) << values[k].name;
 }
 
 TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
@@ -32,7 +33,7 @@ TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
                                       "start-mean-v", "time-tolerance", ""}));
 }
 
-TEST(TransientOptions, ThatCannotBeUsedAreRefused) {
+TEST(TransientOptions, InvalidValuesAreRefused) {
   const auto refused = [](const TransientOptions& transient, const Options& options = {}) {
     EXPECT_THROW(validate(options, transient), InputError);
   };

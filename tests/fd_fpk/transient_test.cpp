@@ -19,7 +19,7 @@ using transform::Status;
 
 problem::Problem linear() { return tests::make_problem({.cubic = 0, .restitution = 1}); }
 
-// A wide start in y' and a narrow one in y: the density turns and breathes.
+// An initial density wide in y' and narrow in y: its covariance rotates.
 TransientOptions breathing(double until, int snapshots, double tolerance) {
   return {.until = until,
           .snapshots = snapshots,
@@ -52,14 +52,14 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 7u);
     for (int n = 0; n <= 6; ++n) EXPECT_DOUBLE_EQ(result.snapshots[n].time, 0.5 * n);
-    // They turn by 0.37 and back. The error is that of the steps in time: BDF of order 2.
+    // The moments oscillate by 0.37. The error is that of the time steps: BDF of order 2.
     EXPECT_LT(largest_error(problem, result), 1e-4);
   }
 }
 
-// Where time is followed accurately the operator itself must not grow: no eigenvalue to the right
-// of the imaginary axis. Longer stencils have some, which is why they are refused.
-TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
+// With accurate time steps the operator itself must be stable: no eigenvalue with a positive real
+// part. Operators with longer stencils have such eigenvalues, and are refused.
+TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
   const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
     const Options options{
         .equation = equation, .order = order, .origin_refinement = 1, .nx = 16, .nv = 28};
@@ -77,9 +77,9 @@ TEST(Transient, OrdersThatAreAllowedHaveNoGrowingModes) {
   }
 }
 
-// On cells that are not graded the flux out of them is 6 % too small. The start has its own rate: it is
-// bounded at the wall.
-TEST(Transient, ImpactRateUnderNoiseWithLossesEndsInTheStationaryOne) {
+// On uniform cells the flux is 6 % too small. The initial density is bounded at the wall and has a
+// different rate.
+TEST(Transient, ImpactRateUnderNoiseWithLossesTendsToTheStationaryRate) {
   const auto p = tests::make_problem({.restitution = 0.5});
   const double s = 0.3, v = 0.35;
   const auto result =
@@ -102,7 +102,7 @@ TEST(Transient, ErrorsInTimeFallWithTheTolerance) {
   }
 }
 
-TEST(Transient, BeginsWithTheGaussianAskedFor) {
+TEST(Transient, StartsWithTheRequestedGaussian) {
   const auto result = integrate(linear(), coarse(Equation::kf), breathing(0.1, 1, 1e-4));
   const auto& start = result.snapshots.front();
   EXPECT_EQ(start.time, 0);
@@ -139,14 +139,14 @@ TEST(Transient, KeepsMassAndTheBalanceOfPowerUnderLosses) {
   }
 }
 
-TEST(Transient, EndsInTheStationaryDensity) {
+TEST(Transient, TendsToTheStationaryDensity) {
   const auto problem = tests::make_problem({.damping = 0.6, .restitution = 0.95});
   const auto transient = integrate(problem, coarse(Equation::kf),
                                    {.until = 40, .snapshots = 1, .relative_tolerance = 1e-5});
   ASSERT_EQ(transient.status, Status::ok) << transient.reason;
   const auto stationary = solve(problem, coarse(Equation::kf)).solution;
   const auto& end = transient.snapshots.back();
-  // The grids differ, by the narrow start.
+  // The grids differ because of the narrow initial density.
   EXPECT_NEAR(end.moments.y2, stationary.moments.y2, 5e-4 * stationary.moments.y2);
   EXPECT_NEAR(end.moments.v2, stationary.moments.v2, 5e-4 * stationary.moments.v2);
   EXPECT_NEAR(end.moments.v1, 0, 1e-4);
@@ -154,8 +154,8 @@ TEST(Transient, EndsInTheStationaryDensity) {
   EXPECT_LT(transform::l1(y, {transient.y_edges, end.y, {}, {}}), 1e-3);
 }
 
-TEST(Transient, BoxHoldsWhatAWideStartTurnsInto) {
-  // Far out on a hardening spring: the velocities it will have are beyond the stationary ones.
+TEST(Transient, BoxContainsTheStatesAccessibleFromAWideStart) {
+  // At large displacements of a hardening spring: later velocities exceed the stationary range.
   const auto problem = tests::make_problem({.cubic = 0.5, .restitution = 1});
   const auto result = integrate(problem, coarse(Equation::white),
                                 {.until = 1,
@@ -167,7 +167,7 @@ TEST(Transient, BoxHoldsWhatAWideStartTurnsInto) {
   for (const auto& s : result.snapshots) EXPECT_LT(std::max(s.wall.x1, s.wall.x2), 1e-6);
 }
 
-TEST(Transient, SaysSoWhenTheBoxIsTooSmall) {
+TEST(Transient, ReportsABoxThatIsTooSmall) {
   const auto result = integrate(linear(), {.x1_max = 1.5, .x2_max = 5},
                                 {.until = 10, .snapshots = 10, .relative_tolerance = 1e-4});
   EXPECT_EQ(result.status, Status::failed);
@@ -182,8 +182,8 @@ TEST(Transient, DoesNotStepTheIllPosedEquation) {
   EXPECT_TRUE(result.snapshots.empty());
 }
 
-// A start so narrow that cells of its width would be more than a million.
-TEST(Transient, CellsOfItsOwnAreNeverTooMany) {
+// An initial density so narrow that cells of its width would number more than a million.
+TEST(Transient, ANarrowStartDoesNotExceedTheCellLimit) {
   const auto result = integrate(
       linear(), {},
       {.until = 1e-4, .snapshots = 1, .start_displacement = 1e-2, .start_velocity = 1e-2});
@@ -191,15 +191,15 @@ TEST(Transient, CellsOfItsOwnAreNeverTooMany) {
   EXPECT_FALSE(result.snapshots.empty());
 }
 
-TEST(Transient, EndsWithTheTimeThereIs) {
+TEST(Transient, StopsAtTheDeadline) {
   const auto result =
       integrate(linear(), {.refinement = 0.3, .max_seconds = 1e-6}, {.until = 1, .snapshots = 1});
   EXPECT_EQ(result.status, Status::not_converged);
-  EXPECT_EQ(result.snapshots.size(), 1u);  // of the start
+  EXPECT_EQ(result.snapshots.size(), 1u);  // the initial density
   EXPECT_NE(result.reason.find("max_seconds"), std::string::npos) << result.reason;
 }
 
-TEST(Transient, RefusesWhatItCannotUse) {
+TEST(Transient, RefusesInvalidOptions) {
   EXPECT_THROW(integrate(linear(), {}, {.until = -1}), InputError);
   EXPECT_THROW(integrate(linear(), {.order = 7}, {.until = 1}), InputError);
 }

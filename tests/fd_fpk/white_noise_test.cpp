@@ -16,12 +16,12 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The paper's four cases with an elastic impact on nx x 2 nx cells, the seventh order.
+// The paper's four cases with an elastic impact on nx x 2 nx cells, order 7.
 void expect_errors_below(double most, int nx) {
   for (const int number : {1, 2, 3, 4}) {
     const auto p = tests::make_problem(
         {.cubic = number <= 2 ? 0.1 : 1.0, .restitution = 1, .intensity = number % 2 ? 0.1 : 1.0});
-    const auto solution = solve(p, tests::elastic_white_noise(p, 7, nx, 2 * nx)).solution;
+    const auto solution = solve(p, tests::elastic_white_noise_exponent(p, 7, nx, 2 * nx)).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::errors_of(solution, p);
     EXPECT_LE(y, most) << "case " << number;
@@ -33,10 +33,11 @@ TEST(WhiteNoise, ElasticMarginalsAreExactToAMillionthWithOrderSeven) {
   expect_errors_below(1e-6, 40);
 }
 
-TEST(WhiteNoise, AThousandCellsReachTwoHundredThousandths) { expect_errors_below(2e-5, 24); }
+TEST(WhiteNoise, AThousandCellsGiveAnErrorBelow2e5) { expect_errors_below(2e-5, 24); }
 
 // -d log p(0, -+u) / d log u at about this speed, from averages of neighbouring cells of the first
-// column. Widths grow like u there, and with them what averages differ from values: it cancels.
+// column. Widths are proportional to u there, so that the difference between averages and values
+// cancels.
 struct Exponents {
   double out, in;
 };
@@ -52,7 +53,7 @@ Exponents exponents_at(const transform::GridDensity& grid, double speed) {
           .in = std::log(grid.average(0, half + k) / grid.average(0, half + k + 1)) / ratio};
 }
 
-// One grid: what is claimed of an error estimate asks for one.
+// A single grid suffices: error estimates have their own tests.
 Options white() {
   return {.equation = Equation::white, .stepper = Stepper::direct, .error_estimate = false};
 }
@@ -61,7 +62,7 @@ const transform::GridDensity& grid_of(const Result& result) {
   return std::get<transform::GridDensity>(*result.solution.density);
 }
 
-// Where u is small enough for the law and large against the narrowest cells.
+// At a speed u small enough for the asymptotic law and large compared with the narrowest cells.
 TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
   for (const double r : {0.9, 0.8, 0.6, 0.5}) {
     SCOPED_TRACE(r);
@@ -76,15 +77,15 @@ TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
 }
 
 Grid cells_of(const transform::GridDensity& density) {
-  return {Line(density.y_edges, Beyond::boundary), Line(density.v_edges)};
+  return {Axis(density.y_edges, EndCondition::boundary), Axis(density.v_edges)};
 }
 
-// What impacts slower than h add to the flux is int_0^h u^(1 - beta) du: of the order 2 - beta in
-// the speed down to which cells are graded, which is proportional to 1 / (origin_refinement - 1).
-// On cells of x1 graded like those of x2 the order is 0.3 at r = 0.6, not 1.27.
-TEST(WhiteNoise, ImpactFluxConvergesByTheExponentAtTheWall) {
+// Impacts slower than h contribute int_0^h u^(1 - beta) du to the flux: order 2 - beta in the speed
+// to which cells are graded, proportional to 1 / (origin_refinement - 1). With cells of x1 graded
+// like those of x2 the order is 0.3 at r = 0.6, not 1.27.
+TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
   for (const double r : {0.5, 0.6, 0.3}) {
-    if (r != 0.5 && !tests::thorough()) continue;
+    if (r != 0.5 && !tests::is_thorough()) continue;
     SCOPED_TRACE(r);
     const auto p = tests::make_problem({.restitution = r});
     struct {
@@ -104,12 +105,12 @@ TEST(WhiteNoise, ImpactFluxConvergesByTheExponentAtTheWall) {
     const double observed = std::log2((middle.flux - coarse.flux) / (fine.flux - middle.flux));
     EXPECT_NEAR(observed, 2 - exact::wall_exponent(r), 0.06)
         << coarse.flux << " " << middle.flux << " " << fine.flux;
-    // The rate does not come from there.
+    // The rate is independent of that flux.
     EXPECT_LT(std::abs(fine.rate - coarse.rate), 0.03 * (fine.flux - coarse.flux));
   }
 }
 
-// Limits of the fluxes of the test before, up to a refinement of 257.
+// Limits of the fluxes of the preceding test, up to a refinement of 257.
 TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToTheLimitOfTheFlux) {
   for (const auto& [r, limit, relative] :
        {std::tuple{0.8, 0.335610, 5e-6}, {0.6, 0.371140, 1e-5}, {0.5, 0.411318, 5e-5}}) {
@@ -118,7 +119,7 @@ TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToTheLimitOfTheFlux) {
   }
 }
 
-TEST(WhiteNoise, WithLossesConvergesWithTheOrderOfTheSchemeInTheMoments) {
+TEST(WhiteNoise, MomentsConvergeWithTheOrderOfTheSchemeUnderLosses) {
   const auto p = tests::make_problem({.restitution = 0.6});
   const auto moments_at = [&](double refinement) {
     Options options = white();
@@ -136,9 +137,9 @@ TEST(WhiteNoise, WithLossesConvergesWithTheOrderOfTheSchemeInTheMoments) {
   EXPECT_LT(observed, 6);
 }
 
-// p(y) falls from y = 0 on. Cells that grow too fast leave a ripple of several per cent, which the
-// moments do not show: here on the coarsest grid of an error estimate.
-TEST(WhiteNoise, WithLossesLeavesNoRippleInTheDisplacement) {
+// p(y) decreases from y = 0 upwards. Cells with too rapidly increasing widths cause a ripple of
+// several per cent that the moments do not show: here on the coarsest grid of an error estimate.
+TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
   Options options = white();
   options.error_estimate = true;
   const auto p = tests::make_problem({.restitution = 0.6});
@@ -157,8 +158,9 @@ TEST(WhiteNoise, WithLossesLeavesNoRippleInTheDisplacement) {
   }
 }
 
-// Four times on uniform cells, 17 times where errors of narrow cells count like those of wide ones.
-TEST(WhiteNoise, WithLossesIsSteppedToStationarityWithFewFactorisations) {
+// Four factorisations on uniform cells; 17 when errors of narrow cells had the same weight as those
+// of wide cells.
+TEST(WhiteNoise, SteppingUnderLossesNeedsFewFactorisations) {
   const auto [solution, summary] = solve(tests::make_problem({.restitution = 0.6}),
                                          {.equation = Equation::white, .error_estimate = false});
   EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;
@@ -166,7 +168,7 @@ TEST(WhiteNoise, WithLossesIsSteppedToStationarityWithFewFactorisations) {
   EXPECT_LT(summary.stepped_against_direct, 1e-8);
 }
 
-TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
+TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
   const auto finest = [](double r, Options options) {
     const auto grid = grid_of(solve(tests::make_problem({.restitution = r}), options));
     return std::pair{grid.y_edges[1], grid.v_edges[grid.nv() / 2 + 1]};
@@ -175,7 +177,7 @@ TEST(WhiteNoise, CellsOfYAreTheCubeOfThoseOfVOnlyWhereTheDensityIsSingular) {
   const double d2 = 0.05;
   EXPECT_GT(y, std::pow(v, 3) / d2 / 3);
   EXPECT_LT(y, 10 * std::pow(v, 3) / d2);
-  // Not where the jump at the wall is small, for other equations, or orders that ring.
+  // Not for a small jump at the wall, for other equations, or for orders that oscillate.
   Options seventh = white();
   seventh.order = 7;
   for (const auto& [r, options] :
@@ -194,7 +196,7 @@ TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
         solve(problem, {.equation = Equation::white, .stepper = stepper}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
     EXPECT_FALSE(solution.has_density());
-    EXPECT_NE(solution.reason.find("accumulate"), std::string::npos) << solution.reason;
+    EXPECT_NE(solution.reason.find("inelastic collapse"), std::string::npos) << solution.reason;
   }
   EXPECT_TRUE(solve(problem, {.stepper = Stepper::direct}).solution.has_density());
 }

@@ -1,13 +1,13 @@
-// A summary.json as `check` reads it: problems and methods that are to be solved again.
+// Fuzzer of summary.json as a baseline of `check`: problems and methods to be solved again.
 #include "workflows/check/baseline.hpp"
 
+#include "fuzz_helpers.hpp"
 #include "methods/builtin.hpp"
-#include "one_input.hpp"
 #include "results/saved_run.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  static const methods::Registry registry = methods::builtin();
-  const auto file = fuzz::written(results::kSummaryFile, fuzz::text_of(data, size));
-  return fuzz::only_input_errors([&] { check::load_baseline(file, registry, {}); });
+  static const methods::Registry registry = methods::builtin_registry();
+  const auto file = fuzz::write_file(results::kSummaryFile, fuzz::as_text(data, size));
+  return fuzz::catch_input_errors([&] { check::load_baseline(file, registry, {}); });
 }

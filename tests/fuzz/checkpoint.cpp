@@ -1,22 +1,22 @@
-// A checkpoint of a simulation: the bytes as a file, and as the state in a file whose head and
-// checksum are right.
+// Fuzzer of checkpoints of the simulation: the bytes as a file, and as the state in a file with a
+// valid header and checksum.
 #include "mcs/simulation/checkpoint.hpp"
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 #include "problem/case_file.hpp"
 
 namespace {
 
 using namespace fpkcheck;
 
-struct Small {
+struct SmallSimulation {
   problem::Problem problem = problem::load_case("case1");
   mcs::Plan plan = mcs::make_plan(
       problem, {.time = 100, .streams = 8, .y_edges = {0, 1, 2}, .v_edges = {-1, 0, 1}});
   std::string fingerprint = mcs::fingerprint(problem, plan, nullptr);
 };
 
-std::string in_checkpoint(const std::string& fingerprint, std::string_view state) {
+std::string make_checkpoint(const std::string& fingerprint, std::string_view state) {
   std::string text = "fpkcheck mcs checkpoint 3\n" + fingerprint + '\n';
   text += state;
   std::uint64_t sum = 14695981039346656037u;  // FNV-1a
@@ -27,13 +27,13 @@ std::string in_checkpoint(const std::string& fingerprint, std::string_view state
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Small small;
-  const std::string_view bytes = fuzz::text_of(data, size);
+  static const SmallSimulation small;
+  const std::string_view bytes = fuzz::as_text(data, size);
   for (const std::string& contents :
-       {std::string(bytes), in_checkpoint(small.fingerprint, bytes)}) {
-    fuzz::only_input_errors([&] {
+       {std::string(bytes), make_checkpoint(small.fingerprint, bytes)}) {
+    fuzz::catch_input_errors([&] {
       mcs::Simulation simulation(small.problem, small.plan);
-      mcs::read_checkpoint(fuzz::written("state", contents), small.fingerprint, simulation);
+      mcs::read_checkpoint(fuzz::write_file("state", contents), small.fingerprint, simulation);
     });
   }
   return 0;

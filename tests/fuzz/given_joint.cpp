@@ -1,12 +1,12 @@
-// A joint density that others computed, on a grid or as a closed form, and its values.
+// Fuzzer of external joint densities, on a grid or as a closed form, and their values.
 #include <algorithm>
 #include <sstream>
 
 #include "epc/density.hpp"
+#include "fuzz_helpers.hpp"
 #include "methods/external/between_walls.hpp"
-#include "methods/external/form_file.hpp"
+#include "methods/external/closed_form_file.hpp"
 #include "methods/external/joint_table.hpp"
-#include "one_input.hpp"
 #include "problem/case_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -14,18 +14,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const problem::Problem problem = problem::load_case("case1");
   static const methods::DensityPoints points(compare::comparison_axes(problem),
                                              problem.system.walls());
-  return fuzz::only_input_errors([&] {
-    const std::string text(fuzz::text_of(data, size));
+  return fuzz::catch_input_errors([&] {
+    const std::string text(fuzz::as_text(data, size));
     if (text.starts_with('{')) {
-      const auto file = methods::read_form(text, "given.json", {});
+      const auto file = methods::read_closed_form_file(text, "given.json", {});
       const auto density = epc::density(file.form, file.problem ? &*file.problem : &problem);
       density.value(0.5, -0.1);
       return;
     }
     std::istringstream csv(text);
     const auto table = methods::read_number_table(csv, "given.csv");
-    if (!methods::is_joint(table)) return;
-    const auto values = methods::values_at(methods::joint_table_of(table), points);
+    if (!methods::is_joint_density(table)) return;
+    const auto values = methods::evaluate_at(methods::make_joint_table(table), points);
     fuzz::require(values.size() == points.y().size() * points.v().size());
   });
 }

@@ -1,5 +1,5 @@
-// A netCDF-4 file as anyone may write one: the bytes choose its lengths, names, types, attributes
-// and values. They are not the file's own: where those are damaged, HDF5 itself breaks down.
+// Fuzzer of netCDF-4 files. The bytes select lengths, names, types, attributes and values of a file
+// that netCDF writes. They are not the bytes of the file: HDF5 crashes on damaged files.
 #include "results/joint_netcdf.hpp"
 
 #include <fuzzer/FuzzedDataProvider.h>
@@ -10,13 +10,13 @@
 #include <limits>
 #include <vector>
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 
 namespace {
 
 using namespace fpkcheck;
 
-// Those of a file that is right; a byte that is not 0 makes another of one of them.
+// Dimensions and variables of a valid file; a nonzero byte replaces one of their properties.
 struct Dimension {
   const char* name;
   std::size_t length;
@@ -40,7 +40,7 @@ const Variable kVariables[] = {{"solution", NC_CHAR, {0, 1}, "case", "-"},
 constexpr std::size_t kLengths[] = {2, 0, 1, 3, 1000, 1ull << 31, 1ull << 40, 1ull << 62};
 constexpr double kValues[] = {0, 0.5, -1, 1, 1e308, std::numeric_limits<double>::quiet_NaN()};
 constexpr nc_type kTypes[] = {NC_CHAR, NC_FLOAT, NC_DOUBLE, NC_INT, NC_STRING};
-constexpr std::size_t kFew = 64;  // values that are written
+constexpr std::size_t kMaxValues = 64;  // values are written to variables with at most so many
 
 void add_attribute(FuzzedDataProvider& bytes, int file, int id, const Variable& variable) {
   const char* text = variable.text;
@@ -64,18 +64,19 @@ void add_attribute(FuzzedDataProvider& bytes, int file, int id, const Variable& 
 }
 
 void add_values(FuzzedDataProvider& bytes, int file, int id, std::size_t count) {
-  char letters[kFew];
-  double numbers[kFew];
+  char letters[kMaxValues];
+  double numbers[kMaxValues];
   for (std::size_t k = 0; k < count; ++k) {
     letters[k] = static_cast<char>('a' + bytes.ConsumeIntegralInRange(0, 200));
-    // Without more bytes, cells that join: 0, 1, 1, 2, ..
+    // Without further bytes, the bounds of adjacent cells: 0, 1, 1, 2, ..
     numbers[k] = static_cast<double>((k + 1) / 2) + bytes.PickValueInArray(kValues);
   }
   nc_put_var_text(file, id, letters);
   nc_put_var_double(file, id, numbers);
 }
 
-// Whether netCDF could write it: where it goes on after what it could not, it breaks down itself.
+// False if netCDF failed to write the variable; netCDF crashes if it continues after such a
+// failure.
 bool add_variable(FuzzedDataProvider& bytes, int file, Variable variable) {
   if (bytes.ConsumeBool()) variable.name = bytes.PickValueInArray(kVariables).name;
   if (bytes.ConsumeBool()) variable.type = bytes.PickValueInArray(kTypes);
@@ -91,45 +92,45 @@ bool add_variable(FuzzedDataProvider& bytes, int file, Variable variable) {
   for (const int axis : variable.axes) {
     std::size_t length = 0;
     nc_inq_dimlen(file, axis, &length);
-    count = length > kFew || count > kFew ? kFew + 1 : count * length;
+    count = length > kMaxValues || count > kMaxValues ? kMaxValues + 1 : count * length;
   }
-  if (count <= kFew) add_values(bytes, file, id, count);
+  if (count <= kMaxValues) add_values(bytes, file, id, count);
   return true;
 }
 
-// Whether there is a whole file.
+// True if the file is complete.
 bool write(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   int file = 0;
   fuzz::require(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &file) == NC_NOERR);
   for (const auto& [name, length] : kDimensions) {
     int id = 0;
-    const bool another = bytes.ConsumeBool();
-    nc_def_dim(file, name, another ? bytes.PickValueInArray(kLengths) : length, &id);
+    const bool use_other = bytes.ConsumeBool();
+    nc_def_dim(file, name, use_other ? bytes.PickValueInArray(kLengths) : length, &id);
   }
-  bool whole = true;
+  bool complete = true;
   for (const Variable& variable : kVariables) {
-    whole = whole && add_variable(bytes, file, variable);
+    complete = complete && add_variable(bytes, file, variable);
   }
-  return nc_close(file) == NC_NOERR && whole;
+  return nc_close(file) == NC_NOERR && complete;
 }
 
-// In a process of its own: of what it could not write HDF5 keeps 20 kB a file, without an end, and
-// after 20000 files the fuzzer would look as if one input had taken all its memory. (Of each file
-// that is read libnetcdf 4.9.0 keeps 2 kB, a property list in NC4_hdf5get_superblock.)
-bool write_apart(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
+// Writes in a child process: HDF5 leaks 20 kB for each file that it could not write, and after
+// 20000 files the fuzzer would report that an input used all its memory. (Reading leaks less:
+// libnetcdf 4.9.0 leaks 2 kB for each file, a property list in NC4_hdf5get_superblock.)
+bool write_in_child(FuzzedDataProvider& bytes, const std::filesystem::path& path) {
   const pid_t child = fork();
   fuzz::require(child >= 0);
   if (child == 0) _exit(write(bytes, path) ? 0 : 1);
   int status = 0;
   pid_t ended = 0;
-  do {  // the fuzzer's own clock interrupts it every second
+  do {  // the timer of the fuzzer interrupts waitpid every second
     ended = waitpid(child, &status, 0);
   } while (ended < 0 && errno == EINTR);
   fuzz::require(ended == child && WIFEXITED(status));
   return WEXITSTATUS(status) == 0;
 }
 
-void require_whole(const transform::GridDensity& density) {
+void require_complete(const transform::GridDensity& density) {
   fuzz::require(density.averages.size() ==
                 (density.y_edges.size() - 1) * (density.v_edges.size() - 1));
 }
@@ -139,11 +140,11 @@ void require_whole(const transform::GridDensity& density) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedDataProvider bytes(data, size);
   const auto file = fuzz::directory() / "file.nc";
-  if (write_apart(bytes, file)) {
-    fuzz::only_input_errors([&] {
+  if (write_in_child(bytes, file)) {
+    fuzz::catch_input_errors([&] {
       const auto found = results::read_joint_netcdf(file);
-      for (const auto& [name, joint] : found.joints) require_whole(joint.density);
-      for (const auto& [name, source] : found.sources) require_whole(source.density);
+      for (const auto& [name, joint] : found.joints) require_complete(joint.density);
+      for (const auto& [name, source] : found.sources) require_complete(source.density);
     });
   }
   std::filesystem::remove(file);

@@ -1,11 +1,11 @@
-// Options as the command line gives them: a line with a list of methods, "transient" or "bounds",
+// Fuzzer of options as on the command line: a line with a list of methods, "transient" or "bounds",
 // then lines NAME=TEXT.
 #include <sstream>
 
 #include "backward/bounds/options.hpp"
 #include "fd_fpk/transient_options.hpp"
+#include "fuzz_helpers.hpp"
 #include "methods/builtin.hpp"
-#include "one_input.hpp"
 
 namespace {
 
@@ -16,7 +16,8 @@ struct Setting {
 };
 
 template <class Owner>
-Owner set(const base::Description<Owner>& description, const std::vector<Setting>& settings) {
+Owner parse_options(const base::Description<Owner>& description,
+                    const std::vector<Setting>& settings) {
   Owner owner{};
   for (const auto& [name, text] : settings) {
     if (const auto* parameter = description.find(name)) {
@@ -27,12 +28,12 @@ Owner set(const base::Description<Owner>& description, const std::vector<Setting
 }
 
 void select(const std::string& list, const std::vector<Setting>& settings) {
-  static const methods::Registry registry = methods::builtin();
+  static const methods::Registry registry = methods::builtin_registry();
   base::Values values;
   for (const auto& solver : registry.solvers()) {
     for (const auto& [name, text] : settings) {
-      const auto* parameter = solver.parameters->find(name);
-      if (parameter != nullptr) values.push_back({name, value_from(*parameter, text, name)});
+      const auto* parameter = solver.option_descriptions->find(name);
+      if (parameter != nullptr) values.push_back({name, parse_value(*parameter, text, name)});
     }
   }
   registry.select(list, values);
@@ -41,7 +42,7 @@ void select(const std::string& list, const std::vector<Setting>& settings) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream lines{std::string(fuzz::text_of(data, size))};
+  std::istringstream lines{std::string(fuzz::as_text(data, size))};
   std::string list;
   std::getline(lines, list);
   std::vector<Setting> settings;
@@ -49,11 +50,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto equals = line.find('=');
     if (equals != line.npos) settings.push_back({line.substr(0, equals), line.substr(equals + 1)});
   }
-  return fuzz::only_input_errors([&] {
+  return fuzz::catch_input_errors([&] {
     if (list == "transient") {
-      fd_fpk::validate({}, set(fd_fpk::transient_description(), settings));
+      fd_fpk::validate({}, parse_options(fd_fpk::transient_description(), settings));
     } else if (list == "bounds") {
-      backward::validate(set(backward::description(), settings));
+      backward::validate(parse_options(backward::description(), settings));
     } else {
       select(list, settings);
     }

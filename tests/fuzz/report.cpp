@@ -1,18 +1,18 @@
-// A summary.json as `report` reads it, and the table that is made of it.
+// Fuzzer of summary.json as input of `report`, and of its table.
 #include <sstream>
 
+#include "fuzz_helpers.hpp"
 #include "methods/builtin.hpp"
-#include "one_input.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  static const methods::Registry registry = methods::builtin();
-  return fuzz::only_input_errors([&] {
-    std::istringstream json{std::string(fuzz::text_of(data, size))};
+  static const methods::Registry registry = methods::builtin_registry();
+  return fuzz::catch_input_errors([&] {
+    std::istringstream json{std::string(fuzz::as_text(data, size))};
     results::Run run = results::read_summary(json, "summary.json");
-    registry.introduce(run);
+    registry.annotate(run);
     report::table(run);
   });
 }

@@ -1,13 +1,13 @@
-// A summary.json. What can be read can be written, and reads the same again.
+// Fuzzer of summary.json. A run that was read, written and read again is unchanged.
 #include <sstream>
 
-#include "one_input.hpp"
+#include "fuzz_helpers.hpp"
 #include "results/run_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
-  return fuzz::only_input_errors([&] {
-    std::istringstream json{std::string(fuzz::text_of(data, size))};
+  return fuzz::catch_input_errors([&] {
+    std::istringstream json{std::string(fuzz::as_text(data, size))};
     const std::string text = results::summary_text(results::read_summary(json, "summary.json"));
     std::istringstream again(text);
     fuzz::require(results::summary_text(results::read_summary(again, "again.json")) == text);

@@ -1,8 +1,8 @@
-# Does the list of targets in a document hold every room, and no other?
+# Tests that the list of targets in a document is complete and has no other names:
 #   cmake -DROOMS="a b" -DDOCUMENT=docs/installing.md -P rooms_in_document.cmake
 file(READ "${DOCUMENT}" text)
 if(NOT text MATCHES "The targets are `fpkcheck::ROOM`:([^;]*);")
-  message(FATAL_ERROR "${DOCUMENT} has no list of targets (\"The targets are `fpkcheck::ROOM`: `a`, `b`;\")")
+  message(FATAL_ERROR "${DOCUMENT} has no list of targets; add \"The targets are `fpkcheck::ROOM`: `a`, `b`;\"")
 endif()
 string(REGEX MATCHALL "`[^`]+`" listed "${CMAKE_MATCH_1}")
 list(TRANSFORM listed REPLACE "`" "")
@@ -12,5 +12,5 @@ list(REMOVE_ITEM missing ${listed})
 set(unknown ${listed})
 list(REMOVE_ITEM unknown ${rooms})
 if(missing OR unknown)
-  message(FATAL_ERROR "${DOCUMENT}: missing in the list of targets: ${missing}; there, but no target: ${unknown}")
+  message(FATAL_ERROR "${DOCUMENT}: missing in the list of targets: ${missing}; in the list, but not a target: ${unknown}")
 endif()

@@ -9,8 +9,8 @@
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
-#include "mcs/offered.hpp"
+#include "general_oscillators.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "statistics.hpp"
 #include "transform/change_of_frame.hpp"
@@ -30,12 +30,13 @@ const WallParameters kNoWall{.none = true};
 
 WallParameters left_wall(double at, double r) { return {.left = at, .left_restitution = r}; }
 
-/// In its frame; densities and atoms brought back. Its L1 errors are judged by standard errors.
+/// Simulates in wall coordinates and returns densities and atoms in physical coordinates. The tests
+/// judge L1 errors by standard errors, so the accuracy is low.
 Result simulated(const Problem& problem, double time, std::optional<double> white_step = {}) {
   Result result =
-      solve(tests::in_frame(problem),
+      solve(tests::in_wall_coordinates(problem),
             {.time = time, .accuracy = 0.1, .seed = 20261123, .white_step = white_step});
-  result.solution = transform::in_physical_coordinates(problem::frame_of(problem.system),
+  result.solution = transform::to_physical_coordinates(problem::wall_frame(problem.system),
                                                        std::move(result.solution));
   return result;
 }
@@ -104,7 +105,7 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
   }
 }
 
-// Its balance of power is a difference of large numbers: a rule that is off by 1e-3 shows.
+// The balance of power is a small difference of large terms: an error of 1e-3 in a rule is visible.
 TEST(AnyOscillator, OnARingHasCaugheysLaw) {
   const System ring({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNoWall);
   const Problem problem = with_noise(ring, 0.4);
@@ -117,7 +118,8 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
   const Problem problem =
       with_impulses(System({.damping = 0.2, .stiffness = 1, .cubic = 0.5}, left_wall(-0.5, 1)),
                     gaussian_impulses(2, 0.3, 0.1));
-  const Result result = solve(tests::in_frame(problem), {.equation = Equation::white, .time = 1e5});
+  const Result result =
+      solve(tests::in_wall_coordinates(problem), {.equation = Equation::white, .time = 1e5});
   const exact::EnergyLaw law(problem);
   const auto& e = result.solution.standard_errors->moments;
   expect_near(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
@@ -126,7 +128,7 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
   expect_balance(result);
 }
 
-// Gaussian and Poisson: the cumulants of both add.
+// Gaussian and Poisson excitation together: their cumulants add.
 TEST(AnyOscillator, ThatIsLinearWithoutWallsHasItsExactCumulants) {
   Problem problem = with_impulses(System({.damping = 0.2, .stiffness = 1}, kNoWall),
                                   gaussian_impulses(1, 0.1, 0.1));
@@ -149,7 +151,7 @@ TEST(AnyOscillator, ThatIsLinearWithoutWallsHasItsExactCumulants) {
   }
 }
 
-// E[v^2] = (lambda E[Y^2] + 2D) / (2c) with constant damping and r = 1, whatever the spring.
+// E[v^2] = (lambda E[Y^2] + 2D) / (2c) with constant damping and r = 1, for any spring.
 TEST(AnyOscillator, WithoutLossesHasTheMeanSquareVelocityOfItsPower) {
   const std::vector<System> list{
       System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNoWall),
@@ -199,7 +201,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
       System({.damping = 0.1, .van_der_pol = 0.1, .stiffness = 1, .quadratic = -0.1, .cubic = 0.2},
              {.right = 0.5, .right_restitution = 0.8}),
       gaussian_impulses(1, 0.1, 0.05));
-  // The paper's own on the other side, too.
+  // A problem of the paper's class and its mirror image.
   const Problem own =
       with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.8}),
                     gaussian_impulses(1, 0.1, -0.05));
@@ -226,7 +228,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
   }
 }
 
-// Levels are passed at the rate int v p(level, v) dv, v > 0: with and without noise between the ends.
+// The rate of upcrossings of a level is int v p(level, v) dv over v > 0, with and without kicks.
 TEST(AnyOscillator, PassesLevelsAtTheRateOfItsLaw) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.2);
@@ -244,8 +246,8 @@ TEST(AnyOscillator, PassesLevelsAtTheRateOfItsLaw) {
   EXPECT_TRUE(result.summary.peaks.empty());
 }
 
-// A ball is thrown up by |Y| or r |Y| and rests until the next impulse: the time aloft is
-// (2/g) (1 + r + ..) of the first speed, so that 1 - P0 = lambda E|Y| (1+r)/(g (1-r)) as lambda -> 0.
+// A ball leaves the floor with |Y| or r |Y| and rests until the next impulse. Its time aloft is
+// (2/g) (1 + r + ..) times the first speed, so 1 - P0 = lambda E|Y| (1+r)/(g (1-r)) as lambda -> 0.
 TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const double r = 0.7, rate = 0.01, gravity = 1;
   const Problem problem = with_impulses(
@@ -259,7 +261,7 @@ TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const auto& atom = result.solution.atoms.at(0);
   EXPECT_EQ(result.solution.atoms.size(), 1u);
   EXPECT_EQ(atom.y, 0);
-  // Impulses that come in time are of the second order.
+  // Impulses during the time aloft are a second-order effect.
   const double aloft = rate * std::sqrt(2 / std::numbers::pi) * (1 + r) / (gravity * (1 - r));
   EXPECT_NEAR(1 - atom.probability, aloft, aloft * aloft + 4 * *atom.standard_error);
   EXPECT_LT(*atom.standard_error, 3e-4);
@@ -267,8 +269,8 @@ TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   EXPECT_LT(result.solution.mass - atom.probability, 0.06);
   EXPECT_TRUE(result.summary.y_quantiles.empty());
   expect_balance(result);
-  for (const auto& observation : result.solution.observations) {
-    EXPECT_NE(observation.path, "impact_rate");  // it is infinite
+  for (const auto& observation : result.solution.metrics) {
+    EXPECT_NE(observation.path, "impact_rate");  // the rate is infinite
   }
 }
 
@@ -286,7 +288,7 @@ TEST(AnyOscillator, RestsAtBothStopsOfADoubleWellAlike) {
   expect_near(atoms[0].probability, atoms[1].probability,
               std::hypot(*atoms[0].standard_error, *atoms[1].standard_error), "P0");
   EXPECT_NEAR(result.solution.mass, 1, 1e-4);
-  // Any noise takes them away.
+  // Gaussian noise removes the atoms.
   Problem noisy = problem;
   noisy.noise.intensity = 1e-3;
   const auto moving = simulated(noisy, 5e2);
@@ -294,7 +296,8 @@ TEST(AnyOscillator, RestsAtBothStopsOfADoubleWellAlike) {
   EXPECT_NEAR(moving.solution.mass, 1, 1e-4);
 }
 
-// Kicks would decide how near to rest noise brings it, were they not the shorter the nearer it is.
+// The kick intervals decrease near the wall. With fixed intervals the kicks would determine the
+// distance from rest.
 TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
   const Problem gap =
       with_noise(System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.5)), 0.1);
@@ -311,26 +314,28 @@ TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
   }
 }
 
-// Started by the averaged masses and mixed ever since; what hardly moves between its wells says so.
-TEST(AnyOscillator, WithWellsThatAreHardlyLeftSaysThatItsStartIsNotForgotten) {
+// The averaged law gives the initial masses of the wells. Transitions are rare, so the status
+// reports that the masses are still the initial ones.
+TEST(AnyOscillator, WithRareTransitionsIsNotConverged) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.006);
   const auto solution = simulated(problem, 1e4).solution;
   EXPECT_EQ(solution.status, transform::Status::not_converged);
   EXPECT_NE(solution.reason.find("wells"), std::string::npos) << solution.reason;
-  // Both wells alike: the start has them.
+  // Both wells have equal initial masses.
   EXPECT_NEAR(solution.moments.y1, 0, 4 * solution.standard_errors->moments.y1);
   EXPECT_GT(solution.standard_errors->moments.y1, 0.02);
 }
 
-TEST(AnyOscillator, IsNotOfferedWhereImpactsAccumulateUnderNoise) {
-  const Problem gap = tests::in_frame(with_impulses(
+TEST(AnyOscillator, IsNotSupportedWhereImpactsAccumulateUnderNoise) {
+  const Problem gap = tests::in_wall_coordinates(with_impulses(
       System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.1)), gaussian_impulses(1, 0.1)));
-  EXPECT_EQ(objection(gap, {}), "");
-  EXPECT_NE(objection(gap, {.equation = Equation::white}).find("accumulate"), std::string::npos);
+  EXPECT_EQ(unsupported_reason(gap, {}), "");
+  EXPECT_NE(unsupported_reason(gap, {.equation = Equation::white}).find("accumulate"),
+            std::string::npos);
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
-  EXPECT_NE(objection(noisy, {}).find("accumulate"), std::string::npos);
+  EXPECT_NE(unsupported_reason(noisy, {}).find("accumulate"), std::string::npos);
   EXPECT_EQ(solve(noisy, {.time = 1e3}).solution.status, transform::Status::failed);
 }
 
@@ -340,7 +345,7 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
                                   gaussian_impulses(1, 0.1));
   for (const double intensity : {0.0, 0.05}) {
     problem.noise.intensity = intensity;
-    const Problem seen = tests::in_frame(problem);
+    const Problem seen = tests::in_wall_coordinates(problem);
     const Result one = solve(seen, {.time = 1e4, .threads = 1, .streams = 20});
     const Result three = solve(seen, {.time = 1e4, .threads = 3, .streams = 20});
     EXPECT_EQ(one.solution.moments.y4, three.solution.moments.y4);
@@ -353,11 +358,12 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
     EXPECT_EQ(one.solution.moments.v2, resumed.solution.moments.v2);
     EXPECT_EQ(one.solution.mass, resumed.solution.mass);
     EXPECT_EQ(one.summary.excess_power, resumed.summary.excess_power);
-    // Of another wall, or another noise, it is not.
+    // The checkpoint of another noise intensity is refused.
     Problem other = problem;
     other.noise.intensity = 0.06;
-    EXPECT_THROW(solve(tests::in_frame(other), {.time = 1e4, .streams = 20, .resume = file}),
-                 InputError);
+    EXPECT_THROW(
+        solve(tests::in_wall_coordinates(other), {.time = 1e4, .streams = 20, .resume = file}),
+        InputError);
     std::remove(file.c_str());
   }
 }

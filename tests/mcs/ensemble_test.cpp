@@ -33,8 +33,8 @@ TEST(Ensemble, HasTheExactMomentsOfTheLinearOscillatorOverTime) {
 TEST(Ensemble, StandardErrorsAreThoseOfTheGaussianStart) {
   const auto start = simulate_ensemble(tests::make_problem(), ensemble({0})).front();
   const double root = std::sqrt(1e5);
-  // Var(z^2) = 2 sigma^4, Var(z'^2) = 2 sigma^4; Var|z| = (1 - 2/pi) sigma^2. To 2 %: they are
-  // sampled.
+  // Var(z^2) = 2 sigma^4, Var(z'^2) = 2 sigma^4; Var|z| = (1 - 2/pi) sigma^2. The sampling error is
+  // below 2 %.
   EXPECT_NEAR(start.standard_errors.y2 * root, std::sqrt(2.0) * 0.25, 0.02 * 0.35);
   EXPECT_NEAR(start.standard_errors.v2 * root, std::sqrt(2.0) * 0.64, 0.02 * 0.9);
   EXPECT_NEAR(start.standard_errors.y1 * root, std::sqrt(1 - 2 / M_PI) * 0.5, 0.02 * 0.3);
@@ -72,11 +72,11 @@ TEST(Ensemble, DoesNotDependOnThreadsNorOnTheTimesBetween) {
   EXPECT_EQ(simulate_ensemble(problem, three).back().moments.y2, first);
   EXPECT_NE(simulate_ensemble(problem, other_seed).back().moments.y2, first);
   EnsembleOptions watched = one;
-  watched.times = {0.5, 1, 2};  // flights are cut, so rounding differs
+  watched.times = {0.5, 1, 2};  // shorter flights differ by their rounding
   EXPECT_NEAR(simulate_ensemble(problem, watched).back().moments.y2, first, 1e-7);
 }
 
-TEST(Ensemble, RefusesWhatItCannotUse) {
+TEST(Ensemble, RefusesInvalidOptions) {
   const auto refused = [](auto change) {
     EnsembleOptions options = ensemble({1, 2});
     change(options);

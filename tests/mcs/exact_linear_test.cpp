@@ -11,14 +11,14 @@
 #include "statistics.hpp"
 #include "uniform_edges.hpp"
 
-// Everything that is estimated, against the exact stationary density of the linear oscillator with
-// r = 1 under impulses.
+// All estimates against the exact stationary density of the linear oscillator with r = 1 under
+// impulses.
 namespace fpkcheck::mcs {
 namespace {
 
 problem::Problem linear() { return tests::make_problem({.cubic = 0, .restitution = 1}); }
 
-// Sum of averages times the exact integral of x^order over their bins.
+// Sum over bins of the average times the exact integral of x^order.
 double moment(const std::vector<double>& edges, const std::vector<double>& averages, int order) {
   double sum = 0;
   for (std::size_t b = 0; b < averages.size(); ++b) {
@@ -28,9 +28,9 @@ double moment(const std::vector<double>& edges, const std::vector<double>& avera
   return sum;
 }
 
-/// E[y^p y'^q] in the order of kPowers. Even total orders are those of (z, z'), from the cumulants;
-/// odd ones come from the marginals, and from d/dt E[y^n] = 0 and d/dt E[y y'] = 0, which make
-/// E[y^2 v] = 0 and E[v^3] = 2c (E[y v^2] - E[y] E[v^2]).
+/// E[y^p y'^q] in the order of kPowers. Moments of even total order are those of (z, z'), from the
+/// cumulants. Odd ones follow from the marginals and from d/dt E[y^n] = 0 and d/dt E[y y'] = 0,
+/// which give E[y^2 v] = 0 and E[v^3] = 2c (E[y v^2] - E[y] E[v^2]).
 std::vector<double> exact_moments() {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
@@ -78,7 +78,8 @@ struct Coverage {
   double share() const { return covered / all; }
 };
 
-// The errors of bins, moments and quantiles of one run are correlated; over the runs they average.
+// The errors of bins, moments and quantiles of one run are correlated; their average over runs is
+// not.
 TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
   const auto problem = linear();
   const auto truth = exact_moments();
@@ -103,7 +104,7 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
       const bool is_y = variable == transform::Variable::y;
       const auto& averages = is_y ? p_y : p_v;
       for (std::size_t b = 0; b < averages.size(); ++b) {
-        if (averages[b] < 0.02) continue;  // where every stream has seen the bin
+        if (averages[b] < 0.02) continue;  // only bins with samples in every stream
         (is_y ? of_y : of_v)
             .add(averages[b] > estimate.lower[b] && averages[b] < estimate.upper[b]);
       }
@@ -118,7 +119,7 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
     std::size_t bin = 0;
     for (const Quantile& q : result.summary.y_quantiles) {
       if (q.probability < 0.05 || q.probability > 0.99) continue;
-      // Where the exact distribution function reaches the probability, straight within a bin.
+      // The exact quantile, with a distribution function linear within a bin.
       while (below + p_y[bin] * 0.1 < q.probability) below += p_y[bin++] * 0.1;
       const double share = (q.probability - below) / (p_y[bin] * 0.1);
       const double exact_value = options.y_edges[bin] + 0.1 * share;
@@ -133,8 +134,8 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
   }
 }
 
-// With the same impulses the motions of both steps come together again in these cases; in case 4
-// they do not (neighbouring motions part), and nothing could be seen.
+// With the same impulses the trajectories of both steps converge to each other in these cases. In
+// case 4 neighbouring trajectories diverge, and the comparison is impossible.
 TEST(ExactLinear, HalvingTheStepMovesMomentsByLessThanATenthOfTheirError) {
   for (const auto& problem : {linear(), tests::paper_case(1), tests::paper_case(2)}) {
     Options options{.time = 1e5, .seed = 3};
@@ -167,10 +168,10 @@ TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
   }
   EXPECT_GT(compared, 4);
   const auto wall = density.joint_averages(std::vector<double>{0, 1e-3}, v);
-  // What hits the wall leaves it with the same speed.
+  // Impacts with r = 1 preserve the speed.
   tests::expect_near(summary.impact_rate.mean, moment(v, wall, 1),
                      summary.impact_rate.standard_error, "impacts", 2e-6);
-  // Every crossing of the first level is followed by a peak above it.
+  // After each crossing of the first level follows a peak above this level.
   EXPECT_GE(summary.peaks[1].rate.mean, summary.crossings[0].rate.mean);
   EXPECT_GE(summary.peaks[0].rate.mean, summary.peaks[1].rate.mean);
 }

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "base/input_error.hpp"
 #include "statistics.hpp"
 
 namespace fpkcheck::mcs {
@@ -64,21 +64,21 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   Options options;
   options.time = 5e4;
   for (int k = 0; k <= 20; ++k) {
-    options.y_edges.push_back(0.05 * k);  // case 1 reaches beyond 1 often
+    options.y_edges.push_back(0.05 * k);  // case 1 often exceeds 1
     options.v_edges.push_back(0.04 * k * k / 20 - 0.4);
   }
   const Result result = solve(tests::paper_case(1), options);
   const double mass = transform::mass(joint(result));
   EXPECT_NEAR(result.solution.mass, mass, 1e-15);
-  EXPECT_NEAR(result.summary.outside, 1 - mass, 1e-15);
-  EXPECT_GT(result.summary.outside, 0.1);
-  // A marginal counts its variable's samples wherever the other one was.
+  EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
+  EXPECT_GT(result.summary.outside_fraction, 0.1);
+  // A marginal counts all samples of its variable, for any value of the other one.
   const double inside_y = integral(estimated(result, Variable::y));
   const double inside_v = integral(estimated(result, Variable::ydot));
   EXPECT_GT(inside_y, mass + 0.02);
   EXPECT_GT(inside_v, mass + 0.02);
   EXPECT_LT(std::max(inside_y, inside_v), 1.0);
-  // The moments do not depend on the edges.
+  // The moments are independent of the edges.
   options.y_edges.clear();
   options.v_edges.clear();
   const Result automatic = solve(tests::paper_case(1), options);
@@ -86,12 +86,12 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   EXPECT_NEAR(automatic.solution.mass, 1.0, 1e-6);
 }
 
-TEST(Solve, HistogramMomentsAndMarginalsTellTheSame) {
+TEST(Solve, HistogramMomentsAndMarginalsAgree) {
   const Result result = tests::simulate(tests::paper_case(4), 1e5);
   const auto y = transform::marginal(*result.solution.density, Variable::y, joint(result).y_edges);
   const auto v =
       transform::marginal(*result.solution.density, Variable::ydot, joint(result).v_edges);
-  EXPECT_LT(transform::l1(y, estimated(result, Variable::y)), 1e-6);  // what lies outside
+  EXPECT_LT(transform::l1(y, estimated(result, Variable::y)), 1e-6);  // samples beyond the bins
   EXPECT_LT(transform::l1(v, estimated(result, Variable::ydot)), 1e-6);
   double y1 = 0, v2 = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
@@ -99,13 +99,13 @@ TEST(Solve, HistogramMomentsAndMarginalsTellTheSame) {
     y1 += y.density[b] * y.width(b) * y.centre(b);
     v2 += v.density[b] * w * (c * c + w * w / 12);
   }
-  // Bins of 0.05 sigma_1: the midpoint rule errs by its square.
+  // Bins of 0.05 sigma_1: the midpoint rule has an error of second order.
   EXPECT_NEAR(y1, result.solution.moments.y1, 1e-3 * y1);
   EXPECT_NEAR(v2, result.solution.moments.v2, 3e-3 * v2);
 }
 
 TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
-  // The excess kurtosis falls with 1/lambda; at lambda = 200 it is 2e-3.
+  // The excess kurtosis is proportional to 1/lambda; at lambda = 200 it is 2e-3.
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .rate = 200});
   const Result result = tests::simulate(problem, 3e4);
   const exact::WhiteNoiseDensity exact(problem);
@@ -120,18 +120,18 @@ TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
   EXPECT_LT(v_distance, 2 * *result.solution.sampling->ydot);
 }
 
-TEST(Solve, SamplingErrorForetellsTheDistanceOfTwoRuns) {
+TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
   const Result a = tests::simulate(tests::paper_case(1), 2e5, 11);
   const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
-  // The distance of two runs is sqrt(2) of one run's; errors of neighbouring bins are correlated,
-  // so that it scatters by some tens of per cent.
+  // The distance of two runs is sqrt(2) times the error of one run. Errors of neighbouring bins are
+  // correlated, so the distance scatters by some tens of per cent.
   const double y = transform::l1(estimated(a, Variable::y), estimated(b, Variable::y));
   const double v = transform::l1(estimated(a, Variable::ydot), estimated(b, Variable::ydot));
   EXPECT_NEAR(y / (std::sqrt(2) * *a.solution.sampling->y), 1.0, 0.4);
   EXPECT_NEAR(v / (std::sqrt(2) * *a.solution.sampling->ydot), 1.0, 0.4);
 }
 
-TEST(Solve, AnEmptyBinHasAnUpperEnd) {
+TEST(Solve, AnEmptyBinHasAnUpperBound) {
   const Result result = tests::simulate(tests::paper_case(1), 1e4);
   const auto& v = estimated(result, Variable::ydot);
   EXPECT_EQ(v.density.front(), 0.0);
@@ -140,7 +140,7 @@ TEST(Solve, AnEmptyBinHasAnUpperEnd) {
   EXPECT_LT(v.upper.front(), 0.1);
 }
 
-// As other methods are, by the error that it states.
+// The stated error determines the status, as for other methods.
 TEST(Solve, IsOkWithinTheAccuracyAskedForAlone) {
   const auto problem = tests::paper_case(1);
   const auto by_default = solve(problem, {.time = 1e4}).solution;
@@ -160,11 +160,11 @@ TEST(Solve, FillsInTheSolutionAndTheSummary) {
   EXPECT_EQ(result.solution.identity, identity(Options{}));
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_GT(result.solution.seconds, 0.0);
-  EXPECT_EQ(result.solution.observations, observations(result.summary));
+  EXPECT_EQ(result.solution.metrics, metrics(result.summary));
   EXPECT_GT(result.solution.standard_errors->moments.y2, 0);
   EXPECT_GT(*result.solution.sampling->ydot_99, *result.solution.sampling->ydot);
   EXPECT_TRUE(result.summary.warnings.empty());
-  // One impulse per unit time; two impacts per period of about 6.
+  // One impulse per unit time, and two impacts per period of about 6.
   EXPECT_NEAR(static_cast<double>(result.summary.impulses), 1e4, 4e2);
   EXPECT_NEAR(result.summary.impact_rate.mean, 0.33, 0.02);
   EXPECT_NEAR(result.summary.time, 1e4, 300);  // whole samples of each stream
@@ -184,7 +184,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   ASSERT_EQ(fractions.size(), result.summary.rounds);
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_EQ(fractions.back(), 1.0);
-  // What the solution states.
+  // The last progress equals the errors of the solution.
   EXPECT_EQ(all.back().y_l1, result.solution.sampling->y);
   EXPECT_EQ(all.back().ydot_l1, result.solution.sampling->ydot);
   EXPECT_GT(*all.front().y_l1, *all.back().y_l1);
@@ -198,7 +198,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   EXPECT_EQ(calls, 1);
 }
 
-TEST(Solve, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
+TEST(Solve, EndsOnAStopRequestAndReturnsThePresentEstimates) {
   Options options;
   options.time = 1e4;
   int asked = 0;
@@ -207,12 +207,12 @@ TEST(Solve, EndsEarlyWhenAskedToAndReportsWhatWasReached) {
   EXPECT_TRUE(result.summary.interrupted);
   EXPECT_EQ(result.summary.rounds, 3u);
   EXPECT_NEAR(result.summary.time, 3 * 1e4 / 8, 100);
-  EXPECT_EQ(result.solution.status, transform::Status::not_converged);  // less than was asked for
+  EXPECT_EQ(result.solution.status, transform::Status::not_converged);  // the goal is not reached
   EXPECT_NE(result.solution.reason.find("interrupted"), std::string::npos);
   EXPECT_NEAR(result.solution.mass, 1, 1e-3);
 }
 
-TEST(Solve, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
+TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
   Options options;
   options.samples = 3e4;
   const Result by_samples = solve(tests::paper_case(1), options);
@@ -231,7 +231,7 @@ TEST(Solve, GoesOnUntilTheSamplesOrTheErrorAskedForAreReached) {
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
-// Three processes, one after another: each simulates its groups of streams alone.
+// Three processes in sequence: each simulates its groups of streams only.
 TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   const auto problem = tests::paper_case(1);
   Options options{.time = 2e4, .streams = 43};
@@ -255,7 +255,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   }
 }
 
-TEST(Solve, ProcessesThatShareTheStreamsGoOnForOneTime) {
+TEST(Solve, ProcessesThatShareTheStreamsNeedAFixedTime) {
   Options options{.target_error = 1e-3};
   options.team.parts = 2;
   EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);

@@ -28,7 +28,7 @@ TEST(StationaryMoments, OfTheLinearOscillatorAreTheExactOnes) {
     expect_near(m.y4, exact::linear_cumulant(problem, 4, 0) + 3 * y2 * y2, e.y4, "E[y^4]");
     expect_near(m.v4, exact::linear_cumulant(problem, 0, 4) + 3 * v2 * v2, e.v4, "E[v^4]");
     expect_near(m.v1, 0, e.v1, "E[v]");
-    // The errors are small enough for the fourth moments to tell impulses from white noise (0.75).
+    // The errors suffice to distinguish impulses from white noise (0.75) by the fourth moments.
     EXPECT_LT(e.y4, 0.005);
     EXPECT_LT(e.v4, 0.005);
   }
@@ -59,8 +59,8 @@ TEST(StationaryMoments, WithLossesAtTheImpactKeepTheBalanceOfPower) {
     SCOPED_TRACE(r);
     const auto [solution, summary] = tests::simulate(tests::make_problem({.restitution = r}), 3e5);
     expect_near(solution.energy_residual, 0, solution.standard_errors->energy_residual, "residual");
-    // With the impulses' work accounted for, the balance is far sharper than the moments
-    // themselves.
+    // The weights account for the work of the impulses: the balance is far more precise than the
+    // moments.
     EXPECT_LT(solution.standard_errors->energy_residual, 1e-3);
   }
 }
@@ -75,14 +75,14 @@ TEST(StationaryMoments, WithLossesAndAMeanKeepTheBalancesOfVirialAndMomentum) {
       const auto& [virial_error, momentum_error] = summary.balance_errors;
       expect_near(*virial, 0, *virial_error, "virial");
       expect_near(*momentum, 0, *momentum_error, "momentum");
-      // Small enough to tell r from 1 - r, or the sign of a mean.
+      // The errors suffice to distinguish r from 1 - r, and the sign of the mean.
       EXPECT_LT(*virial_error, 0.01);
       EXPECT_LT(*momentum_error, 0.01);
     }
   }
 }
 
-// The weights would hide a wrong rate or law of the impulses from the moments: look before them.
+// The weights would hide a wrong rate or law of the impulses, so the test uses the excess power.
 TEST(StationaryMoments, AreThoseOfImpulsesThatBringThePowerOfTheirLaw) {
   for (const auto& [law, mean] :
        {std::pair{"gaussian", 0.0}, std::pair{"gaussian", 0.2}, std::pair{"gaussian", -0.2},
@@ -104,13 +104,13 @@ TEST(StationaryMoments, UnderImpulsesWithAMeanKeepTheBalanceOfPower) {
     const auto [solution, summary] = tests::simulate(lossy, 3e5);
     expect_near(solution.energy_residual, 0, solution.standard_errors->energy_residual, "residual");
     expect_near(solution.moments.v1, 0, solution.standard_errors->moments.v1, "E[v]");
-    // r = 1: with E[v] = 0 the input is lambda E[Y^2]/2 whatever the mean.
+    // r = 1: with E[v] = 0 the input is lambda E[Y^2]/2 for any mean.
     const auto elastic = tests::make_problem({.restitution = 1, .mean = mean});
     const auto undisturbed = tests::simulate(elastic, 3e5);
     expect_near(undisturbed.solution.moments.v2, exact::mean_square_velocity(elastic),
                 undisturbed.solution.standard_errors->moments.v2, "E[v^2]");
   }
-  // A push away from the wall keeps the oscillator off it.
+  // A mean away from the wall increases E[y].
   EXPECT_GT(tests::simulate(tests::make_problem({.mean = 0.2}), 1e4).solution.moments.y1,
             tests::simulate(tests::make_problem({.mean = -0.2}), 1e4).solution.moments.y1 + 0.1);
 }

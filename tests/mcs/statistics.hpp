@@ -6,7 +6,7 @@
 
 namespace fpkcheck::tests {
 
-/// Within four standard errors, and half a unit of the reference's last digit.
+/// Expects agreement within four standard errors plus the error of the reference.
 inline void expect_near(double simulated, double exact, double standard_error, const char* what,
                         double reference_error = 0) {
   EXPECT_GT(standard_error, 0.0) << what;
@@ -14,7 +14,7 @@ inline void expect_near(double simulated, double exact, double standard_error, c
       << what << ": " << (simulated - exact) / standard_error << " standard errors";
 }
 
-/// A simulation long enough for standard errors of 1e-3 or less in the moments.
+/// Simulates long enough for standard errors of at most 1e-3 in the moments.
 inline mcs::Result simulate(const problem::Problem& problem, double time = 6e5,
                             std::uint64_t seed = 20240601) {
   mcs::Options options;

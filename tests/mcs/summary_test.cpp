@@ -10,8 +10,8 @@ namespace fpkcheck::mcs {
 namespace {
 
 using transform::Kind;
-using transform::Observation;
-using transform::Observations;
+using transform::Metric;
+using transform::Metrics;
 
 Summary made_up() {
   Summary summary;
@@ -27,36 +27,37 @@ Summary made_up() {
   return summary;
 }
 
-const Observation& at(const Observations& all, const std::string& path) {
-  const Observation* found = transform::find(all, path);
+const Metric& at(const Metrics& all, const std::string& path) {
+  const Metric* found = transform::find(all, path);
   if (found == nullptr) throw std::logic_error("no " + path);
   return *found;
 }
 
-// Each of them: a number whose error stands where it says.
-TEST(Summary, WhatChanceEntersHasItsStandardError) {
-  const auto all = observations(made_up());
+// Each such metric is a number with its standard error under the stated path.
+TEST(Summary, RandomResultsHaveStandardErrors) {
+  const auto all = metrics(made_up());
   int with_error = 0;
   for (const auto& observation : all) {
-    if (observation.error_at.empty()) continue;
+    if (observation.standard_error_path.empty()) continue;
     ++with_error;
     EXPECT_EQ(observation.kind, Kind::result) << observation.path;
-    EXPECT_EQ(at(all, observation.error_at).kind, Kind::error) << observation.path;
-    EXPECT_GT(transform::number(all, observation.error_at), 0) << observation.path;
+    EXPECT_EQ(at(all, observation.standard_error_path).kind, Kind::error) << observation.path;
+    EXPECT_GT(transform::number(all, observation.standard_error_path), 0) << observation.path;
   }
   EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kPowers.size()) + 1 + 1 + 2);
-  EXPECT_EQ(at(all, "excess_power.relative").error_at, "excess_power.standard_error");
-  EXPECT_EQ(at(all, "impact_rate").error_at, "impact_rate_error");
-  EXPECT_EQ(at(all, "joint_moments[13].mean").error_at, "joint_moments[13].standard_error");
-  EXPECT_EQ(at(all, "peaks[1].rate").error_at, "peaks[1].standard_error");
-  // A 95 % interval of a normal variable is 2 * 1.96 of them wide.
+  EXPECT_EQ(at(all, "excess_power.relative").standard_error_path, "excess_power.standard_error");
+  EXPECT_EQ(at(all, "impact_rate").standard_error_path, "impact_rate_error");
+  EXPECT_EQ(at(all, "joint_moments[13].mean").standard_error_path,
+            "joint_moments[13].standard_error");
+  EXPECT_EQ(at(all, "peaks[1].rate").standard_error_path, "peaks[1].standard_error");
+  // A 95 % interval of a normal variable is 2 * 1.96 standard errors wide.
   EXPECT_NEAR(*transform::number(all, "quantiles.y[0].standard_error"), 0.03 / (2 * 1.959964),
               1e-15);
 }
 
 TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
   std::vector<std::string> fields;
-  for (const auto& observation : observations(made_up())) {
+  for (const auto& observation : metrics(made_up())) {
     const std::string field = observation.path.substr(0, observation.path.find_first_of(".["));
     if (fields.empty() || fields.back() != field) fields.push_back(field);
   }
@@ -86,13 +87,13 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "upcrossings",
                                               "peaks",
                                               "splitting_thresholds"}));
-  EXPECT_EQ(at(observations(made_up()), "quantiles.ydot[]").kind, Kind::result);
-  EXPECT_EQ(at(observations(made_up()), "joint_moments[7].y").value, transform::counted(1));
-  EXPECT_EQ(at(observations(made_up()), "joint_moments[7].v").value, transform::counted(2));
+  EXPECT_EQ(at(metrics(made_up()), "quantiles.ydot[]").kind, Kind::result);
+  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].y").value, transform::count_value(1));
+  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].v").value, transform::count_value(2));
 }
 
-TEST(Summary, TellsResultsFromWorkAndYardsticks) {
-  const auto all = observations(made_up());
+TEST(Summary, HasTheKindsOfItsMetrics) {
+  const auto all = metrics(made_up());
   for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
                            "outside", "variance_reduction.y2", "variance_reduction.v2",
                            "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
@@ -105,8 +106,8 @@ TEST(Summary, TellsResultsFromWorkAndYardsticks) {
                            "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
     EXPECT_EQ(at(all, path).kind, Kind::result) << path;
   }
-  const auto without = observations({});
-  EXPECT_TRUE(base::is_nothing(at(without, "kick_interval").value));
+  const auto without = metrics({});
+  EXPECT_TRUE(base::is_unset(at(without, "kick_interval").value));
   EXPECT_EQ(at(without, "splitting_thresholds[]").kind, Kind::work);
 }
 

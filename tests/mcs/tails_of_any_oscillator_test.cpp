@@ -6,8 +6,8 @@
 
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
-#include "family.hpp"
-#include "mcs/offered.hpp"
+#include "general_oscillators.hpp"
+#include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 #include "statistics.hpp"
@@ -24,14 +24,14 @@ using tests::with_impulses;
 
 const problem::SystemCoefficients kLinear{.damping = 0.1, .stiffness = 1};
 
-// As cases/gap.ini, two_walls.ini and preload.ini, in their frames.
+// The problems of cases/gap.ini, two_walls.ini and preload.ini, in wall coordinates.
 Problem gap() {
-  return tests::in_frame(
+  return tests::in_wall_coordinates(
       with_impulses(System(kLinear, WallParameters{.left = -0.5, .left_restitution = 0.9}),
                     gaussian_impulses(1, 0.1)));
 }
 Problem two_walls() {
-  return tests::in_frame(with_impulses(
+  return tests::in_wall_coordinates(with_impulses(
       System(kLinear,
              {.left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9}),
       gaussian_impulses(2, 0.2)));
@@ -51,8 +51,8 @@ struct Seen {
   double chi_square = 0;
 };
 
-// Of bins that both see well enough for their errors to be normal; in the tail below 1e-2 of the
-// peak.
+// Compares bins in which both simulations have approximately normal errors. The tail is the density
+// below 1e-2 of the peak.
 Seen expect_the_same(const transform::Marginal& plain, const transform::Marginal& split) {
   constexpr double kWell = 0.15, kTail = 1e-2, kStandardErrors = 4;
   const double peak = *std::ranges::max_element(plain.density);
@@ -82,12 +82,12 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
       const Seen seen = expect_the_same(many, few);
       SCOPED_TRACE(transform::name(variable));
       EXPECT_GT(seen.bins, 60);
-      // Between two walls there is no tail of y.
+      // Between two walls y has no tail.
       const bool has_tail = variable == transform::Variable::ydot || !problem.system.right();
       EXPECT_GT(seen.in_tail, has_tail ? 10 : -1);
-      // The bins are correlated: 1.6 instead of sqrt(2 / bins) above 1 is still no chance.
+      // The bins are correlated: a ratio of 1.6, above 1 + sqrt(2 / bins), is still consistent.
       EXPECT_LT(seen.chi_square / seen.bins, 1.6);
-      // Splitting sees what the other one does not.
+      // Splitting resolves bins that the plain simulation does not.
       int farther = 0;
       for (std::size_t b = 0; b < few.size(); ++b) {
         farther += standard_error(few, b) < 0.2 * few.density[b] &&
@@ -106,22 +106,22 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
   }
 }
 
-// One impulse brings the energy from the middle of the density far into its tail, across a dozen
-// thresholds: 4^12 branches of one state each took gigabytes and did not end.
+// One impulse changes the energy from the centre of the density to its far tail, across a dozen
+// thresholds. Without bounds 4^12 branches of one state took gigabytes and did not end.
 TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulation) {
   const System system({.damping = 0.2, .stiffness = 1, .cubic = 0.3},
                       WallParameters{.left = -0.3, .left_restitution = 0.7});
   const Problem problem =
-      tests::in_frame(with_impulses(system, problem::ImpulseTrain({.arrival_rate = 1,
-                                                                   .law = "exponential",
-                                                                   .intensity = 0.1,
-                                                                   .mean = 0.1,
-                                                                   .skewness = -2})));
+      tests::in_wall_coordinates(with_impulses(system, problem::ImpulseTrain({.arrival_rate = 1,
+                                                                              .law = "exponential",
+                                                                              .intensity = 0.1,
+                                                                              .mean = 0.1,
+                                                                              .skewness = -2})));
   const auto plain = solve(problem, {.time = 4e6, .seed = 1}).solution;
   const Result split = solve(problem, {.time = 4e5, .seed = 2, .tails = true});
   ASSERT_TRUE(split.solution.is_ok()) << split.solution.reason;
   EXPECT_GT(split.summary.thresholds.size(), 5u);
-  // About one branch a threshold, which flies a few times between impulses.
+  // About one branch per threshold, with a few flights between impulses.
   EXPECT_LT(split.summary.flights, 150 * split.summary.impulses);
   for (std::size_t k = 0; k < 2; ++k) {
     const Seen seen = expect_the_same(plain.estimated_marginals[k].second,
@@ -135,8 +135,8 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
   tests::expect_near(n.v4, m.v4, std::hypot(e.v4, f.v4), "E[v^4]");
 }
 
-// Branches rest, and their times at rest count what they count.
-TEST(TailsOfAnyOscillator, LeaveTheTimeAtRestAsItIs) {
+// Branches at rest contribute with their weights.
+TEST(TailsOfAnyOscillator, PreserveTheProbabilityOfRest) {
   const auto plain = solve(preload(), {.time = 4e5, .seed = 1}).solution;
   const auto split = solve(preload(), {.time = 1e5, .seed = 2, .tails = true}).solution;
   ASSERT_EQ(plain.atoms.size(), 1u);
@@ -144,13 +144,13 @@ TEST(TailsOfAnyOscillator, LeaveTheTimeAtRestAsItIs) {
   const auto &p = plain.atoms.front(), &q = split.atoms.front();
   tests::expect_near(q.probability, p.probability, std::hypot(*p.standard_error, *q.standard_error),
                      "P(rest)");
-  EXPECT_NEAR(split.mass, 1, 1e-2);  // weights of branches are 1 on the average alone
+  EXPECT_NEAR(split.mass, 1, 1e-2);  // the weights of branches sum to 1 on average only
   for (std::size_t k = 0; k < 2; ++k) {
     expect_the_same(plain.estimated_marginals[k].second, split.estimated_marginals[k].second);
   }
 }
 
-// Without a wall y is z of the paper's linear oscillator with r = 1.
+// Without a wall y has the law of z of the paper's linear oscillator with r = 1.
 TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
   const auto folded = tests::make_problem({.cubic = 0, .restitution = 1});
   const exact::LinearDensity density(folded);
@@ -161,7 +161,7 @@ TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   const auto& [variable, estimate] = result.solution.estimated_marginals.back();
   ASSERT_EQ(variable, transform::Variable::ydot);
-  // Both halves of the (z, z') plane: each other's mirror images.
+  // Average of both halves of the (z, z') plane, which are mirror images.
   const auto half = density.velocity_averages(estimate.edges);
   std::vector<double> truth = half;
   for (std::size_t b = 0; b < half.size(); ++b)
@@ -196,20 +196,20 @@ TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
   EXPECT_EQ(resumed.v4, one.v4);
 }
 
-TEST(TailsOfAnyOscillator, AreNotOfferedWhereTheEnergyRisesBetweenImpulses) {
+TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
   const Options tails{.tails = true};
   for (const Problem& problem : {gap(), two_walls(), preload()}) {
-    EXPECT_EQ(objection(problem, tails), "");
-    EXPECT_NE(objection(problem, {.equation = Equation::white, .tails = true}), "");
+    EXPECT_EQ(unsupported_reason(problem, tails), "");
+    EXPECT_NE(unsupported_reason(problem, {.equation = Equation::white, .tails = true}), "");
   }
   Problem noisy = gap();
   noisy.noise.intensity = 0.1;
-  EXPECT_NE(objection(noisy, tails).find("noise"), std::string::npos);
+  EXPECT_NE(unsupported_reason(noisy, tails).find("noise"), std::string::npos);
   EXPECT_THROW(solve(noisy, {.time = 1e3, .tails = true}), InputError);
   const Problem ring =
       with_impulses(System({.damping = -0.1, .van_der_pol = 0.1, .stiffness = 1}, {.none = true}),
                     gaussian_impulses(1, 0.1));
-  EXPECT_NE(objection(ring, tails).find("damping"), std::string::npos);
+  EXPECT_NE(unsupported_reason(ring, tails).find("damping"), std::string::npos);
 }
 
 }  // namespace

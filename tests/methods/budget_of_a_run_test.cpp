@@ -4,7 +4,7 @@
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
-/// The error budget (compare/budget.hpp) of what solvers really return.
+/// The error budget (compare/budget.hpp) of solutions from the actual solvers.
 namespace fpkcheck::methods {
 namespace {
 
@@ -22,13 +22,13 @@ void expect_the_parts_bound_the_total(const std::vector<compare::BudgetRow>& bud
   }
 }
 
-// Once for all tests of a process.
+// Solved once for all tests of a process.
 const std::vector<transform::Solution>& without_simulation() {
   static const auto solutions =
-      run_cases(
-          {tests::paper_case(1)},
-          builtin().select("epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
-          0, {})
+      run_cases({tests::paper_case(1)},
+                builtin_registry().select(
+                    "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
+                0, {})
           .front()
           .solutions;
   return solutions;
@@ -38,14 +38,14 @@ results::Case case_1(bool controlled) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   const auto simulation =
-      builtin().select("mcs", {{"time", 200000.0}, {"controlled", controlled}}).front();
+      builtin_registry().select("mcs", {{"time", 200000.0}, {"controlled", controlled}}).front();
   auto solutions = without_simulation();
-  solutions.push_back(solve_by(simulation, problem, {axes, {}}));
+  solutions.push_back(solve_with(simulation, problem, {axes, {}}));
   return results::make_case(problem, axes, std::move(solutions));
 }
 
-// A simulation without noise is the truth to 1e-6: nothing is left to be called sampling, and the
-// discretisation is what it measures.
+// A simulation with control variates is exact to 1e-6. Hence the budget has no sampling part, and
+// the simulation measures the discretisation.
 TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
   const auto one = case_1(true);
   ASSERT_EQ(one.budget.size(), 8u);
@@ -57,7 +57,7 @@ TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
     EXPECT_EQ(last.name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_LT(*last.standard_error, 0.1 * last.l1);
-    // What fd-kf says of itself, known from the same grids and no simulation.
+    // The error estimate of fd-kf, from the same grids and without simulation.
     const double stated = transform::l1(*one.find("fd-kf")->error, row.variable);
     EXPECT_NEAR(last.l1, stated, 0.15 * stated);
   }
@@ -73,13 +73,13 @@ TEST(BudgetOfARun, IsBoundedByItsPartsInEveryRow) {
     EXPECT_EQ(row.parts.size(), moment ? 3u : 5u) << row.solution;
     for (const auto& part : row.parts) {
       if (part.name() == "sampling") {
-        EXPECT_LT(part.l1, 1.5 * part.in_99.value());
+        EXPECT_LT(part.l1, 1.5 * part.quantile_99.value());
       } else if (part.name() != "discretisation") {
         EXPECT_GT(part.l1, part.uncertainty.value()) << row.solution << " " << part.name();
       }
     }
   }
-  // docs/budget.md: what equivalent linearisation misses is the closure, not its equation.
+  // docs/budget.md: the closure limits equivalent linearisation, not its equation.
   EXPECT_GT(budget[1].parts[0].l1, 20 * budget[1].parts[1].l1);
 }
 

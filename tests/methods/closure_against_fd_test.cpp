@@ -13,11 +13,12 @@ namespace {
 
 using transform::Variable;
 
-/// Closures beside finite differences of the full jump equation.
+/// Closures compared with finite volumes for the full jump equation.
 class Closures {
  public:
   Closures(const problem::Problem& problem, const std::string& list)
-      : case_(run_cases({problem}, builtin().select(list + ",fd-kf", {}), 1, {}).front()) {}
+      : case_(run_cases({problem}, builtin_registry().select(list + ",fd-kf", {}), 1, {}).front()) {
+  }
 
   bool is_ok(const std::string& id) const { return case_.find(id)->is_ok(); }
   double l1(const std::string& id, Variable variable) const {
@@ -33,13 +34,13 @@ class Closures {
   results::Case case_;
 };
 
-// The closure on the half-plane and finite differences share nothing but the problem. Bars a few
-// per cent above what was measured; finite differences are good to 6e-5.
-TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
+// The closure on the half-plane and the finite volumes share only the problem. The limits are a few
+// per cent above the measured values; finite volumes are accurate to 6e-5.
+TEST(MomentClosure, ErrorDecreasesWithOrder) {
   const std::map<int, std::pair<double, double>> bars{
       {6, {0.003, 0.004}}, {8, {0.0015, 0.0025}}, {12, {0.0005, 0.0018}}};
   for (const int number : {1, 2, 3, 4}) {
-    if ((number == 2 || number == 3) && !tests::thorough()) continue;
+    if ((number == 2 || number == 3) && !tests::is_thorough()) continue;
     const Closures closures(tests::paper_case(number),
                             "epc-moment-n6,epc-moment-n8,epc-moment-n12");
     for (const auto& [order, bar] : bars) {
@@ -48,7 +49,7 @@ TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
       EXPECT_TRUE(closures.is_ok(id));
       EXPECT_LT(closures.l1(id, Variable::y), bar.first);
       EXPECT_LT(closures.l1(id, Variable::ydot), bar.second);
-      // Were the two the same computation, they would agree to rounding.
+      // Identical computations would agree to rounding.
       EXPECT_GT(closures.l1(id, Variable::ydot), 1e-4);
       if (order == 8) {
         EXPECT_LT(closures.tail(id, Variable::y), 0.1);
@@ -58,11 +59,11 @@ TEST(MomentClosure, ComesAsNearToFiniteDifferencesAsItsOrderAllows) {
   }
 }
 
-// Other laws, a mean of the impulses, stronger losses: the same process on both sides.
+// Both methods solve the same process for other laws, a non-zero mean and stronger losses.
 TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
   for (const char* law : {"laplace", "two_point", "uniform"}) {
     for (const double mean : {-0.1, 0.15}) {
-      if ((mean < 0) != (law[0] == 't') && !tests::thorough()) continue;
+      if ((mean < 0) != (law[0] == 't') && !tests::is_thorough()) continue;
       const auto p =
           tests::make_problem({.restitution = 0.95, .rate = 3, .mean = mean, .law = law});
       const Closures closures(p, "epc-moment-n2,epc-moment-n8");
@@ -76,14 +77,14 @@ TEST(MomentClosure, FollowsEveryImpulseLawAndMean) {
   }
 }
 
-// The same at equal numbers of unknowns, with the exponent in amplitude and phase: strong losses
-// and rare impulses too, where polynomials of y and y' miss the step at the origin. Bars 35
-// to 80 per cent above what was measured.
-TEST(PolarClosure, CarriesTheStepAtTheOrigin) {
+// The same number of unknowns with the exponent in amplitude and phase. Includes strong losses and
+// rare impulses, where polynomials of y and y' cannot represent the jump at the origin. The limits
+// are 35 to 80 per cent above the measured values.
+TEST(PolarClosure, RepresentsTheJumpAtTheOrigin) {
   struct Bars {
     tests::Parameters parameters;
     double y, ydot;    // at n = 6
-    double advantage;  // least ratio of the L1 of p(y') of moment and polar, both at n = 6
+    double advantage;  // lower limit of the ratio of L1 errors of p(y'), moment to polar, n = 6
     bool is_usual = true;
   };
   for (const auto& [parameters, y, ydot, advantage, is_usual] :
@@ -92,7 +93,7 @@ TEST(PolarClosure, CarriesTheStepAtTheOrigin) {
         Bars{{.restitution = 0.8}, 4e-4, 9e-4, 30, false},            //
         Bars{{.restitution = 0.5}, 2.2e-3, 4e-3, 30},                 //
         Bars{{.rate = 0.3}, 1.3e-3, 1.3e-3, 20}}) {
-    if (!is_usual && !tests::thorough()) continue;
+    if (!is_usual && !tests::is_thorough()) continue;
     SCOPED_TRACE("r = " + std::to_string(parameters.restitution) +
                  ", lambda = " + std::to_string(parameters.rate));
     const Closures closures(tests::make_problem(parameters), "epc-moment-n6,epc-polar-n6");

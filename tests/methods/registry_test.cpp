@@ -16,45 +16,45 @@ namespace {
 
 std::vector<std::string> ids(const std::string& list) {
   std::vector<std::string> result;
-  for (const auto& method : builtin().select(list, {})) result.push_back(method.id());
+  for (const auto& method : builtin_registry().select(list, {})) result.push_back(method.id());
   return result;
 }
 
 using Ids = std::vector<std::string>;
 
-TEST(Registry, FamiliesStandForTheirMembersByIncreasingTrust) {
+TEST(Registry, FamiliesSelectTheirMembersByIncreasingTrust) {
   EXPECT_EQ(ids("mcs,fd,epc"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-gaussian-n8",
                  "epc-moment-n4", "epc-moment-n8", "epc-moment-n12", "epc-polar-n4", "epc-polar-n6",
                  "epc-polar-n8", "fd-white", "fd-km4-delta", "fd-km4", "fd-kf", "mcs"}));
 }
 
-TEST(Registry, ItemsAreTakenOnceAndOrdersByNumber) {
+TEST(Registry, ItemsAreSelectedOnceInTheOrderOfTrust) {
   EXPECT_EQ(ids("epc-gaussian-n12,fd-kf,epc-gaussian-n2,fd-kf,fd-km4,epc-gaussian-n02"),
             (Ids{"epc-gaussian-n2", "epc-gaussian-n12", "fd-km4", "fd-kf"}));
 }
 
-TEST(Registry, AFormulationStandsForItsOrdersAndVariantsHaveNames) {
+TEST(Registry, AFormulationSelectsItsOrders) {
   EXPECT_EQ(ids("epc-moment"), (Ids{"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}));
   EXPECT_EQ(
       ids("epc-moment-cut-n6,epc-gaussian-white-n4,epc-moment-white-n6,epc-moment-n6"),
       (Ids{"epc-gaussian-white-n4", "epc-moment-cut-n6", "epc-moment-n6", "epc-moment-white-n6"}));
 }
 
-TEST(Registry, WhatIsNoMethodIsRefusedByName) {
+TEST(Registry, UnknownMethodsAreRefused) {
   for (const std::string bad :
        {"", "fdm", "fd-kf2", "epc-gaussian-n", "epc-gaussian-n6x", "epc,,mcs", "mcs2"}) {
     EXPECT_THROW(ids(bad), InputError) << bad;
   }
-  EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd
-  EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // huge
-  EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // no process belongs to it
+  EXPECT_THROW(ids("epc-gaussian-n7"), InputError);    // odd order
+  EXPECT_THROW(ids("epc-gaussian-n400"), InputError);  // order out of range
+  EXPECT_THROW(ids("epc-moment-km4-n6"), InputError);  // km4 is the equation of no process
 }
 
-TEST(Registry, SolutionsAreWhoTheirMethodPromised) {
+TEST(Registry, SolutionsHaveTheIdentityOfTheirMethod) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
-  for (const auto& method : builtin().select(
+  for (const auto& method : builtin_registry().select(
            "epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,fd-white,mcs",
            {{"time", 5000.0}})) {
     const auto solution = method.solve(problem, {axes, {}});
@@ -64,76 +64,78 @@ TEST(Registry, SolutionsAreWhoTheirMethodPromised) {
     EXPECT_EQ(solution.identity.order, method.identity.order) << method.id();
     EXPECT_EQ(solution.identity.formulation, method.identity.formulation) << method.id();
     EXPECT_TRUE(solution.density.has_value()) << method.id();
-    EXPECT_FALSE(solution.observations.empty()) << method.id();
+    EXPECT_FALSE(solution.metrics.empty()) << method.id();
   }
 }
 
-TEST(Registry, SimulationCountsOnTheComparisonAxes) {
+TEST(Registry, SimulationUsesTheComparisonAxes) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
-  const auto solution = builtin().by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
+  const auto solution =
+      builtin_registry().method_by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
   const auto m = marginal(solution, transform::Variable::y, axes.y_edges);
-  EXPECT_FALSE(m.lower.empty());  // its own estimate, with intervals
+  EXPECT_FALSE(m.lower.empty());  // estimated by the simulation, with intervals
 }
 
-TEST(Registry, EveryMethodSaysWhatItIsAndLooksLikeNoOther) {
+TEST(Registry, EveryMethodHasAMeaningAndADistinctStyle) {
   std::set<std::pair<std::string, std::string>> looks;  // colour and dash
-  const auto methods = builtin().select("epc,fd,mcs", {});
+  const auto methods = builtin_registry().select("epc,fd,mcs", {});
   for (const auto& method : methods) {
     const auto& who = method.identity;
     EXPECT_FALSE(who.family.empty()) << who.id;
     EXPECT_FALSE(who.meaning.empty()) << who.id;
     EXPECT_TRUE(who.equation && who.impact) << who.id;
-    EXPECT_NE(who.role, transform::Role::given) << who.id;
-    const std::string points = who.look.as_points ? "points" : "";
-    looks.emplace(who.look.colour + points, who.look.dash + std::to_string(who.look.width));
+    EXPECT_NE(who.role, transform::Role::external) << who.id;
+    const std::string points = who.plot_style.as_points ? "points" : "";
+    looks.emplace(who.plot_style.colour + points,
+                  who.plot_style.dash + std::to_string(who.plot_style.width));
   }
   EXPECT_EQ(looks.size(), methods.size());
 }
 
-TEST(Registry, WhatIsGivenReplacesTheOptionsOfThoseThatKnowIt) {
+TEST(Registry, OverridesReplaceExistingOptions) {
   const base::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
   const auto option = [&](const Method& method, const std::string& name) {
     const auto found = std::ranges::find(method.options, name, &base::NamedValue::name);
     return found == method.options.end() ? std::string("none") : base::text_of(found->value);
   };
-  EXPECT_EQ(option(*builtin().by_id("mcs", given), "time"), "123");
-  EXPECT_EQ(option(*builtin().by_id("mcs", given), "seed"), "9");
-  EXPECT_EQ(option(*builtin().by_id("fd-kf", given), "time"), "none");
-  EXPECT_EQ(option(*builtin().by_id("fd-kf"), "error_estimate"), "true");
+  EXPECT_EQ(option(*builtin_registry().method_by_id("mcs", given), "time"), "123");
+  EXPECT_EQ(option(*builtin_registry().method_by_id("mcs", given), "seed"), "9");
+  EXPECT_EQ(option(*builtin_registry().method_by_id("fd-kf", given), "time"), "none");
+  EXPECT_EQ(option(*builtin_registry().method_by_id("fd-kf"), "error_estimate"), "true");
 }
 
-TEST(Registry, FindsTheMethodThatMadeASolution) {
-  const Registry registry = builtin();
+TEST(Registry, FindsTheMethodOfASolution) {
+  const Registry registry = builtin_registry();
   for (const auto& method : registry.select("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
     transform::Solution saved{.identity = {.id = method.id(), .method = method.identity.method},
                               .options = method.options};
-    const auto again = registry.that_made(saved, {});
+    const auto again = registry.method_for_solution(saved, {});
     ASSERT_TRUE(again) << method.id();
     EXPECT_EQ(again->identity, method.identity);
     EXPECT_EQ(again->options, method.options);
     saved.identity.id += "x";
-    EXPECT_THROW(registry.that_made(saved, {}), InputError);
+    EXPECT_THROW(registry.method_for_solution(saved, {}), InputError);
     saved.identity = {.id = method.id(), .method = "magic"};
-    EXPECT_THROW(registry.that_made(saved, {}), InputError);
+    EXPECT_THROW(registry.method_for_solution(saved, {}), InputError);
     saved.identity.method = "file";
-    EXPECT_FALSE(registry.that_made(saved, {}));
+    EXPECT_FALSE(registry.method_for_solution(saved, {}));
   }
 }
 
-TEST(Registry, IntroducesTheSolutionsOfAnOlderRun) {
-  const Registry registry = builtin();
+TEST(Registry, AnnotatesTheSolutionsOfAnOlderRun) {
+  const Registry registry = builtin_registry();
   results::Run run{{}, {{tests::paper_case(1), {}, {}, {}, {}, {}, {}}}};
   run.cases[0].solutions = {{.identity = {.id = "epc-moment-n8", .method = "epc"}},
                             {.identity = {.id = "stranger", .method = "magic"}}};
-  registry.introduce(run);
+  registry.annotate(run);
   EXPECT_EQ(run.cases[0].solutions[0].identity.family, "epc-moment");
   EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::Role::closure);
   EXPECT_EQ(run.cases[0].solutions[1].identity.family, "");
 }
 
-TEST(Registry, HasEveryNameOnce) {
-  Registry registry = builtin();
+TEST(Registry, RefusesDuplicateNames) {
+  Registry registry = builtin_registry();
   EXPECT_THROW(registry.add(epc_solver()), std::logic_error);
 }
 

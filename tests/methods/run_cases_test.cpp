@@ -16,22 +16,24 @@
 namespace fpkcheck::methods {
 namespace {
 
-// A solver whose result names its problem, and that counts how many run at once.
+// A solver whose reason is the name of its problem, and that counts simultaneous calls.
 struct Probe {
   std::atomic<int> running = 0;
   std::atomic<int> most_at_once = 0;
 
-  Method method(const std::string& id, bool parallel = false) {
+  Method method(const std::string& id, bool uses_all_processors = false) {
     return {.identity = {.id = id, .method = "probe"},
-            .parallel = parallel,
-            .solve = [this, parallel](const problem::Problem& problem, const Setting& setting) {
+            .uses_all_processors = uses_all_processors,
+            .solve = [this, uses_all_processors](const problem::Problem& problem,
+                                                 const SolveContext& context) {
               const int now = ++running;
-              if (parallel && now > 1) throw std::logic_error("a parallel method is not alone");
+              if (uses_all_processors && now > 1)
+                throw std::logic_error("a parallel method is not alone");
               for (int seen = most_at_once;
                    now > seen && !most_at_once.compare_exchange_weak(seen, now);) {
               }
               std::this_thread::sleep_for(std::chrono::milliseconds(20));
-              if (setting.progress) setting.progress(0.5, "");
+              if (context.progress) context.progress(0.5, "");
               --running;
               transform::Solution solution;
               solution.reason = problem.name;
@@ -62,7 +64,7 @@ TEST(RunCases, FillsTheTableOfProblemsAndMethodsInOrder) {
   EXPECT_EQ(probe.most_at_once, 2);
 }
 
-TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
+TEST(RunCases, ReportsProgressOfEverySolution) {
   Probe probe;
   std::size_t finished = 0;
   RunProgress last{};
@@ -77,7 +79,7 @@ TEST(RunCases, TellsOfEverySolutionUntilAllAreDone) {
   EXPECT_EQ(last.method, "two");
 }
 
-TEST(RunCases, AsksAllMethodsBeforeAnythingIsSolved) {
+TEST(RunCases, ChecksAllMethodsBeforeSolving) {
   Probe probe;
   auto choosy = probe.method("two", true);
   choosy.check = [](const problem::Problem& problem) {
@@ -91,19 +93,18 @@ TEST(RunCases, AsksAllMethodsBeforeAnythingIsSolved) {
   EXPECT_EQ(run_cases({two_problems().front()}, {choosy}, 2, {}).size(), 1u);
 }
 
-TEST(RunCases, AsksTheSimulationWhetherItsTimeCanBeSimulated) {
-  const auto simulation = builtin().select("mcs", {{"time", 1e300}});
+TEST(RunCases, ChecksTheTimeOfTheSimulation) {
+  const auto simulation = builtin_registry().select("mcs", {{"time", 1e300}});
   EXPECT_THROW(require_solvable(two_problems(), simulation), InputError);
-  EXPECT_NO_THROW(require_solvable(two_problems(), builtin().select("epc,fd,mcs", {})));
+  EXPECT_NO_THROW(require_solvable(two_problems(), builtin_registry().select("epc,fd,mcs", {})));
 }
 
-TEST(RunCases, GoesOnWhereMemoryDoesNotSufficeForOneMethod) {
+TEST(RunCases, ContinuesIfOneMethodRunsOutOfMemory) {
   Probe probe;
   const auto without = [](const std::string& id, auto failure) {
     return Method{.identity = {.id = id, .method = "probe"},
-                  .solve = [=](const problem::Problem&, const Setting&) -> transform::Solution {
-                    throw failure;
-                  }};
+                  .solve = [=](const problem::Problem&,
+                               const SolveContext&) -> transform::Solution { throw failure; }};
   };
   const auto cases = run_cases(
       two_problems(),
@@ -121,7 +122,7 @@ TEST(RunCases, GoesOnWhereMemoryDoesNotSufficeForOneMethod) {
       EXPECT_TRUE(failed->reason.starts_with("out of memory")) << failed->reason;
     }
   }
-  // Only memory: another failure of the system is none of one method.
+  // Only a lack of memory is attributed to one method. Other system errors propagate.
   EXPECT_THROW(
       run_cases(two_problems(),
                 {without("disk", std::system_error(std::make_error_code(std::errc::io_error)))}, 2,
@@ -129,11 +130,12 @@ TEST(RunCases, GoesOnWhereMemoryDoesNotSufficeForOneMethod) {
       std::system_error);
 }
 
-TEST(RunCases, PassesOnWhatASolverThrows) {
-  const Method broken{.identity = {.id = "broken", .method = "probe"},
-                      .solve = [](const problem::Problem&, const Setting&) -> transform::Solution {
-                        throw std::runtime_error("no memory");
-                      }};
+TEST(RunCases, PropagatesExceptionsOfSolvers) {
+  const Method broken{
+      .identity = {.id = "broken", .method = "probe"},
+      .solve = [](const problem::Problem&, const SolveContext&) -> transform::Solution {
+        throw std::runtime_error("no memory");
+      }};
   EXPECT_THROW(run_cases(two_problems(), {broken}, 2, {}), std::runtime_error);
 }
 

@@ -8,11 +8,11 @@
 #include "exact/energy_law.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/case_file.hpp"
 
-// Each shipped system (docs/systems.md): its exact law where one is known, else finite differences and
-// simulation, which share the problem alone.
+// Each shipped system (docs/systems.md): finite volumes against the exact law where one is known,
+// else against the simulation, which shares only the problem with them.
 namespace fpkcheck::methods {
 namespace {
 
@@ -21,14 +21,14 @@ using transform::Variable;
 
 Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
-  const auto registry = builtin();
+  const auto registry = builtin_registry();
   const auto method = registry.select(id, options).front();
-  return solve_by(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with(method, problem, {compare::comparison_axes(problem), {}});
 }
 
 class ExactSystems : public testing::TestWithParam<const char*> {};
 
-TEST_P(ExactSystems, AreSolvedByFiniteDifferences) {
+TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const auto problem = problem::load_case(GetParam());
   const Solution solution = solved(problem, "fd-kf");
   ASSERT_TRUE(solution.is_ok()) << solution.reason;
@@ -70,8 +70,8 @@ TEST(LinearSystem, HasItsCumulants) {
 
 class OtherSystems : public testing::TestWithParam<const char*> {};
 
-// L1 by chance varies by some tens of per cent.
-TEST_P(OtherSystems, AreTheSameByFiniteDifferencesAndSimulation) {
+// The sampling error in L1 varies by some tens of per cent.
+TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   const auto problem = problem::load_case(GetParam());
   const Solution differences = solved(problem, "fd-kf");
   ASSERT_TRUE(differences.is_ok()) << differences.reason;

@@ -7,14 +7,14 @@
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 
-// The simulation and the finite differences share the problem alone.
+// The simulation and the finite volumes share only the problem.
 namespace fpkcheck {
 namespace {
 
 using transform::Variable;
 
-/// L1 distance of the simulated marginals to those of another solution, in units of what chance
-/// explains; it varies by some tens of per cent.
+/// Expects L1 distances of the simulated marginals from those of another solution that agree with
+/// the expected sampling error. The ratio varies by some tens of per cent.
 void expect_within_chance(const mcs::Result& simulated, const transform::Solution& other) {
   for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
     const auto reference = transform::marginal(other, variable, estimate.edges);
@@ -26,7 +26,8 @@ void expect_within_chance(const mcs::Result& simulated, const transform::Solutio
   }
 }
 
-/// p(0, v) on the cells of v: the slope at y = 0 of the polynomial through the cumulative over y.
+/// p(0, v) on the cells of v: the derivative at y = 0 of the polynomial that interpolates the
+/// cumulative distribution over y.
 std::vector<double> at_the_wall(const transform::GridDensity& grid) {
   constexpr std::size_t kPoints = 6;
   std::vector<double> wall;
@@ -45,8 +46,8 @@ std::vector<double> at_the_wall(const transform::GridDensity& grid) {
   return wall;
 }
 
-/// int |v| p(0, v) dv over v < 0 = int F(v) dv, F the cumulative from below: the trapezoidal rule
-/// with the correction at the end.
+/// int |v| p(0, v) dv over v < 0 = int F(v) dv, with F the cumulative distribution from below, by
+/// the trapezoidal rule with end correction.
 double impact_rate(const transform::GridDensity& grid) {
   const auto wall = at_the_wall(grid);
   double below = 0, rate = 0, width = 0, last = 0;
@@ -59,7 +60,7 @@ double impact_rate(const transform::GridDensity& grid) {
   return rate - width * width / 12 * last;
 }
 
-TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
+TEST(SimulationAgainstFiniteVolumes, DensitiesDifferBySamplingErrors) {
   for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
                               tests::make_problem({.rate = 0.3}),
                               tests::make_problem({.restitution = 0.9, .law = "exponential"})}) {
@@ -69,7 +70,7 @@ TEST(SimulationAgainstFiniteDifferences, DensitiesDifferByWhatChanceExplains) {
   }
 }
 
-TEST(SimulationAgainstFiniteDifferences, ImpactsComeAtTheRateOfTheFluxAtTheWall) {
+TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
   for (const auto& problem : {tests::paper_case(1), tests::paper_case(4)}) {
     const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
     const auto [rate, error] = mcs::solve(problem, {.time = 4e5}).summary.impact_rate;
@@ -79,7 +80,7 @@ TEST(SimulationAgainstFiniteDifferences, ImpactsComeAtTheRateOfTheFluxAtTheWall)
   }
 }
 
-TEST(SimulationAgainstFiniteDifferences, WhiteNoiseHasTheDensityOfItsEquation) {
+TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
   const auto fd = fd_fpk::solve(
       problem, {.equation = problem::Equation::white, .stepper = fd_fpk::Stepper::direct});
@@ -87,7 +88,7 @@ TEST(SimulationAgainstFiniteDifferences, WhiteNoiseHasTheDensityOfItsEquation) {
                        fd.solution);
 }
 
-TEST(SimulationAgainstFiniteDifferences, TailsAgreeDownTo1eMinus8OfThePeak) {
+TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {
   const auto problem = tests::paper_case(1);
   const auto fd = fd_fpk::solve(
       problem, {.stepper = fd_fpk::Stepper::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});
@@ -100,7 +101,7 @@ TEST(SimulationAgainstFiniteDifferences, TailsAgreeDownTo1eMinus8OfThePeak) {
     for (std::size_t b = 0; b < estimate.size(); ++b) {
       if (reference.density[b] < 1e-8 * peak) continue;
       const double half = (estimate.upper[b] - estimate.lower[b]) / 2;
-      // The finite differences err by a per cent or two that far out.
+      // The finite volumes have an error of one or two per cent in these tails.
       const double own = reference.density[b] < 1e-5 * peak ? 0.03 * reference.density[b] : 0;
       EXPECT_NEAR(estimate.density[b], reference.density[b], 2.5 * half + own)
           << transform::name(variable) << " " << estimate.centre(b) << ": "

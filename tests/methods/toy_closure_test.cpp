@@ -4,6 +4,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
+#include "gunzip_base64.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
@@ -13,13 +14,12 @@
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transform/panel_marginals.hpp"
-#include "unpacked.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/check.hpp"
 #include "workflows/study/order.hpp"
 
-/// A method from outside the tree: by its entry in the registry alone it stands in every table,
-/// picture and file, in the error budget, the study of orders and the regression test.
+/// A method from outside the source tree. Its registry entry alone adds the method to every table,
+/// figure and file, to the error budget, the study of orders and the regression test.
 namespace fpkcheck {
 namespace {
 
@@ -52,7 +52,7 @@ std::optional<Bell> bell_of(std::string_view id) {
   return std::nullopt;
 }
 
-// The Gaussian of equivalent linearisation, a little narrower with each order.
+// The Gaussian of equivalent linearisation, slightly narrower with each order.
 transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double shrink = 1 - 0.005 * bell.order;
@@ -69,11 +69,11 @@ transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell
   solution.moments = marginals.moments;
   solution.mass = marginals.mass;
   solution.density = density;
-  solution.observations = transform::Observer()
-                              .result("width.y", a)
-                              .result("width.ydot", b)
-                              .work("strokes", std::int64_t{1})
-                              .take();
+  solution.metrics = transform::MetricBuilder()
+                         .result("width.y", a)
+                         .result("width.ydot", b)
+                         .work("strokes", std::int64_t{1})
+                         .take();
   return solution;
 }
 
@@ -84,28 +84,28 @@ methods::Solver toy_solver() {
                         .families = {{.name = "toy-bell",
                                       .role = transform::Role::closure,
                                       .meaning = "A bell of about the right width.",
-                                      .usual = {"toy-bell-n2", "toy-bell-n4"},
-                                      .look =
+                                      .default_ids = {"toy-bell-n2", "toy-bell-n4"},
+                                      .plot_style =
                                           [](const transform::Identity&) {
-                                            return transform::Look{.colour = "#12AB34",
-                                                                   .dash = "(1,1)"};
+                                            return transform::PlotStyle{.colour = "#12AB34",
+                                                                        .dash = "(1,1)"};
                                           }}},
-                        .parameters = nullptr,
-                        .usual_options = {},
+                        .option_descriptions = nullptr,
+                        .default_options = {},
                         .options_of = {},
                         .method = {}};
-  return methods::with_front<Bell>(
+  return methods::with_traits<Bell>(
       std::move(entry),
       {.description = bell_description(),
        .validate = [](const Bell& bell) { bell_description().validate(bell); },
        .identity = bell_identity,
        .options_of = bell_of,
        .solve = [](const problem::Problem& problem, const Bell& bell,
-                   const methods::Setting&) { return solve_bell(problem, bell); }});
+                   const methods::SolveContext&) { return solve_bell(problem, bell); }});
 }
 
 methods::Registry with_toy() {
-  methods::Registry registry = methods::builtin();
+  methods::Registry registry = methods::builtin_registry();
   registry.add(toy_solver());
   return registry;
 }
@@ -116,7 +116,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 class ToyClosure : public testing::Test {
  protected:
-  // Once for all tests of a process.
+  // Solved once for all tests of a process.
   static const results::Run& solved_run() {
     static const results::Run run{
         results::this_program("fpkcheck run"),
@@ -130,13 +130,13 @@ class ToyClosure : public testing::Test {
   const results::Case& case_ = run_.cases.front();
 };
 
-TEST_F(ToyClosure, StandsAmongTheClosuresInTheOrderOfTrust) {
+TEST_F(ToyClosure, IsOrderedAmongTheClosures) {
   std::string ids;
   for (const auto& solution : case_.solutions) ids += solution.id() + ' ';
   EXPECT_EQ(ids, "epc-gaussian-n2 toy-bell-n2 toy-bell-n4 fd-kf ");
 }
 
-TEST_F(ToyClosure, IsInTheTableTheFindingsAndTheErrorBudget) {
+TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
   const std::string table = report::table(run_);
   EXPECT_TRUE(contains(table, "toy-bell-n2")) << table;
   EXPECT_TRUE(contains(table, "kf/map")) << table;
@@ -146,7 +146,7 @@ TEST_F(ToyClosure, IsInTheTableTheFindingsAndTheErrorBudget) {
   EXPECT_TRUE(contains(case_.limits, "toy-bell-n2 and -n4")) << case_.limits;
 }
 
-TEST_F(ToyClosure, IsInFilesPicturesAndThePageInItsOwnLook) {
+TEST_F(ToyClosure, AppearsInFilesFiguresAndPageWithItsStyle) {
   const tests::TemporaryDirectory directory;
   report::write_report(directory.path(), run_);
   const auto read = [&](const char* file) { return tests::contents(directory.path() / file); };
@@ -158,11 +158,11 @@ TEST_F(ToyClosure, IsInFilesPicturesAndThePageInItsOwnLook) {
   const std::string opening = "id=\"plots\">";
   const auto plots = page.find(opening) + opening.size();
   EXPECT_TRUE(
-      contains(tests::unpacked(page.substr(plots, page.find('<', plots) - plots)), "#12AB34"));
+      contains(tests::gunzip_base64(page.substr(plots, page.find('<', plots) - plots)), "#12AB34"));
   EXPECT_TRUE(contains(page, "A bell of about the right width."));
 }
 
-TEST_F(ToyClosure, IsStudiedOverItsOrder) {
+TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
   const auto names = study::formulations(registry_);
   EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
   const auto found =
@@ -171,28 +171,28 @@ TEST_F(ToyClosure, IsStudiedOverItsOrder) {
   EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
 }
 
-TEST_F(ToyClosure, IsCheckedAndAChangeOfItIsFound) {
+TEST_F(ToyClosure, IsCheckedForChanges) {
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;
   results::add_run(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});
-  auto again = check::run_again(baseline, "fpkcheck check", 1, {});
+  auto again = check::repeat_run(baseline, "fpkcheck check", 1, {});
   EXPECT_TRUE(check::check(baseline.run, again, {}).agrees());
-  auto& width = again.cases[0].solutions[1].observations[0];
+  auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");
   width.value = std::get<double>(width.value) * (1 + 1e-6);
   const auto moved = check::check(baseline.run, again, {}).moved();
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
-  // Without its entry nobody knows how to solve it again.
-  EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin(), {}), InputError);
+  // Without the registry entry the solution cannot be solved again.
+  EXPECT_THROW(check::load_baseline(directory.path(), methods::builtin_registry(), {}), InputError);
 }
 
-TEST_F(ToyClosure, HasACommandWithTheOptionsThatItDescribes) {
+TEST_F(ToyClosure, HasACommandWithItsOptions) {
   const auto* solver = registry_.find("toy");
   ASSERT_NE(solver, nullptr);
-  auto options = solver->usual_options;
+  auto options = solver->default_options;
   options[0].value = std::int64_t{3};
   EXPECT_THROW(registry_.method(*solver, options), InputError);
   options[0].value = std::int64_t{8};

@@ -1,5 +1,5 @@
-% examples/read_run.m on a saved run of case1 and case4: masses, marginals of the joint densities, intervals. And the
-% lines that docs/python.md shows, all but their pictures.
+% Tests examples/read_run.m with a saved run of case1 and case4: masses, marginals of the joint densities, intervals.
+% Also runs the Octave code in docs/python.md, without its plots.
 %     octave-cli read_run_test.m SOURCES DIR
 arguments = argv();
 addpath(fullfile(arguments{1}, 'examples'));
@@ -17,7 +17,7 @@ for name = {'case1', 'case4'}
     p = one.p(:, :, k);
     assert(dv' * p * dy, 1, 1e-6)
     marginals = one.marginals.(regexprep(one.solutions{k}, '-', '_'));
-    % A cell is two bins of the marginal high.
+    % The height of a cell is two bins of the marginal density.
     p_y = mean(reshape(marginals.y.density, 2, []))';
     assert(sum(abs(p' * dv - p_y) .* dy) < 1e-6)
     assert(sum(abs(p * dy - marginals.ydot.density) .* dv) < 1e-6)
@@ -40,4 +40,4 @@ assert(find(strncmp(ids, 'fd-white', 5)), 2)
 assert(t{5}(k), run_.case1.marginals.fd_white.y.density)
 assert(shown{2}, t{5}(k))
 assert(numel(shown{1}), 140)
-disp('read_run and docs/python.md: as they should be')
+disp('read_run and docs/python.md: passed')

@@ -17,7 +17,7 @@ namespace {
 
 std::string refusal(const std::string& csv) {
   try {
-    amplitude_table_of_csv(csv, "t.csv");
+    parse_amplitude_csv(csv, "t.csv");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -25,53 +25,50 @@ std::string refusal(const std::string& csv) {
 }
 
 TEST(AmplitudeTable, ReadsAtomsAndDensities) {
-  const auto atoms = amplitude_table_of_csv(
+  const auto atoms = parse_amplitude_csv(
       "\xEF\xBB\xBF# made up\namplitude, probability\r\n-1,0.25\r\n\n3, 0.75\n", "t");
-  EXPECT_EQ(text_of(atoms), "probability(-1:0.25,3:0.75)");
+  EXPECT_EQ(table_literal(atoms), "probability(-1:0.25,3:0.75)");
   EXPECT_EQ(atoms.mean(), 2);
   EXPECT_EQ(atoms.variance(), 3);
-  const auto wedge = amplitude_table_of_csv("amplitude,density\n0,2\n1,0", "t");
-  EXPECT_EQ(text_of(wedge), "density(0:2,1:0)");
+  const auto wedge = parse_amplitude_csv("amplitude,density\n0,2\n1,0", "t");
+  EXPECT_EQ(table_literal(wedge), "density(0:2,1:0)");
   EXPECT_NEAR(wedge.mean(), 1 / 3.0, 1e-15);
-  EXPECT_EQ(amplitude_table_of_csv("amplitude,probability\n-.2,.7\n.1,.1\n.65,.2", "t").mean(), 0);
+  EXPECT_EQ(parse_amplitude_csv("amplitude,probability\n-.2,.7\n.1,.1\n.65,.2", "t").mean(), 0);
   EXPECT_NEAR(wedge.variance(), 1 / 18.0, 1e-15);
 }
 
-TEST(AmplitudeTable, SurvivesAsAWord) {
+TEST(AmplitudeTable, RoundTripsAsLiteral) {
   for (const char* text : {tests::kAtoms, tests::kDensity}) {
-    const AmplitudeTable table = amplitude_table_of_text(text);
-    EXPECT_EQ(text_of(table), text);
-    EXPECT_EQ(text_of(table.mirrored().mirrored()), text);
+    const AmplitudeTable table = parse_table_literal(text);
+    EXPECT_EQ(table_literal(table), text);
+    EXPECT_EQ(table_literal(table.mirrored().mirrored()), text);
     EXPECT_NEAR(table.mirrored().mean(), -table.mean(), 1e-15);
   }
-  // What was divided by its sum is not divided again.
-  const auto thirds =
-      amplitude_table_of_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
+  // A table that was normalised once is not normalised again.
+  const auto thirds = parse_amplitude_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
   EXPECT_NEAR(thirds.weight[0], 1 / 3.0, 1e-15);
-  EXPECT_EQ(text_of(amplitude_table_of_text(text_of(thirds))), text_of(thirds));
-  EXPECT_EQ(summary_of(tests::kAtoms), "4 probabilities from -2 to 1");
+  EXPECT_EQ(table_literal(parse_table_literal(table_literal(thirds))), table_literal(thirds));
+  EXPECT_EQ(table_summary(tests::kAtoms), "4 probabilities from -2 to 1");
 }
 
-TEST(AmplitudeTable, SaysTheLineThatIsWrong) {
+TEST(AmplitudeTable, NamesTheInvalidLine) {
   const std::string head = "amplitude,probability\n";
   const std::pair<std::string, std::string> wrong[] = {
-      {"", "t.csv:1: no line (the first one must be"},
+      {"", "t.csv:1: the table is empty (the first line must be"},
       {"y,p\n0,1\n", "t.csv:1: 'y,p' (the first line must be amplitude,probability or"},
-      {head + "0,0.5\nx,0.5\n", "t.csv:3: 'x,0.5' (a row is two finite numbers"},
-      {head + "0,0.5\n1\n", "t.csv:3: '1' (a row is"},
-      {head + "0,0.5\n1,0.5,0\n", "t.csv:3: '1,0.5,0' (a row is"},
-      {head + "0,0.5\n1,nan\n", "t.csv:3: '1,nan' (a row is"},
-      {head + "0,0.5\n1e99,0.5\n", "t.csv:3: '1e99,0.5' (a row is"},
+      {head + "0,0.5\nx,0.5\n", "t.csv:3: 'x,0.5': a row must be two finite numbers"},
+      {head + "0,0.5\n1\n", "t.csv:3: '1': a row must be"},
+      {head + "0,0.5\n1,0.5,0\n", "t.csv:3: '1,0.5,0': a row must be"},
+      {head + "0,0.5\n1,nan\n", "t.csv:3: '1,nan': a row must be"},
+      {head + "0,0.5\n1e99,0.5\n", "t.csv:3: '1e99,0.5': a row must be"},
       {head + "1,0.5\n1,0.5\n", "t.csv:3: amplitude 1 after 1 (amplitudes must increase)"},
       {head + "0,0.5\n1,0\n2,0.5", "t.csv:3: probability = 0 (must be above 0)"},
       {"amplitude,density\n0,1\n1,-1\n", "t.csv:3: density = -1 (must be 0 or above)"},
-      {head + "0,1\n", "t.csv:2: a table of less than two rows"},
-      {head + "0,0.5\n1,0.4\n", "t.csv:3: the table ends here, and its probability sums to 0.9 "},
-      {head + "0,0.5\n1e-300,0.5\n",
-       "t.csv:3: the table ends here, and its amplitudes, 0 .. 1e-300"},
-      {head + "0,1\n1,1e-300\n", "t.csv:3: the table ends here, and its amplitudes, 0 .. 1, are"},
-      {"amplitude,density\n0,1\n2,1\n",
-       "t.csv:3: the table ends here, and its density integrates to 2 "},
+      {head + "0,1\n", "t.csv:2: fewer than two rows"},
+      {head + "0,0.5\n1,0.4\n", "t.csv:3: the table's probability sums to 0.9 "},
+      {head + "0,0.5\n1e-300,0.5\n", "t.csv:3: the table's amplitudes, 0 .. 1e-300"},
+      {head + "0,1\n1,1e-300\n", "t.csv:3: the table's amplitudes, 0 .. 1, have"},
+      {"amplitude,density\n0,1\n2,1\n", "t.csv:3: the table's density integrates to 2 "},
   };
   for (const auto& [csv, expected] : wrong) {
     const std::string said = refusal(csv);
@@ -79,13 +76,13 @@ TEST(AmplitudeTable, SaysTheLineThatIsWrong) {
     EXPECT_EQ(said.find('\n'), std::string::npos);
   }
   std::string long_one = head;
-  for (int k = 0; k <= static_cast<int>(kMostTableRows); ++k)
+  for (int k = 0; k <= static_cast<int>(kMaxTableRows); ++k)
     long_one += std::to_string(k) + ",0.001\n";
   EXPECT_TRUE(refusal(long_one).starts_with("t.csv:1002: more than 1000 rows"))
       << refusal(long_one);
 }
 
-/// A case with a table beside it.
+/// A case file with an amplitude table in the same directory.
 class TableOfACase : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& text) {
@@ -99,16 +96,16 @@ class TableOfACase : public testing::Test {
 constexpr const char* kSystem =
     "[system]\ndamping = 0.1\nstiffness = 1\nrestitution = 0.9\n[impulse]\nrate = 2\nlaw = tabulated\n";
 
-TEST_F(TableOfACase, IsReadBesideTheFileAndSaysMeanAndIntensity) {
+TEST_F(TableOfACase, IsReadBesideTheFileAndSetsMeanAndIntensity) {
   write("kicks.csv", "amplitude,probability\n-1,0.25\n3,0.75\n");
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\n");
   const Problem p = load_case(file("mine.ini"));
   EXPECT_EQ(p.impulses.law().mean(), 2);
   EXPECT_NEAR(p.impulses.intensity(), 2 * 7, 1e-14);
   EXPECT_NEAR(p.impulses.law().moment(3), 0.25 * -1 + 0.75 * 27, 1e-13);
-  // Nothing else needs the file.
+  // After loading, the problem does not need the file.
   std::filesystem::remove(file("kicks.csv"));
-  const Problem again = problem_from("again", sections(p));
+  const Problem again = problem_from_sections("again", sections(p));
   EXPECT_EQ(again.impulses.law().moments(), p.impulses.law().moments());
   ASSERT_EQ(sections(again).size(), sections(p).size());
   for (std::size_t k = 0; k < sections(p).size(); ++k) {
@@ -123,17 +120,18 @@ TEST_F(TableOfACase, IsShiftedAndScaledToWhatIsGiven) {
   const Problem shifted = load_case(file("mine.ini"));
   EXPECT_EQ(shifted.impulses.law().mean(), 0);
   EXPECT_NEAR(shifted.impulses.law().deviation(), std::sqrt(1 / 18.0), 1e-15);
-  const Problem scaled = load_case(file("mine.ini"), {"impulse.intensity=8"}, Naming::of_changes);
+  const Problem scaled =
+      load_case(file("mine.ini"), {"impulse.intensity=8"}, CaseNaming::with_overrides);
   EXPECT_NEAR(scaled.impulses.law().deviation(), 2, 1e-15);
   EXPECT_NEAR(scaled.impulses.law().skewness(), shifted.impulses.law().skewness(), 1e-13);
   EXPECT_EQ(scaled.name, "mine, lambda E[Y^2] = 8");
   const Problem other = load_case(file("mine.ini"), {"impulse.table=" + std::string(tests::kAtoms)},
-                                  Naming::of_changes);
+                                  CaseNaming::with_overrides);
   EXPECT_TRUE(other.name.starts_with("mine, ")) << other.name;
   EXPECT_NE(other.name.find("another table"), std::string::npos) << other.name;
 }
 
-TEST_F(TableOfACase, IsRefusedOnOneLineThatSaysWhere) {
+TEST_F(TableOfACase, IsRejectedWithLocation) {
   write("kicks.csv", "amplitude,probability\n-1,0.25\n3,0.65\n");
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\n");
   const auto said = [&](const std::vector<std::string>& overrides) -> std::string {
@@ -145,9 +143,9 @@ TEST_F(TableOfACase, IsRefusedOnOneLineThatSaysWhere) {
     return "";
   };
   EXPECT_NE(said({}).find("mine.ini:8: "), std::string::npos) << said({});
-  EXPECT_NE(said({}).find("kicks.csv:3: the table ends here"), std::string::npos) << said({});
+  EXPECT_NE(said({}).find("kicks.csv:3: the table's probability"), std::string::npos) << said({});
   write("mine.ini", std::string(kSystem) + "table = nowhere.csv\n");
-  EXPECT_NE(said({}).find("no file that can be read"), std::string::npos) << said({});
+  EXPECT_NE(said({}).find("the file cannot be read"), std::string::npos) << said({});
   write("mine.ini", kSystem);
   EXPECT_NE(said({"impulse.intensity=1"}).find("impulse.table is missing"), std::string::npos);
   const std::string table = std::string("impulse.table=") + tests::kAtoms;

@@ -43,7 +43,7 @@ TEST(CaseFile, ReadsEveryKeyAndBothKindsOfComment) {
   EXPECT_EQ(p.impulses.law().moment(1), 0.1);
 }
 
-TEST(CaseFile, ReadsWhatEditorsLeaveInFiles) {
+TEST(CaseFile, AcceptsByteOrderMarkAndSpaces) {
   EXPECT_EQ(read("\xEF\xBB\xBF" + kGood).system.stiffness(), 2.0);
   EXPECT_EQ(read(kGood, {"system.cubic= +7 "}).system.coefficients().cubic, 7.0);
   EXPECT_NE(message(kGood, {"system.cubic=1e400"}).find("out of the range"), std::string::npos);
@@ -60,7 +60,7 @@ TEST(CaseFile, OverridesReplaceAndComplete) {
 
 std::string name_of(const std::vector<std::string>& overrides, const std::string& text = kGood) {
   std::istringstream ini(text);
-  return read_case(ini, "a", "a.ini", overrides, Naming::of_changes).name;
+  return read_case(ini, "a", "a.ini", overrides, CaseNaming::with_overrides).name;
 }
 
 TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
@@ -68,16 +68,16 @@ TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
   EXPECT_EQ(name_of({"system.restitution=0.8"}), "a, r = 0.8");
   EXPECT_EQ(name_of({"impulse.law=laplace", "impulse.rate=2", "system.damping=0.2"}),
             "a, c = 0.2, lambda = 2, laplace impulses");
-  // What it has already is no change, however it is written, nor what is usual.
+  // Values equal to those of the file or to the default are no changes, in any notation.
   EXPECT_EQ(name_of({"system.restitution=0.90", "impulse.mean=0"}), "a");
   EXPECT_EQ(name_of({"system.damping=0.2"}, "[system]\n" + kGood.substr(kGood.find("stiffness"))),
             "a, c = 0.2");
-  // The last digit tells two cases apart.
+  // Names keep all digits.
   EXPECT_EQ(name_of({"system.damping=0.1000000000000001"}), "a, c = 0.1000000000000001");
   EXPECT_EQ(read(kGood, {"system.restitution=0.8"}).name, "a");
 }
 
-TEST(CaseFile, WhoseChangesWouldMakeNoNameIsNamedByTheirNumber) {
+TEST(CaseFile, IsNamedByNumberOfChangesWhenNameIsTooLong) {
   std::vector<std::string> all;
   for (const char* key : {"system.damping", "system.stiffness", "system.cubic",
                           "system.restitution", "impulse.rate", "impulse.intensity"}) {
@@ -103,7 +103,9 @@ TEST(CaseFile, NamesTheKeyTheValueAndTheFileInOneLine) {
 }
 
 TEST(CaseFile, NamesTheLine) {
-  EXPECT_EQ(message(kGood + "\nwhat is this\n").find("case a.ini:11: 'what is this' ("), 0u);
+  EXPECT_EQ(
+      message(kGood + "\nwhat is this\n").find("case a.ini:11: 'what is this' is not a setting"),
+      0u);
   EXPECT_EQ(message("; a\n# b\n[system]\ncolour = red\n").find("case a.ini:4: unknown key"), 0u);
   EXPECT_EQ(message(kGood + "rate = 5\n").find("case a.ini:10: key 'impulse.rate' is given"), 0u);
   const auto changed = [](const std::string& from, const std::string& to) {
@@ -112,16 +114,16 @@ TEST(CaseFile, NamesTheLine) {
   EXPECT_EQ(message(changed("cubic = 0.3", "cubic = 0.3.1")).find("case a.ini:4: system.cubic"),
             0u);
   EXPECT_EQ(message(changed("= 0.9", "= 1.9")).find("case a.ini:5: system.restitution = 1.9"), 0u);
-  // Not the file's.
+  // An override has no line of the file.
   EXPECT_EQ(message(kGood, {"system.cubic=1e31"}).find("case a.ini: system.cubic = 1e+31"), 0u);
 }
 
-TEST(CaseFile, AKeyIsOverriddenOnce) {
+TEST(CaseFile, RejectsDuplicateOverrides) {
   EXPECT_EQ(message(kGood, {"system.cubic=7", "system.cubic=8"}),
-            "--set system.cubic is given twice (keep one)");
+            "--set system.cubic is given twice; keep one");
 }
 
-TEST(CaseFile, WhatAMessageRepeatsIsCutAndEscaped) {
+TEST(CaseFile, SanitisesTextInMessages) {
   const std::string much(1000000, 'x');
   for (const auto& bad :
        {message(kGood, {"system.cubic=\x1b[31m" + much}),
@@ -142,8 +144,8 @@ TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
   }
 }
 
-// The name goes into tables, JSON, netCDF and pictures, none of which holds every byte.
-TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
+// Tables, JSON, netCDF and figures contain the name, and none of them can represent every byte.
+TEST(CaseFile, RejectsUnprintableFileNames) {
   const auto directory = std::filesystem::path(testing::TempDir());
   const auto refusal = [&](const std::string& stem) -> std::string {
     const auto file = directory / (stem + ".ini");
@@ -164,11 +166,11 @@ TEST(CaseFile, AFileWhoseNameCannotBeShownIsRefused) {
 }
 
 TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
-  ASSERT_EQ(named_cases().size(), 4u);
+  ASSERT_EQ(paper_cases().size(), 4u);
   const double cubic[] = {0.1, 0.1, 1.0, 1.0};
   const double intensity[] = {0.1, 1.0, 0.1, 1.0};
   for (int n = 0; n < 4; ++n) {
-    const Problem p = load_case(named_cases()[n].name);
+    const Problem p = load_case(paper_cases()[n].name);
     EXPECT_EQ(p.system.damping(), 0.1);
     EXPECT_EQ(p.system.stiffness(), 1.0);
     EXPECT_EQ(p.system.restitution(), 0.98);
@@ -178,10 +180,10 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
   }
 }
 
-// It is what other case files are started from.
+// Case 1 is the template of other case files.
 TEST(CaseFile, OfCase1NamesEveryLaw) {
-  const std::string& text = find_named_case("case1")->text;
-  for (const auto& law : ImpulseLaw::known()) {
+  const std::string& text = find_builtin_case("case1")->text;
+  for (const auto& law : ImpulseLaw::known_names()) {
     EXPECT_NE(text.find(law), std::string::npos) << law;
   }
 }

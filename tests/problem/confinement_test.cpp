@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -18,18 +18,18 @@ WallParameters left(double position, double restitution) {
 std::string refusal(const SystemCoefficients& coefficients, const WallParameters& walls = kNone,
                     double mean_impulse = 0) {
   try {
-    require_stationary(tests::with_impulses(System(coefficients, walls),
-                                            tests::gaussian_impulses(1, 1, mean_impulse)));
+    require_stationary_density(tests::with_impulses(System(coefficients, walls),
+                                                    tests::gaussian_impulses(1, 1, mean_impulse)));
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-const std::string kLeft = "does not hold the mass on the left", kRight = "on the right";
-const std::string kEnergy = "take no energy";
+const std::string kLeft = "does not confine the mass on the left", kRight = "on the right";
+const std::string kEnergy = "dissipate no energy";
 
-TEST(Confinement, IsWhatTheSpringDoesAtOpenEnds) {
+TEST(Confinement, NeedsRestoringForceAtOpenEnds) {
   EXPECT_EQ(refusal({.damping = 0.1, .stiffness = -1, .cubic = 1}), "accepted");
   EXPECT_NE(refusal({.damping = 0.1, .stiffness = 1, .cubic = -1}).find(kLeft), std::string::npos);
   EXPECT_NE(refusal({.damping = 0.1, .stiffness = 1, .cubic = -1}, left(0, 1)).find(kRight),
@@ -48,13 +48,14 @@ TEST(Confinement, CountsTheMeanOfTheImpulsesAsAForce) {
   EXPECT_NE(refusal(lighter, left(0, 1), 0.5).find(kRight), std::string::npos);
 }
 
-TEST(Confinement, NeedsWhatTakesEnergyFromLargeMotions) {
+TEST(Confinement, NeedsDissipationAtLargeAmplitudes) {
   const SystemCoefficients undamped{.damping = 0, .stiffness = 1};
   EXPECT_NE(refusal(undamped).find(kEnergy), std::string::npos);
   EXPECT_NE(refusal(undamped, left(0, 1)).find(kEnergy), std::string::npos);
   EXPECT_EQ(refusal(undamped, left(0, 0.9)), "accepted");
-  EXPECT_EQ(refusal({.damping = 0, .constant = 1}, left(0, 0.9)), "accepted");  // exp(-C sqrt h)
-  // A box takes (1 - r^2) u^2/2 at each wall, more often the faster.
+  // Density exp(-C sqrt h)
+  EXPECT_EQ(refusal({.damping = 0, .constant = 1}, left(0, 0.9)), "accepted");
+  // A box dissipates (1 - r^2) u^2/2 at each wall, more often at higher speed.
   EXPECT_EQ(refusal({}, {.left = -1, .left_restitution = 0.9, .right = 1, .right_restitution = 1}),
             "accepted");
 }
@@ -64,7 +65,8 @@ TEST(Confinement, ComparesNegativeAndPositiveDampingAtLargeEnergies) {
   EXPECT_EQ(refusal({.damping = -1, .rayleigh = 0.01, .stiffness = 1}), "accepted");
   EXPECT_NE(refusal({.damping = 1, .van_der_pol = -0.01, .stiffness = 1}).find(kEnergy),
             std::string::npos);
-  // Over a harmonic period the means of y^2 v^2 and v^4 are as 1 to 3: c_yy against 3 c_vv.
+  // Over a harmonic period the means of y^2 v^2 and v^4 have the ratio 1 : 3, so c_yy competes with
+  // 3 c_vv.
   EXPECT_EQ(refusal({.damping = 1, .van_der_pol = -2.9, .rayleigh = 1, .stiffness = 1}),
             "accepted");
   EXPECT_NE(
@@ -72,8 +74,8 @@ TEST(Confinement, ComparesNegativeAndPositiveDampingAtLargeEnergies) {
       std::string::npos);
 }
 
-TEST(Confinement, HoldsInAnyUnits) {
-  // Lengths times 1e6, times times 1e-5.
+TEST(Confinement, IsIndependentOfUnits) {
+  // Lengths multiplied by 1e6, times by 1e-5.
   const double l = 1e6, t = 1e-5;
   EXPECT_EQ(refusal({.damping = -1 / t, .van_der_pol = 1 / (t * l * l), .stiffness = 1 / (t * t)}),
             "accepted");

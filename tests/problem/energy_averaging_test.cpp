@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -27,26 +27,27 @@ TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   const UndampedOrbits orbits(p);
   ASSERT_EQ(orbits.minima(), std::vector<double>{0});
   const double energy = 0.7;
-  const auto swings = orbits.swings(energy);
-  ASSERT_EQ(swings.size(), 1u);
-  EXPECT_NEAR(swings[0].right, std::sqrt(2 * energy) / 2, 1e-13);
-  const Orbit orbit = orbits.orbit(swings[0], energy);
+  const auto half_cycles = orbits.half_cycles(energy);
+  ASSERT_EQ(half_cycles.size(), 1u);
+  EXPECT_NEAR(half_cycles[0].right, std::sqrt(2 * energy) / 2, 1e-13);
+  const Orbit orbit = orbits.orbit(half_cycles[0], energy);
   EXPECT_NEAR(orbit.period, std::numbers::pi, 1e-12);
-  EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);  // the area: 2 pi energy / frequency
+  // The enclosed area: 2 pi energy / frequency
+  EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);
   EXPECT_NEAR(orbit.loss, 0.2 * orbit.action, 1e-13);
-  EXPECT_NEAR(orbit.time_y2 / orbit.period, energy / 4, 1e-12);
+  EXPECT_NEAR(orbit.time_integral_y2 / orbit.period, energy / 4, 1e-12);
 }
 
-TEST(UndampedOrbits, LoseAtEachWallThatTheyReach) {
-  // Free flight in a box: at speed u both walls are hit once in 2 L / u.
+TEST(UndampedOrbits, DissipateAtEachWallTheyReach) {
+  // Free flight in a box: at speed u each wall is hit once per period 2 L / u.
   const Problem p = tests::with_noise(
       System({}, {.left = -1, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9}), 1);
   const UndampedOrbits orbits(p);
   const double u = 1.3;
-  const auto swings = orbits.swings(u * u / 2);
-  ASSERT_EQ(swings.size(), 1u);
-  EXPECT_TRUE(swings[0].at_left && swings[0].at_right);
-  const Orbit orbit = orbits.orbit(swings[0], u * u / 2);
+  const auto half_cycles = orbits.half_cycles(u * u / 2);
+  ASSERT_EQ(half_cycles.size(), 1u);
+  EXPECT_TRUE(half_cycles[0].at_left && half_cycles[0].at_right);
+  const Orbit orbit = orbits.orbit(half_cycles[0], u * u / 2);
   EXPECT_NEAR(orbit.period, 6 / u, 1e-12);
   EXPECT_NEAR(orbit.action, 6 * u, 1e-12);
   EXPECT_NEAR(orbit.loss, ((1 - 0.49) + (1 - 0.81)) * u * u / 2, 1e-14);
@@ -58,14 +59,14 @@ TEST(UndampedOrbits, OfTwoWellsMergeAboveTheSaddle) {
   ASSERT_EQ(orbits.minima().size(), 2u);
   EXPECT_NEAR(orbits.minima()[0], -1, 1e-12);
   EXPECT_NEAR(orbits.lowest_potential(), -0.25, 1e-12);
-  EXPECT_EQ(orbits.swings(-0.1).size(), 2u);
-  EXPECT_EQ(orbits.swings(0.1).size(), 1u);
+  EXPECT_EQ(orbits.half_cycles(-0.1).size(), 2u);
+  EXPECT_EQ(orbits.half_cycles(0.1).size(), 1u);
 }
 
 TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
   const System ball({.constant = 1}, {.left = 0, .left_restitution = 0.7});
   EXPECT_EQ(UndampedOrbits(tests::with_noise(ball, 1)).minima(), std::vector<double>{0});
-  // Two wells with stops between the wells' minima and the outside.
+  // Two wells with walls between the potential minima and the origin.
   const System stops(
       {.damping = 0.1, .stiffness = -1, .cubic = 1},
       {.left = -0.5, .left_restitution = 0.7, .right = 0.5, .right_restitution = 0.7});
@@ -73,20 +74,21 @@ TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
 }
 
 TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
-  // exp(-(c/D) h), whatever the spring.
+  // exp(-(c/D) h) for any spring.
   const Problem p =
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 0.05);
   const EnergyAveraging averaging(p);
-  ASSERT_FALSE(averaging.unconfined());
+  ASSERT_FALSE(averaging.unconfined_reason());
   double total = 0;
   for (const auto& band : averaging.bands()) {
-    EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);  // half a band
+    // Tolerance: half a band
+    EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);
     total += band.mass;
   }
   EXPECT_NEAR(total, 1, 1e-12);
 }
 
-TEST(EnergyAveraging, OfALimitCycleHasItsLeastOnIt) {
+TEST(EnergyAveraging, HasItsMinimumOnTheLimitCycle) {
   // y'' + (R - 1) y' + y, R = y^2 + y'^2 = 2h: Phi = (R^2/2 - R) / Q.
   const Problem p = tests::with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNone), 0.4);
@@ -99,19 +101,19 @@ TEST(EnergyAveraging, OfALimitCycleHasItsLeastOnIt) {
 
 TEST(EnergyAveraging, RelaxesAsTheEnergyOfALinearOscillatorDoes) {
   const Problem p = tests::with_noise(System({.damping = 0.1, .stiffness = 4}, kNone), 1);
-  EXPECT_NEAR(EnergyAveraging(p).relaxation(), 0.1, 0.002);
+  EXPECT_NEAR(EnergyAveraging(p).relaxation_rate(), 0.1, 0.002);
 }
 
 TEST(EnergyAveraging, RelaxesTheMassesOfWellsByKramersLaw) {
-  // Under weak damping the rate out of a well is (omega S / 2 pi) (c / T) exp(-barrier / T), S the
-  // action of the separatrix inside the well (4/3 of y^4/4 - y^2/2); half of those that reach the
-  // saddle fall back; two wells relax with twice the rate of one.
+  // Kramers' rate under weak damping is (omega S / 2 pi) (c / T) exp(-barrier / T), S the action of
+  // the separatrix inside the well (4/3 of y^4/4 - y^2/2). Half of the trajectories that reach the
+  // saddle return, and two wells relax with twice the rate of one.
   const double c = 0.01, T = 0.025, barrier = 0.25;
   const Problem p =
       tests::with_noise(System({.damping = c, .stiffness = -1, .cubic = 1}, kNone), 2 * c * T);
   const double omega = std::sqrt(2.0), action = 4.0 / 3;
   const double rate = omega / (2 * std::numbers::pi) * c / T * action * std::exp(-barrier / T) / 2;
-  EXPECT_NEAR(EnergyAveraging(p).relaxation() / (2 * rate), 1, 0.2);
+  EXPECT_NEAR(EnergyAveraging(p).relaxation_rate() / (2 * rate), 1, 0.2);
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ TEST(EquivalentLinearisation, GivesTheFiguresOfTheTrialRunsForCase1) {
 }
 
 TEST(EquivalentLinearisation, SlowestDecayIsThatOfTheRootsOfTheCharacteristicPolynomial) {
-  EXPECT_NEAR(slowest_decay({.damping = 0.2, .stiffness = 1}), 0.1, 1e-15);
-  EXPECT_NEAR(slowest_decay({.damping = 5, .stiffness = 4}), 1.0, 1e-14);  // (s + 1)(s + 4)
-  EXPECT_NEAR(slowest_decay({.damping = 1e9, .stiffness = 1}), 1e-9, 1e-20);
+  EXPECT_NEAR(slowest_decay_rate({.damping = 0.2, .stiffness = 1}), 0.1, 1e-15);
+  EXPECT_NEAR(slowest_decay_rate({.damping = 5, .stiffness = 4}), 1.0, 1e-14);  // (s + 1)(s + 4)
+  EXPECT_NEAR(slowest_decay_rate({.damping = 1e9, .stiffness = 1}), 1e-9, 1e-20);
 }
 
 TEST(EquivalentLinearisation, CountsImpulsesInItsSlowestDecay) {
@@ -41,7 +41,8 @@ TEST(EquivalentLinearisation, CountsImpulsesInItsSlowestDecay) {
 TEST(EquivalentLinearisation, StaticDeflectionBalancesTheMeanForce) {
   const Problem p = tests::make_problem({.cubic = 0.5, .rate = 2, .intensity = 1, .mean = 0.6});
   EXPECT_NEAR(p.system.force()(static_deflection(p)), 1.2, 1e-12);
-  EXPECT_EQ(static_deflection(tests::make_problem({.mean = -0.1})), 0.0);  // against the wall
+  // Impulses towards the wall
+  EXPECT_EQ(static_deflection(tests::make_problem({.mean = -0.1})), 0.0);
 }
 
 TEST(EquivalentLinearisation, IsExactForTheElasticLinearOscillator) {

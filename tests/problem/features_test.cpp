@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::problem {
@@ -10,15 +10,15 @@ namespace {
 
 const tests::Parameters kCase1{};
 
-TEST(Features, TellThePapersClass) {
-  EXPECT_TRUE(features(tests::make_problem(kCase1)).original);
+TEST(Features, IdentifyThePapersClass) {
+  EXPECT_TRUE(features(tests::make_problem(kCase1)).is_paper_oscillator);
   Problem noisy = tests::make_problem(kCase1);
   noisy.noise.intensity = 0.1;
-  EXPECT_FALSE(features(noisy).original);
+  EXPECT_FALSE(features(noisy).is_paper_oscillator);
   const auto other = [](const SystemCoefficients& coefficients, const WallParameters& walls = {}) {
     return features(
                tests::with_impulses(System(coefficients, walls), tests::gaussian_impulses(1, 1)))
-        .original;
+        .is_paper_oscillator;
   };
   EXPECT_TRUE(other({.damping = 0.1, .cubic = 1, .restitution = 1}));
   EXPECT_TRUE(other({.damping = 0.1, .stiffness = 1}, {.left = 0, .left_restitution = 0.5}));

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-// Every term, so that each is carried.
+// All terms are nonzero, so that the test covers the transformation of each.
 const SystemCoefficients kAll{.damping = 0.1,
                               .van_der_pol = 0.2,
                               .rayleigh = 0.3,
@@ -25,7 +25,7 @@ TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
   const System system(
       kAll, {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9});
   const Problem seen =
-      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
   EXPECT_EQ(seen.frame, (Frame{-0.5, false}));
   EXPECT_EQ(seen.system.left(), (Wall{0, 0.7}));
   EXPECT_EQ(seen.system.right(), (Wall{2.5, 0.9}));
@@ -42,7 +42,7 @@ TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
 TEST(Frame, OfARightWallAloneIsMirrored) {
   const System system(kAll, {.right = 2, .right_restitution = 0.9});
   const Problem seen =
-      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
   EXPECT_EQ(seen.frame, (Frame{2, true}));
   EXPECT_EQ(seen.system.left(), (Wall{0, 0.9}));
   EXPECT_FALSE(seen.system.right());
@@ -56,27 +56,27 @@ TEST(Frame, OfARightWallAloneIsMirrored) {
   EXPECT_EQ(seen.frame.v(1), -1);
 }
 
-TEST(Frame, OfTheOldClassIsTheProblemItself) {
+TEST(Frame, OfThePapersClassIsTheIdentity) {
   const Problem problem{"test",
                         System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.9}),
                         tests::gaussian_impulses(1, 1)};
-  EXPECT_TRUE(frame_of(problem.system).is_identity());
-  EXPECT_EQ(tests::in_frame(problem).system.force().coefficients(),
+  EXPECT_TRUE(wall_frame(problem.system).is_identity());
+  EXPECT_EQ(tests::in_wall_coordinates(problem).system.force().coefficients(),
             problem.system.force().coefficients());
 }
 
 TEST(Frame, OfAProblemInItsFrameChangesNothing) {
   const System system(kAll, {.right = 2, .right_restitution = 0.9});
   const Problem seen =
-      tests::in_frame(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
-  const Problem again = tests::in_frame(seen);
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  const Problem again = tests::in_wall_coordinates(seen);
   EXPECT_EQ(again.frame, seen.frame);
   EXPECT_EQ(again.system.left(), seen.system.left());
   EXPECT_EQ(again.system.force().coefficients(), seen.system.force().coefficients());
   EXPECT_EQ(again.impulses.law().mean(), -0.3);
 }
 
-TEST(Frame, OfTheInverseLeadsBack) {
+TEST(Frame, InverseRoundTrips) {
   for (const Frame frame : {Frame{-0.5, false}, Frame{2, true}, Frame{}}) {
     const Frame back = frame.inverse();
     for (const double x : {0.0, 0.3, 1.7}) {

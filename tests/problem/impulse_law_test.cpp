@@ -24,22 +24,22 @@ const std::vector<ImpulseLaw> kLaws{
     ImpulseLaw(TwoPointLaw{0.2, 0.5}),
     ImpulseLaw(UniformLaw{0, 0.8}),
     ImpulseLaw(UniformLaw{0.9, 0.5}),
-    ImpulseLaw::named("laplace", 0.1, 0.6),
+    ImpulseLaw::from_name("laplace", 0.1, 0.6),
     ImpulseLaw(ExponentialLaw{0, 0.4}),
     ImpulseLaw(ExponentialLaw{0.2, -0.6}),
     ImpulseLaw(GammaLaw{0, 0.7, 2}),
     ImpulseLaw(GammaLaw{-0.3, 0.5, -1.3}),
     ImpulseLaw(GammaLaw{0.1, 0.4, 0.01}),
-    ImpulseLaw::named("gamma", 0.2, 0.6),
-    ImpulseLaw::named("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
-    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
-    ImpulseLaw::named("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirrored()};
+    ImpulseLaw::from_name("gamma", 0.2, 0.6),
+    ImpulseLaw::from_name("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
+    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
+    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirrored()};
 
 std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
 }
 
-// What the far tails add to E[Y^6] beyond the smooth pieces, relative: for the laplace law
+// Relative contribution to E[Y^6] of the tails beyond the smooth pieces: for the laplace law
 // 42^6 exp(-42) / 6! = 4e-12.
 constexpr double kCutOff = 1e-11;
 
@@ -49,7 +49,7 @@ std::complex<double> expectation(const ImpulseLaw& law,
   constexpr int kPanels = 40;
   std::complex<double> sum = 0;
   for (const auto& [amplitude, probability] : law.atoms()) sum += probability * f(amplitude);
-  const auto pieces = law.smooth_pieces();
+  const auto pieces = law.density_breakpoints();
   for (std::size_t n = 0; n + 1 < pieces.size(); ++n) {
     const double width = (pieces[n + 1] - pieces[n]) / kPanels;
     for (int panel = 0; panel < kPanels; ++panel) {
@@ -97,11 +97,10 @@ TEST(ImpulseLaw, CharacteristicAndGeneratingFunctionsAreThoseOfDensityAndAtoms) 
   EXPECT_EQ(ImpulseLaw(GammaLaw{0, 1, 1}).moment_generating_function(2), infinity);
 }
 
-// P(Y <= y) rises from piece to piece by the integral of the density, and from nearly 0 to nearly
-// 1.
+// P(Y <= y) increases over each piece by the integral of the density, from nearly 0 to nearly 1.
 TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
   for (const auto& law : kLaws) {
-    const auto pieces = law.smooth_pieces();
+    const auto pieces = law.density_breakpoints();
     if (pieces.empty()) continue;
     EXPECT_NEAR(law.cumulative(pieces.front()), 0, 1e-17) << label(law);
     EXPECT_NEAR(law.cumulative(pieces.back()), 1, 1e-15) << label(law);
@@ -143,7 +142,7 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
     EXPECT_LT(std::abs(mirrored.characteristic_function(1.7) -
                        std::conj(law.characteristic_function(1.7))),
               1e-15);
-    EXPECT_EQ(mirrored.mirrored().smooth_pieces(), law.smooth_pieces());
+    EXPECT_EQ(mirrored.mirrored().density_breakpoints(), law.density_breakpoints());
   }
 }
 
@@ -182,18 +181,18 @@ TEST(ImpulseLaw, QuantilesOfTheGammaLawInvertItsCumulative) {
 }
 
 TEST(ImpulseLaw, TakesASkewnessWhereItHasOne) {
-  EXPECT_EQ(ImpulseLaw::named("gamma", 0, 1).skewness(), 1);
-  EXPECT_EQ(ImpulseLaw::named("gamma", 0, 1, {.skewness = -0.3}).skewness(), -0.3);
-  EXPECT_EQ(ImpulseLaw::named("exponential", 0, 1).skewness(), 2);
-  EXPECT_EQ(ImpulseLaw::named("exponential", 0, 1, {.skewness = -2}).skewness(), -2);
-  EXPECT_EQ(ImpulseLaw::named("laplace", 0, 1, {.skewness = 0}).skewness(), 0);
+  EXPECT_EQ(ImpulseLaw::from_name("gamma", 0, 1).skewness(), 1);
+  EXPECT_EQ(ImpulseLaw::from_name("gamma", 0, 1, {.skewness = -0.3}).skewness(), -0.3);
+  EXPECT_EQ(ImpulseLaw::from_name("exponential", 0, 1).skewness(), 2);
+  EXPECT_EQ(ImpulseLaw::from_name("exponential", 0, 1, {.skewness = -2}).skewness(), -2);
+  EXPECT_EQ(ImpulseLaw::from_name("laplace", 0, 1, {.skewness = 0}).skewness(), 0);
   for (const auto& [name, skewness] : {std::pair{"laplace", 1.0},
                                        {"exponential", 1.9},
                                        {"gamma", 0.0},
                                        {"gamma", 2.1},
                                        {"gamma", -0.001}}) {
     try {
-      ImpulseLaw::named(name, 0, 1, {.skewness = skewness});
+      ImpulseLaw::from_name(name, 0, 1, {.skewness = skewness});
       ADD_FAILURE() << name << ' ' << skewness;
     } catch (const InputError& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with("impulse.skewness = ")) << error.what();
@@ -211,7 +210,7 @@ TEST(ImpulseLaw, HasClosedFormMoments) {
   const ImpulseLaw exponential(ExponentialLaw{1, 1});  // E
   for (int j = 0; j < kMomentCount; ++j)
     EXPECT_NEAR(exponential.moment(j), std::tgamma(j + 1), 1e-12);
-  const ImpulseLaw gamma(GammaLaw{4, 2, 1});  // G of the shape 4
+  const ImpulseLaw gamma(GammaLaw{4, 2, 1});  // gamma law of shape 4
   for (int j = 0; j < kMomentCount; ++j) {
     EXPECT_NEAR(gamma.moment(j) / (std::tgamma(4 + j) / 6), 1, 1e-14);
   }
@@ -219,7 +218,7 @@ TEST(ImpulseLaw, HasClosedFormMoments) {
 
 TEST(ImpulseLaw, DensityIsNegligibleOutsideItsSmoothPieces) {
   for (const auto& law : kLaws) {
-    const auto pieces = law.smooth_pieces();
+    const auto pieces = law.density_breakpoints();
     if (pieces.empty()) {
       EXPECT_EQ(law.density(law.atoms().front().amplitude), 0.0);
       continue;
@@ -230,7 +229,7 @@ TEST(ImpulseLaw, DensityIsNegligibleOutsideItsSmoothPieces) {
   }
 }
 
-TEST(ImpulseLaw, RefusesWhatIsNoLaw) {
+TEST(ImpulseLaw, RejectsInvalidParameters) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(ImpulseLaw(GaussianLaw{0, 0}), InputError);
   EXPECT_THROW(ImpulseLaw(LaplaceLaw{nan, 1}), InputError);

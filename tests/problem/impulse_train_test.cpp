@@ -22,7 +22,7 @@ TEST(ImpulseTrain, IntensityIsRateTimesSecondMomentWhateverTheMean) {
 }
 
 TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
-  for (const std::string& name : tests::laws_by_name()) {
+  for (const std::string& name : tests::law_names_without_table()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters);
@@ -34,7 +34,7 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
 }
 
 TEST(ImpulseTrain, MirroredTwiceIsItself) {
-  for (const std::string& name : tests::laws_by_name()) {
+  for (const std::string& name : tests::law_names_without_table()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
     const ImpulseTrain impulses(parameters), mirrored = impulses.mirrored();
@@ -42,13 +42,13 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
       EXPECT_EQ(mirrored.rate_moment(j), (j % 2 == 0 ? 1 : -1) * impulses.rate_moment(j)) << name;
       EXPECT_EQ(mirrored.mirrored().rate_moment(j), impulses.rate_moment(j)) << name;
     }
-    // Its parameters are those of the law that it has.
+    // The mirrored parameters describe the mirrored law.
     const ImpulseTrain again(mirrored.parameters());
     EXPECT_NEAR(again.rate_moment(3), mirrored.rate_moment(3), 1e-15) << name;
   }
 }
 
-TEST(ImpulseTrain, RefusesWhatIsNoTrain) {
+TEST(ImpulseTrain, RejectsInvalidParameters) {
   EXPECT_THROW(ImpulseTrain(train(0, 0.1, 0)), InputError);
   EXPECT_THROW(ImpulseTrain(train(1, 0, 0)), InputError);
   EXPECT_THROW(ImpulseTrain(train(1, 0.1, 0.4)), InputError);  // mean^2 > E[Y^2]

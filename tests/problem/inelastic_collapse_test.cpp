@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-TEST(InelasticCollapse, WithoutNoiseEndsTheEquationWhiteAloneAndOnlyUpToItsThreshold) {
+TEST(InelasticCollapse, AffectsOnlyWhiteWithoutNoiseUpToTheThreshold) {
   const auto objection = [](double r, Equation equation) {
-    return collapse_objection(tests::make_problem({.restitution = r}), equation);
+    return collapse_unsupported_reason(tests::make_problem({.restitution = r}), equation);
   };
   EXPECT_TRUE(objection(0.1631, Equation::white).empty());
   EXPECT_FALSE(objection(0.1630, Equation::white).empty());
@@ -23,16 +23,19 @@ TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
   const System system({.damping = 0.1, .stiffness = 1},
                       {.left = -1, .left_restitution = 0.5, .right = 1, .right_restitution = 0.12});
   Problem p = tests::with_impulses(system, tests::gaussian_impulses(1, 1));
-  EXPECT_TRUE(collapse_objection(p, Equation::kf).empty());
-  EXPECT_NE(collapse_objection(p, Equation::white).find("restitution 0.12"), std::string::npos);
+  EXPECT_TRUE(collapse_unsupported_reason(p, Equation::kf).empty());
+  EXPECT_NE(collapse_unsupported_reason(p, Equation::white).find("restitution 0.12"),
+            std::string::npos);
   p.noise.intensity = 0.1;
-  const auto text = collapse_objection(p, Equation::kf);
+  const auto text = collapse_unsupported_reason(p, Equation::kf);
   EXPECT_NE(text.find("restitution 0.12"), std::string::npos) << text;
-  EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;  // it has the noise, too
+  // The noise of the problem is in kf too
+  EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;
 }
 
-TEST(InelasticCollapse, SaysWhatIsWrongAndWhatToDo) {
-  const auto text = collapse_objection(tests::make_problem({.restitution = 0.15}), Equation::white);
+TEST(InelasticCollapse, StatesCauseAndAction) {
+  const auto text =
+      collapse_unsupported_reason(tests::make_problem({.restitution = 0.15}), Equation::white);
   EXPECT_NE(text.find("restitution 0.15"), std::string::npos) << text;
   EXPECT_NE(text.find("0.1630"), std::string::npos) << text;
   EXPECT_NE(text.find("solve kf"), std::string::npos) << text;

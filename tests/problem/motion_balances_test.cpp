@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kRounding = 1e-14;
 
-// A linear oscillator under white noise at an elastic wall: normal laws folded at y = 0, with the
-// deviation s in y and w = sqrt(k) s in v.
+// A linear oscillator under white noise at an elastic wall: Gaussian densities folded at y = 0,
+// with deviations s of y and w = sqrt(k) s of v.
 TEST(MotionBalances, HoldForTheFoldedGaussianOfTheLinearElasticOscillator) {
   const double k = 2, s = 0.7, w = std::sqrt(k) * s;
   const Problem p = tests::make_problem({.stiffness = k, .cubic = 0, .restitution = 1});
@@ -23,7 +23,7 @@ TEST(MotionBalances, HoldForTheFoldedGaussianOfTheLinearElasticOscillator) {
           p, {.mean_displacement = mean, .mean_square_velocity = w * w, .mean_virial = k * s * s})
           .residual(),
       0, kRounding);
-  // p(0, -u) is 2 / (sqrt(2 pi) s) times the normal density of u; half of its square counts.
+  // p(0, -u) is 2 / (sqrt(2 pi) s) times the Gaussian density of u; u > 0 has half of E[u^2].
   const double momentum = 2 / (std::sqrt(2 * std::numbers::pi) * s) * w * w / 2;
   EXPECT_NEAR(momentum_balance(p, {.mean_force = k * mean, .impact_momentum = momentum}).residual(),
               0, kRounding);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -18,7 +18,7 @@ TEST(Scales, OfThePapersClassAreThoseOfEquivalentLinearisation) {
   EXPECT_EQ(s.displacement_deviation, linear.displacement_deviation);
   EXPECT_EQ(s.velocity_deviation, linear.velocity_deviation);
   EXPECT_EQ(s.y_high, 7 * linear.displacement_deviation);
-  EXPECT_EQ(s.slowest_decay, slowest_decay(linear));
+  EXPECT_EQ(s.slowest_decay_rate, slowest_decay_rate(linear));
 }
 
 TEST(Scales, OfALinearOscillatorWithoutWallsAreItsDeviations) {
@@ -33,12 +33,12 @@ TEST(Scales, OfALinearOscillatorWithoutWallsAreItsDeviations) {
   EXPECT_NEAR(s.y_low, 1 - 7, 0.1);
   EXPECT_NEAR(s.v_high, 14, 0.2);
   EXPECT_NEAR(s.frequency, 2, 1e-9);
-  EXPECT_NEAR(s.slowest_decay, 0.05, 0.001);
+  EXPECT_NEAR(s.slowest_decay_rate, 0.05, 0.001);
 }
 
 TEST(Scales, OfACreepingOscillatorDecayAsItCreeps) {
   const Problem p = tests::with_noise(System({.damping = 20, .stiffness = 4}, {.none = true}), 0.8);
-  EXPECT_NEAR(scales(p).slowest_decay, 4.0 / 20, 0.01);
+  EXPECT_NEAR(scales(p).slowest_decay_rate, 4.0 / 20, 0.01);
 }
 
 TEST(Scales, EndAtWalls) {

@@ -11,29 +11,29 @@ namespace {
 
 std::string refusal(const WallParameters& walls, const std::optional<double>& restitution = {}) {
   try {
-    walls_of(walls, restitution);
+    make_walls(walls, restitution);
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(Walls, OfTheOldKeyAreOneAtZeroOnTheLeft) {
-  const Walls walls = walls_of({}, 0.9);
+TEST(Walls, OfSystemRestitutionAreOneAtZero) {
+  const Walls walls = make_walls({}, 0.9);
   EXPECT_EQ(walls.left, (Wall{0, 0.9}));
   EXPECT_FALSE(walls.right);
 }
 
 TEST(Walls, HaveEachTheirOwnRestitution) {
-  const Walls walls = walls_of(
+  const Walls walls = make_walls(
       {.left = -1, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9}, std::nullopt);
   EXPECT_EQ(walls.left, (Wall{-1, 0.7}));
   EXPECT_EQ(walls.right, (Wall{2, 0.9}));
-  const Walls none = walls_of({.none = true}, std::nullopt);
+  const Walls none = make_walls({.none = true}, std::nullopt);
   EXPECT_FALSE(none.left || none.right);
 }
 
-TEST(Walls, AreSaidOnceAndWhole) {
+TEST(Walls, AreRejectedWhenIncompleteOrDuplicate) {
   EXPECT_NE(refusal({}).find("'system.restitution' is missing"), std::string::npos);
   EXPECT_NE(refusal({.none = true}, 0.9).find("system.restitution = 0.9 beside [wall]"),
             std::string::npos);

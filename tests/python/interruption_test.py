@@ -1,4 +1,4 @@
-"""Ctrl-C while something is solved: KeyboardInterrupt within a second, and everything works afterwards.
+"""Ctrl-C during solve(): KeyboardInterrupt within a second, and later calls work.
 
     interruption_test.py        with the package on PYTHONPATH
 """
@@ -18,7 +18,7 @@ import fpkcheck as fpk
 
 class Interruption(unittest.TestCase):
     def interrupt(self, after, call):
-        """Seconds from the signal to KeyboardInterrupt, and whether the call had ended before."""
+        """Seconds from the signal to KeyboardInterrupt, and whether the call had ended before the signal."""
         sent = []
 
         def send():
@@ -39,7 +39,7 @@ class Interruption(unittest.TestCase):
             answered = time.monotonic()
         return answered - sent[0], ended
 
-    def test_is_answered_within_a_second_and_solving_goes_on(self):
+    def test_raises_within_a_second_and_later_calls_work(self):
         for methods, options in (
             ("mcs", {"mcs.time": 1e9}),
             ("fd-kf", {"fd.nx": 200, "fd.nv": 400}),
@@ -51,7 +51,7 @@ class Interruption(unittest.TestCase):
             again = fpk.solve("case1", "fd-white", bounds=False)
             self.assertEqual(again.solutions["fd-white"].status, "ok")
 
-    def test_of_saving_leaves_whole_files(self):
+    def test_of_saving_leaves_complete_files(self):
         run = fpk.solve("case1", "fd-white,epc-moment-n4", bounds=False)
         with tempfile.TemporaryDirectory() as folder:
             directory = pathlib.Path(folder, "run")
@@ -61,7 +61,7 @@ class Interruption(unittest.TestCase):
             run.save(directory)
             self.assertTrue((directory / "figures" / "case1.png").exists())
 
-    def test_the_process_may_end_before_what_was_given_up(self):
+    def test_the_process_may_end_before_abandoned_threads(self):
         program = """if True:
             import os, signal, threading, fpkcheck
             threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()

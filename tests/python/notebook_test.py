@@ -1,4 +1,4 @@
-"""Executes a notebook from its first cell to its last, and wants pictures and no error.
+"""Executes all cells of a notebook, and requires figures and no error.
 
     notebook_test.py NOTEBOOK        with the package on PYTHONPATH; exit code 77 (skipped) without Jupyter
 """
@@ -24,7 +24,7 @@ code = [cell for cell in notebook.cells if cell.cell_type == "code"]
 assert all(not cell.outputs and cell.execution_count is None for cell in code), "it is kept without outputs"
 
 with tempfile.TemporaryDirectory() as folder:
-    # The interpreter that runs this, whatever kernels are installed.
+    # Use the interpreter of this test, not an installed kernel.
     client = NotebookClient(notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": folder}})
     client.execute()
 

@@ -1,4 +1,4 @@
-"""The package for Python: what it gives is what the program gives.
+"""The Python package: its results agree with those of the program.
 
     package_test.py FPKCHECK        with the package on PYTHONPATH; exit code 77 (skipped) without xarray
 """
@@ -26,7 +26,7 @@ PROGRAM = sys.argv.pop(1)
 METHODS = "epc-gaussian-n4,epc-gaussian-n6,fd-km4,fd-kf,mcs"
 
 
-def refusal(call, *arguments, **keywords):
+def error_message(call, *arguments, **keywords):
     """The text of the ValueError that a call raises."""
     try:
         call(*arguments, **keywords)
@@ -35,8 +35,8 @@ def refusal(call, *arguments, **keywords):
     return "accepted"
 
 
-class TheProgramsRun(unittest.TestCase):
-    """A run of the program, and the same from Python."""
+class RunOfTheProgram(unittest.TestCase):
+    """A run of the program, and the same run from Python."""
 
     @classmethod
     def setUpClass(cls):
@@ -45,7 +45,7 @@ class TheProgramsRun(unittest.TestCase):
         subprocess.run(
             [PROGRAM, "run", "case1", "--set", "system.restitution=0.95", "--methods", METHODS, "--seed", "3"]
             + ["--time", "2e4", "--quiet", "--out", str(cls.directory)]
-        )  # epc-gaussian-n4 is no density: exit code 1
+        )  # epc-gaussian-n4 is inadmissible: exit code 1
         cls.summary = json.loads((cls.directory / "summary.json").read_text())
         cls.run_ = fpk.solve(
             "case1", METHODS.split(","), restitution=0.95, options={"mcs.seed": 3, "mcs.time": 20_000}
@@ -56,7 +56,7 @@ class TheProgramsRun(unittest.TestCase):
         cls.folder.cleanup()
 
     def assert_same(self, one, other, at=""):
-        """Numbers to 1e-7 of their size and of 1: iterations may end one step apart."""
+        """Compares numbers to 1e-7, relative and absolute: iteration counts may differ by one."""
         timed = ("seconds", "_seconds", "milliseconds")
         if isinstance(one, dict):
             self.assertEqual(set(one), set(other), at)
@@ -72,15 +72,15 @@ class TheProgramsRun(unittest.TestCase):
         else:
             self.assertEqual(one, other, at)
 
-    def test_is_the_same_from_python(self):
-        # Bounds are as narrow as a second allows.
+    def test_agrees_with_the_package(self):
+        # The width of bounds depends on the time limit of one second.
         for key in ("system", "impulse", "comparisons", "budget", "reference", "limits"):
             self.assert_same(self.summary["cases"][0][key], self.run_.case.record[key], key)
         for one, other in zip(self.summary["cases"][0]["solutions"], self.run_.solutions.values()):
             for key in ("id", "status", "reason", "moments", "mass", "options", "equation", "impact"):
                 self.assert_same(one[key], other.record[key], f"{one['id']}.{key}")
 
-    def test_solutions_say_what_the_summary_says(self):
+    def test_solutions_agree_with_the_summary(self):
         kf = self.run_.solutions["fd-kf"]
         self.assertEqual((kf.status, kf.reason, kf.is_ok), ("ok", "", True))
         self.assertEqual(list(kf.moments), ["y1", "y2", "y4", "v1", "v2", "v4"])
@@ -92,12 +92,12 @@ class TheProgramsRun(unittest.TestCase):
         self.assertEqual(self.run_.reference, self.summary["cases"][0]["reference"])
         self.assertGreater(self.run_.solutions["mcs"].standard_errors["y2"], 0)
         lower, upper = self.run_.bounds["E[y^2]"]
-        # Bounds may be narrower than what finite differences know: as a second allows.
+        # Bounds may be narrower than the error of the finite volumes, depending on the time limit.
         slack = 2 * kf.error.moments["y2"]
         self.assertTrue(lower - slack < kf.moments["y2"] < upper + slack)
         self.assertLess(upper - lower, 1e-3)
 
-    def test_loading_gives_what_was_saved(self):
+    def test_loading_restores_a_saved_run(self):
         loaded = fpk.load(self.directory)
         self.assertEqual(loaded.summary["cases"], self.summary["cases"])
         self.assertEqual(loaded.problem, self.run_.problem)
@@ -148,7 +148,7 @@ class TheProgramsRun(unittest.TestCase):
             self.assertAlmostEqual(float(own.total), row["total"], 8)
             self.assertLessEqual(float(own.total), float(own.l1.sum()) + 1e-12)
 
-    def test_the_table_is_the_programs(self):
+    def test_the_table_agrees_with_the_program(self):
         saved = subprocess.run([PROGRAM, "report", str(self.directory)], capture_output=True, text=True).stdout
         self.assertEqual(fpk.load(self.directory).table(100).splitlines()[0], saved.splitlines()[0])
         self.assertIn("error budget", str(self.run_))
@@ -157,26 +157,26 @@ class TheProgramsRun(unittest.TestCase):
 class Input(unittest.TestCase):
     one_line = dict(damping=0.1, stiffness=1, cubic=0, restitution=1, rate=1, law="gaussian", intensity=1)
 
-    def test_is_refused_in_the_programs_line(self):
+    def test_is_refused_with_the_programs_message(self):
         solve, case = fpk.solve, fpk.Problem.case
         for got, expected in (
-            (refusal(case, "case1", restitution=-1), "case case1: system.restitution = -1 (must be"),
-            (refusal(case, "case9"), "no case 'case9'"),
-            (refusal(case, "case1", dampin=1), "unknown key 'dampin' (known keys: system.{damping"),
-            (refusal(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
-            (refusal(solve, "case1", "fd-nonsense"), "--methods: 'fd-nonsense' is no method"),
-            (refusal(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "'mcs.sed' is no option (known: mcs."),
-            (refusal(solve, "case1", "mcs", options={"mcs.time": "x"}), "options: mcs.time = 'x'"),
-            (refusal(solve, "case1", "mcs", options={"mcs.time": -1}), "must be"),
-            (refusal(solve, "case1", "epc-gaussian-n6", options={"epc.order": 4}), "epc-gaussian-n4"),
-            (refusal(solve, ["case1", "case2"], "fd-kf", against={"a": "b.csv"}), "2 cases"),
-            (refusal(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is a method's"),
-            (refusal(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
-            (refusal(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
-            (refusal(fpk.Problem, self.one_line, name="a\nb"), "the case's name, that of its file, holds control"),
-            (refusal(fpk.Problem, self.one_line, name="a" * 101), "has 101 bytes"),
-            (refusal(fpk.load, "/nowhere"), "/nowhere"),
-            (refusal(fpk.solve("case1", "fd-white", bounds=False).save, "/proc/nowhere"), "/proc/nowhere"),
+            (error_message(case, "case1", restitution=-1), "case case1: system.restitution = -1 (must be"),
+            (error_message(case, "case9"), "no case 'case9'"),
+            (error_message(case, "case1", dampin=1), "unknown key 'dampin'; known keys: system.{damping"),
+            (error_message(fpk.Problem, damping=0.1), "key 'system.stiffness' is missing"),
+            (error_message(solve, "case1", "fd-nonsense"), "--methods: unknown method 'fd-nonsense'"),
+            (error_message(solve, "case1", "fd-kf", options={"mcs.sed": 1}), "unknown option 'mcs.sed'; use mcs."),
+            (error_message(solve, "case1", "mcs", options={"mcs.time": "x"}), "options: mcs.time = 'x'"),
+            (error_message(solve, "case1", "mcs", options={"mcs.time": -1}), "must be"),
+            (error_message(solve, "case1", "epc-gaussian-n6", options={"epc.order": 4}), "epc-gaussian-n4"),
+            (error_message(solve, ["case1", "case2"], "fd-kf", against={"a": "b.csv"}), "2 cases"),
+            (error_message(solve, "case1", "fd-kf", against={"fd-own": lambda y, v: y}), "is the name of a method"),
+            (error_message(solve, "case1", "fd-kf", against={"lab": "nowhere.csv"}), "nowhere.csv"),
+            (error_message(fpk.Problem.case, "case1", law="cauchy"), "impulse.law = 'cauchy' (must be one of gaussian"),
+            (error_message(fpk.Problem, self.one_line, name="a\nb"), "the name of the case, taken from its file, contains control"),
+            (error_message(fpk.Problem, self.one_line, name="a" * 101), "has 101 bytes"),
+            (error_message(fpk.load, "/nowhere"), "/nowhere"),
+            (error_message(fpk.solve("case1", "fd-white", bounds=False).save, "/proc/nowhere"), "/proc/nowhere"),
         ):
             self.assertIn(expected, got)
             self.assertNotIn("\n", got)
@@ -185,7 +185,7 @@ class Input(unittest.TestCase):
         with self.assertRaises(TypeError):
             solve("case1", "fd-kf", options={"fd.order": object()})
 
-    def test_problems_are_what_was_given(self):
+    def test_problems_have_the_given_settings(self):
         keywords = dict(damping=0.2, stiffness=1, cubic=0.3, restitution=0.9, rate=2, law="laplace", intensity=0.1)
         one = fpk.Problem(**keywords)
         nested = {"system": {k: keywords[k] for k in ("damping", "stiffness", "cubic", "restitution")}}
@@ -193,7 +193,7 @@ class Input(unittest.TestCase):
         self.assertEqual(one, fpk.Problem(nested))
         rest = {name: value for name, value in keywords.items() if name != "damping"}
         self.assertEqual(one, fpk.Problem({"system.damping": np.float64(0.2)}, **rest))
-        self.assertIn("given twice", refusal(fpk.Problem, {"system.damping": 0.2}, **keywords))
+        self.assertIn("given twice", error_message(fpk.Problem, {"system.damping": 0.2}, **keywords))
         self.assertEqual(one["impulse.law"], "laplace")
         self.assertEqual(one["mean"], 0)
         self.assertEqual(fpk.Problem.case("case1", restitution=1 / 3)["restitution"], 1 / 3)
@@ -208,12 +208,12 @@ class Input(unittest.TestCase):
 
 
 def half_normal_l1(one, other):
-    """L1 of two centred normal densities, and of their halves, by erf at where they cross."""
+    """L1 distance of two centred normal densities, and of their halves, by erf at the crossing point."""
     at = one * other * math.sqrt(2 * math.log(other / one) / (other**2 - one**2))
     return 2 * (math.erf(at / one / math.sqrt(2)) - math.erf(at / other / math.sqrt(2)))
 
 
-class OwnDensities(unittest.TestCase):
+class ExternalDensities(unittest.TestCase):
     """At r = 1 white noise has the density exp(-(c/D2) (v^2/2 + U(y))), here with c/D2 = 2, U = y^2/2."""
 
     problem = fpk.Problem.case("case1", restitution=1, cubic=0)
@@ -222,7 +222,7 @@ class OwnDensities(unittest.TestCase):
     def normal(self, factor):
         return lambda y, v: np.exp(-(y**2 + v**2) / 2 / (factor * self.exact) ** 2)
 
-    def test_functions_are_as_far_as_is_known_exactly(self):
+    def test_functions_have_the_exact_distance(self):
         far = half_normal_l1(self.exact, 1.1 * self.exact)
         run = fpk.solve(
             self.problem,
@@ -235,7 +235,7 @@ class OwnDensities(unittest.TestCase):
         )
         for variable in ("y", "ydot"):
             self.assertLess(run.l1("exact", "fd-white")[variable], 1e-4)
-            # Of averages over bins: the one in which they cross counts less.
+            # The distance of bin averages is smaller, since the densities cross within a bin.
             self.assertAlmostEqual(run.l1("exact", "wide")[variable], far, delta=3e-4)
             self.assertAlmostEqual(run.l1("nobody", "fd-white")[variable], far, 3)
             budget = run.budget.sel(variable=variable)
@@ -249,7 +249,7 @@ class OwnDensities(unittest.TestCase):
         self.assertAlmostEqual(exact.mass, 1, 9)
         self.assertAlmostEqual(exact.record["normalised_by"], math.pi / 2, 8)
         self.assertLess(abs(exact.energy_residual), 1e-8)
-        # Its own error is that of white noise in place of jumps.
+        # The error estimate is the error of the white-noise model.
         distance = run.l1("exact", "fd-kf")["y"]
         self.assertTrue(distance < exact.error.y_l1 < 1.7 * distance)
         wide, nobody = run.solutions["wide"], run.solutions["nobody"]
@@ -260,14 +260,14 @@ class OwnDensities(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run.save(folder)
             self.assertEqual(fpk.load(folder).solutions, run.solutions)
-            # What users bring along cannot be solved again.
+            # External densities cannot be solved again.
             check = subprocess.run(
                 [PROGRAM, "check", str(pathlib.Path(folder, "summary.json"))], capture_output=True, text=True
             )
             self.assertEqual(check.returncode, 0, check.stdout + check.stderr)
             self.assertIn("wide", check.stdout + check.stderr)
 
-    def test_orders_make_a_family(self):
+    def test_orders_form_a_family(self):
         against = {
             f"chi-n{n}": fpk.Density(self.normal(factor), equation="white", order=n)
             for n, factor in ((2, 1.1), (4, 1.01))
@@ -279,17 +279,17 @@ class OwnDensities(unittest.TestCase):
         self.assertEqual([records[f"chi-n{n}"]["identity"]["family"] for n in (2, 4)], ["chi", "chi"])
         self.assertEqual(records["drawn-n2"]["identity"]["order"], 2)
         self.assertNotEqual(records["drawn-n2"]["identity"]["family"], "drawn")
-        self.assertIn("order = 0 (must be 1 or more)", refusal(fpk.solve, "case1", "fd-kf", against={
+        self.assertIn("order = 0 (must be 1 or more)", error_message(fpk.solve, "case1", "fd-kf", against={
             "own": fpk.Density(self.normal(1), order=0)}))
 
-    def test_scalar_functions_do_too(self):
+    def test_scalar_functions_are_accepted(self):
         def scalar(y, v):
             return math.exp(-(y**2) - v**2) if y >= 0 else 0.0
 
         run = fpk.solve(self.problem, "fd-white", against={"a": scalar, "b": self.normal(1)}, bounds=False)
         self.assertLess(max(run.l1("a", "b").values()), 1e-14)
 
-    def test_what_is_no_density_is_said(self):
+    def test_inadmissible_functions_have_a_reason(self):
         def solved(function, **how):
             density = fpk.Density(function, equation="white", **how)
             run = fpk.solve(self.problem, "fd-white", against={"own": density}, bounds=False)
@@ -299,22 +299,22 @@ class OwnDensities(unittest.TestCase):
         self.assertIn("cut off", solved(lambda y, v: 1 + 0 * y).reason)
         off = solved(self.normal(1), normalise=False)
         self.assertEqual(off.status, "inadmissible")
-        self.assertIn("its integral is 1.5708", off.reason)
+        self.assertIn("the integral is 1.5708", off.reason)
         for function, expected in (
             (lambda y, v: np.log(y), "must be a finite number"),
-            (lambda y, v: -np.exp(-(y**2) - v**2), "its integral is"),
+            (lambda y, v: -np.exp(-(y**2) - v**2), "the integral is"),
             (lambda y, v: np.ones(7), "shape (7,)"),
         ):
             with np.errstate(divide="ignore"):
-                self.assertIn(expected, refusal(solved, function))
-        self.assertIn("equation 'km5'", refusal(fpk.solve, "case1", "fd-kf", against={
+                self.assertIn(expected, error_message(solved, function))
+        self.assertIn("equation 'km5'", error_message(fpk.solve, "case1", "fd-kf", against={
             "own": fpk.Density(self.normal(1), equation="km5")}))
-        self.assertIn("impact 'exact' (must be one of map, delta)", refusal(fpk.solve, "case1", "fd-kf", against={
+        self.assertIn("impact 'exact' (must be one of map, delta)", error_message(fpk.solve, "case1", "fd-kf", against={
             "own": fpk.Density(self.normal(1), equation="kf", impact="exact")}))
         with self.assertRaises(ZeroDivisionError):
             solved(lambda y, v: 1 / 0)
 
-    def test_samplers_are_as_far_as_chance_takes_them(self):
+    def test_samplers_estimate_their_sampling_error(self):
         def sampler(rng, n):
             return np.abs(rng.normal(0, self.exact, (n, 2))) * np.stack([np.ones(n), rng.choice([-1, 1], n)], axis=1)
 
@@ -342,11 +342,11 @@ class OwnDensities(unittest.TestCase):
         own = run.marginals.sel(solution="drawn")
         within = ((own.p_y_lower <= inside) & (inside <= own.p_y_upper))[:50]
         self.assertGreater(float(within.mean()), 0.85)
-        for samples, expected in ((np.zeros((5, 2)), "must be 100"), (np.zeros(300), "shape (300,)"),
+        for samples, expected in ((np.zeros((5, 2)), "must be at least 100"), (np.zeros(300), "shape (300,)"),
                                   (-np.ones((200, 2)), "y >= 0"), (np.full((200, 2), np.nan), "finite")):
-            self.assertIn(expected, refusal(fpk.solve, self.problem, "fd-white", against={"own": samples}))
+            self.assertIn(expected, error_message(fpk.solve, self.problem, "fd-white", against={"own": samples}))
 
-    def test_files_join_as_well(self):
+    def test_files_are_compared(self):
         run = fpk.solve(self.problem, "fd-white", bounds=False)
         curve = run.curve("fd-white")
         with tempfile.TemporaryDirectory() as folder:
@@ -359,7 +359,7 @@ class OwnDensities(unittest.TestCase):
 
 
 class Solving(unittest.TestCase):
-    def test_needs_no_xarray_but_for_named_axes(self):
+    def test_requires_xarray_only_for_named_axes(self):
         program = """if True:
             import sys
             sys.modules["xarray"] = None
@@ -369,12 +369,12 @@ class Solving(unittest.TestCase):
             try:
                 run.marginals
             except ImportError as error:
-                print("need xarray" in str(error))
+                print("require xarray" in str(error))
             """
         done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
         self.assertEqual(done.stdout, "(140,) ok\nTrue\n", done.stderr)
 
-    def test_leaves_the_interpreter_free(self):
+    def test_releases_the_interpreter_lock(self):
         count, stop = 0, threading.Event()
 
         def counting():
@@ -390,10 +390,10 @@ class Solving(unittest.TestCase):
         during = count - before
         stop.set()
         thread.join()
-        # With the lock held there would be at most one, before or after.
+        # If solve() held the interpreter lock, there would be at most one, before or after.
         self.assertGreater(during, 10)
 
-    def test_tells_where_it_stands_and_ends_in_time(self):
+    def test_reports_progress_and_respects_the_time_limit(self):
         told = []
         fpk.solve("case1", "fd-white,fd-kf", progress=told.append, bounds=False)
         self.assertTrue(told)
@@ -410,14 +410,14 @@ class Solving(unittest.TestCase):
         with self.assertRaisesRegex(LookupError, "fd-kf"):
             fpk.solve("case1", "fd-kf", progress=refuse)
 
-    def test_several_cases_are_asked_for_by_name(self):
+    def test_several_cases_are_selected_by_name(self):
         run = fpk.solve(["case1", fpk.Problem.case("case4")], "epc-moment-n4", bounds=False)
         self.assertEqual(list(run), ["case1", "case4"])
         self.assertNotEqual(run["case1"].problem, run["case4"].problem)
-        self.assertIn("say which", refusal(lambda: run.solutions))
+        self.assertIn("select run[", error_message(lambda: run.solutions))
         self.assertEqual(run["case4"].joint.attrs["case"], "case4")
 
-    def test_threads_may_solve_at_once(self):
+    def test_threads_may_solve_concurrently(self):
         found = {}
 
         def solving(name):

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "report/findings.hpp"
 #include "saved_run.hpp"
 
@@ -13,47 +13,47 @@ using tests::contains;
 using tests::made_up_case;
 using tests::solution_of;
 
-/// Bounds about the moments of fd-kf.
+/// Bounds centred at the moments of fd-kf.
 results::Case bounded_case(double half_width = 1e-4) {
-  auto one = made_up_case();
-  const auto& m = one.find("fd-kf")->moments;
-  one.bounds = compare::Bounds{.seconds = 0.5,
-                               .each = {{"E[y^2]", m.y2 - half_width, m.y2 + half_width},
-                                        {"E[y'^2]", m.v2 - half_width, m.v2 + half_width}}};
-  return one;
+  auto case_result = made_up_case();
+  const auto& m = case_result.find("fd-kf")->moments;
+  case_result.bounds = compare::Bounds{.seconds = 0.5,
+                                       .each = {{"E[y^2]", m.y2 - half_width, m.y2 + half_width},
+                                                {"E[y'^2]", m.v2 - half_width, m.v2 + half_width}}};
+  return case_result;
 }
 
-TEST(BoundsFindings, AreTheFirstAndNameWhoIsOutside) {
-  auto one = bounded_case();
-  solution_of(one, "fd-white").moments.y2 += 0.01;
-  solution_of(one, "fd-white").moments.v2 += 0.01;
-  const auto all = findings(one);
-  EXPECT_TRUE(all.at(0).starts_with("Guaranteed: E[y^2] in [")) << all[0];
+TEST(BoundsFindings, ComeFirstAndNameApproximationsOutside) {
+  auto case_result = bounded_case();
+  solution_of(case_result, "fd-white").moments.y2 += 0.01;
+  solution_of(case_result, "fd-white").moments.v2 += 0.01;
+  const auto all = findings(case_result);
+  EXPECT_TRUE(all.at(0).starts_with("Guaranteed bounds: E[y^2] in [")) << all[0];
   EXPECT_TRUE(contains(all[0], "fd-white")) << all[0];
   EXPECT_EQ(all[0].find("fd-white"), all[0].rfind("fd-white"));
   EXPECT_FALSE(contains(all[0], "fd-kf")) << all[0];
 }
 
-TEST(BoundsFindings, CallASolutionWrongThatContradictsThemAndItself) {
-  auto one = bounded_case();
-  auto& kf = solution_of(one, "fd-kf");
+TEST(BoundsFindings, CallASolutionWrongOutsideItsStatedError) {
+  auto case_result = bounded_case();
+  auto& kf = solution_of(case_result, "fd-kf");
   kf.moments.y2 += 3e-4;
   kf.error.emplace().moments.y2 = 1e-4;
-  EXPECT_TRUE(findings(one).at(0).starts_with("OUTSIDE THE BOUNDS: fd-kf solves the problem"));
+  EXPECT_TRUE(findings(case_result).at(0).starts_with("OUTSIDE THE BOUNDS: fd-kf (full problem"));
   kf.error->moments.y2 = 3e-4;
-  EXPECT_FALSE(contains(findings(one).at(0), "OUTSIDE"));
+  EXPECT_FALSE(contains(findings(case_result).at(0), "OUTSIDE"));
 }
 
-TEST(BoundsFindings, SayWhyThereAreNone) {
-  auto one = made_up_case();
-  EXPECT_TRUE(bounds_findings(one).empty());
-  one.bounds = compare::Bounds{.reason = "c^2 >= 4 k"};
-  EXPECT_EQ(bounds_findings(one).at(0), "There are no guaranteed bounds: c^2 >= 4 k.");
+TEST(BoundsFindings, StateTheReasonWithoutBounds) {
+  auto case_result = made_up_case();
+  EXPECT_TRUE(bounds_findings(case_result).empty());
+  case_result.bounds = compare::Bounds{.reason = "c^2 >= 4 k"};
+  EXPECT_EQ(bounds_findings(case_result).at(0), "There are no guaranteed bounds: c^2 >= 4 k.");
 }
 
-TEST(BoundsTable, HasALineForEach) {
-  const auto one = bounded_case();
-  const std::string text = bounds_table(one.problem, *one.bounds, 80);
+TEST(BoundsTable, HasARowForEachBound) {
+  const auto case_result = bounded_case();
+  const std::string text = bounds_table(case_result.problem, *case_result.bounds, 80);
   EXPECT_TRUE(contains(text, "functional")) << text;
   EXPECT_TRUE(contains(text, "\nE[y'^2]")) << text;
   EXPECT_TRUE(contains(text, "1.0e-04")) << text;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "changed_case.hpp"
-#include "guest_family.hpp"
+#include "external_family.hpp"
+#include "modified_case.hpp"
 #include "page/made_up_page.hpp"
 
 namespace fpkcheck::report {
@@ -15,43 +15,43 @@ namespace {
 using transform::Variable;
 
 TEST(Convergence, IsOfClosuresByOrder) {
-  const auto one = tests::whole_case();
-  const auto found = convergence(one, Variable::y);
+  const auto case_result = tests::whole_case();
+  const auto found = convergence(case_result, Variable::y);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->reference->id(), "fd-kf");
   ASSERT_EQ(found->families.size(), 1u);
   EXPECT_EQ(found->families[0].name, "epc-gaussian");
   EXPECT_EQ(found->families[0].solutions.size(), 3u);
   EXPECT_EQ(found->orders(), std::pair(2, 6));
-  EXPECT_EQ(found->l1(*one.find("mcs")), *one.l1("mcs", "fd-kf", Variable::y));
-  ASSERT_EQ(found->levels.size(), 2u);
-  EXPECT_EQ(found->levels[1].l1, 2e-5);
+  EXPECT_EQ(found->l1(*case_result.find("mcs")), *case_result.l1("mcs", "fd-kf", Variable::y));
+  ASSERT_EQ(found->uncertainty_lines.size(), 2u);
+  EXPECT_EQ(found->uncertainty_lines[1].l1, 2e-5);
 }
 
-TEST(Convergence, HasFamiliesThatWereBroughtAlongWhateverTheirSequence) {
-  const auto one = tests::case_with_guest_family({6, 2, 10});
-  const auto found = convergence(one, Variable::y);
+TEST(Convergence, SortsFamiliesOfExternalDensitiesByOrder) {
+  const auto case_result = tests::case_with_external_family({6, 2, 10});
+  const auto found = convergence(case_result, Variable::y);
   ASSERT_TRUE(found);
   ASSERT_EQ(found->families.size(), 2u);
   std::vector<std::string> ids;
   for (const auto* member : found->families[0].solutions) ids.push_back(member->id());
   EXPECT_EQ(found->families[0].name, "chi");
   EXPECT_EQ(ids, (std::vector<std::string>{"chi-n2", "chi-n6", "chi-n10"}));
-  EXPECT_TRUE(found->guests.empty());
+  EXPECT_TRUE(found->external_densities.empty());
   EXPECT_EQ(found->orders(), std::pair(2, 10));
 }
 
 TEST(Convergence, NeedsAReferenceAndAFamilyOfTwoOrders) {
-  auto one = tests::whole_case();
+  auto case_result = tests::whole_case();
   for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4"}) {
-    tests::solution_of(one, id).identity.family = id;
+    tests::solution_of(case_result, id).identity.family = id;
   }
-  EXPECT_FALSE(convergence(one, Variable::y));
-  one = tests::whole_case();
+  EXPECT_FALSE(convergence(case_result, Variable::y));
+  case_result = tests::whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
-    tests::solution_of(one, id).status = transform::Status::failed;
+    tests::solution_of(case_result, id).status = transform::Status::failed;
   }
-  EXPECT_FALSE(convergence(one, Variable::ydot));
+  EXPECT_FALSE(convergence(case_result, Variable::ydot));
 }
 
 }  // namespace

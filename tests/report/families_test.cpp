@@ -8,20 +8,20 @@ namespace fpkcheck::report {
 namespace {
 
 TEST(Families, KeepTheOrderOfTheSolutions) {
-  const auto one = tests::whole_case();
-  const auto all = families(one.solutions);
+  const auto case_result = tests::whole_case();
+  const auto all = families(case_result.solutions);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].name, "epc-gaussian");
   EXPECT_EQ(all[1].name, "fd");
   EXPECT_EQ(all[2].name, "mcs");
   ASSERT_EQ(all[1].solutions.size(), 3u);
-  EXPECT_EQ(all[1].solutions[0], one.find("fd-white"));
-  EXPECT_EQ(all[1].solutions[2], one.find("fd-kf"));
+  EXPECT_EQ(all[1].solutions[0], case_result.find("fd-white"));
+  EXPECT_EQ(all[1].solutions[2], case_result.find("fd-kf"));
 }
 
-TEST(Families, AreOfSomeSolutionsToo) {
-  const auto one = tests::whole_case();
-  const auto all = families(std::vector{one.find("mcs"), one.find("fd-kf")});
+TEST(Families, GroupASelectionOfSolutions) {
+  const auto case_result = tests::whole_case();
+  const auto all = families(std::vector{case_result.find("mcs"), case_result.find("fd-kf")});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].name, "mcs");
   EXPECT_EQ(all[1].solutions.size(), 1u);

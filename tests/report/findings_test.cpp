@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -18,10 +18,10 @@ using tests::set_l1;
 using tests::solution_of;
 using transform::Status;
 
-/// The one sentence with these words, or "".
-std::string sentence_with(const results::Case& one, const std::string& words) {
+/// The only sentence with these words, or "".
+std::string sentence_with(const results::Case& case_result, const std::string& words) {
   std::string found;
-  for (const auto& sentence : findings(one)) {
+  for (const auto& sentence : findings(case_result)) {
     if (!contains(sentence, words)) continue;
     EXPECT_TRUE(found.empty()) << found << "\n" << sentence;
     found = sentence;
@@ -29,243 +29,251 @@ std::string sentence_with(const results::Case& one, const std::string& words) {
   return found;
 }
 
-TEST(Findings, SayWhichApproximationCostsWhat) {
-  auto one = made_up_case();
-  set_l1(one, "fd-white", "fd-kf", 0.011, 0.031);
-  set_l1(one, "fd-km4", "fd-kf", 1e-4, 4e-4);
-  set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.015, 0.0046);
-  set_l1(one, "epc-gaussian-n4", "mcs", 0.0001, 0.0001);  // the closest, but inadmissible
-  set_l1(one, "fd-kf", "mcs", 0.0012, 0.0016);
+TEST(Findings, StateTheErrorOfEachApproximation) {
+  auto case_result = made_up_case();
+  set_l1(case_result, "fd-white", "fd-kf", 0.011, 0.031);
+  set_l1(case_result, "fd-km4", "fd-kf", 1e-4, 4e-4);
+  set_l1(case_result, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.015, 0.0046);
+  set_l1(case_result, "epc-gaussian-n4", "mcs", 0.0001, 0.0001);  // the closest, but inadmissible
+  set_l1(case_result, "fd-kf", "mcs", 0.0012, 0.0016);
   const std::vector<std::string> expected{
-      "Reference: mcs, which is known best by its own account (L1 0.001 in p(y), 0.002 in p(y')).",
-      "What approximations cost in L1: white noise in place of the full jump integral (fd-white) "
+      "Reference: mcs, the solution with the smallest error estimate (L1 0.001 in p(y), 0.002 in "
+      "p(y')).",
+      "L1 error of each approximation: white noise in place of the full jump integral (fd-white) "
       "0.011 in p(y) and 0.031 in p(y'); Kramers-Moyal series to the fourth derivative in place of "
       "the full jump integral (fd-km4) 0.0001 in p(y) and 0.0004 in p(y').",
-      "Closest to mcs of the closures that are ok: epc-gaussian-n6 with L1 0.0024 in p(y) and 0.0047 in "
-      "p(y').",
-      "The simulation (mcs) and the full jump equation (fd-kf) differ by 0.0012 in p(y) and 0.0016 "
-      "in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in p(y'); "
-      "all errors explain up to 0.003 and 0.0041 (1 run of 1000 is beyond by chance), which explains "
-      "that."};
-  EXPECT_EQ(findings(one), expected);
-  set_l1(one, "fd-kf", "mcs", 0.0012, 0.016);
-  EXPECT_TRUE(contains(findings(one)[3], "which does not explain that")) << findings(one)[3];
+      "Closest to mcs among the closures with status ok: epc-gaussian-n6 with L1 0.0024 in p(y) "
+      "and 0.0047 in p(y').",
+      "The simulation (mcs) and the full jump equation (fd-kf) differ by L1 0.0012 in p(y) and "
+      "0.0016 in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in "
+      "p(y'); all errors explain up to 0.003 and 0.0041 (exceeded by chance in 1 run of 1000): the "
+      "densities agree."};
+  EXPECT_EQ(findings(case_result), expected);
+  set_l1(case_result, "fd-kf", "mcs", 0.0012, 0.016);
+  EXPECT_TRUE(contains(findings(case_result)[3], "the densities disagree"))
+      << findings(case_result)[3];
 }
 
-TEST(Findings, SayWhatASimulationWithoutNoiseMeasures) {
-  auto one = tests::made_up_case_without_noise();
-  set_l1(one, "fd-kf", "mcs", 2.69e-5, 2.36e-5);
-  for (auto& pair : one.pairs) {
+TEST(Findings, StateErrorsMeasuredWithControlVariates) {
+  auto case_result = tests::made_up_case_with_control_variates();
+  set_l1(case_result, "fd-kf", "mcs", 2.69e-5, 2.36e-5);
+  for (auto& pair : case_result.pairs) {
     if (pair.l1_standard_error) pair.l1_standard_error = 5e-7;
   }
-  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 2.3e-5};
-  const std::string words = "as the simulation (mcs) measures it";
-  EXPECT_EQ(sentence_with(one, words),
-            "The full jump equation (fd-kf) is off by 2.7e-05 +- 5e-07 in p(y) (it states 2.8e-05) "
-            "and 2.4e-05 +- 5e-07 in p(y') (it states 2.3e-05), in L1 over smooth bins, as the "
-            "simulation (mcs) measures it.");
-  EXPECT_EQ(sentence_with(one, "differ by"), "");
-  // By more than a quarter, the sampling and three standard errors.
-  solution_of(one, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.2e-5};
-  EXPECT_TRUE(contains(sentence_with(one, words), "measures it: more than it states."));
-  // Three times what chance makes is seen.
-  set_l1(one, "fd-kf", "mcs", 8e-6, 2.36e-5);
-  EXPECT_TRUE(contains(sentence_with(one, words),
-                       "is off by no more than the simulation's own 9e-06 in p(y) (it states "
-                       "2.8e-05) and 2.4e-05 +- 5e-07 in p(y')"))
-      << sentence_with(one, words);
-  // Known better than the simulation, it is not measured by it.
-  solution_of(one, "fd-kf").error = {.y_l1 = 1e-8, .ydot_l1 = 1e-8};
-  EXPECT_EQ(sentence_with(one, "measures it"), "");
-  EXPECT_TRUE(contains(sentence_with(one, "differ by"), "which does not explain that"));
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 2.3e-5};
+  const std::string words = "measured by the simulation (mcs)";
+  EXPECT_EQ(sentence_with(case_result, words),
+            "The full jump equation (fd-kf) has an L1 error of 2.7e-05 +- 5e-07 in p(y) (estimate "
+            "2.8e-05) and 2.4e-05 +- 5e-07 in p(y') (estimate 2.3e-05) over smooth bins, measured "
+            "by the simulation (mcs).");
+  EXPECT_EQ(sentence_with(case_result, "differ by"), "");
+  // The error exceeds 1.25 times its estimate by more than the sampling error.
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.2e-5};
+  EXPECT_TRUE(contains(sentence_with(case_result, words), "(mcs): larger than the estimate."));
+  // A distance below three sampling errors is not significant.
+  set_l1(case_result, "fd-kf", "mcs", 8e-6, 2.36e-5);
+  EXPECT_TRUE(contains(sentence_with(case_result, words),
+                       "has an L1 error of at most 9e-06 (3 sampling errors of the simulation) in "
+                       "p(y) (estimate 2.8e-05) and 2.4e-05 +- 5e-07 in p(y')"))
+      << sentence_with(case_result, words);
+  // With a smaller error estimate than that of the simulation, fd-kf is the reference.
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-8, .ydot_l1 = 1e-8};
+  EXPECT_EQ(sentence_with(case_result, "measured by"), "");
+  EXPECT_TRUE(contains(sentence_with(case_result, "differ by"), "the densities disagree"));
 }
 
-TEST(Findings, SayWhatResidualsTell) {
-  auto one = tests::made_up_case_without_noise();
-  one.own_errors = {{"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
-                    {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
-  solution_of(one, "mcs").moments.y2 = 0.5 + 2e-9;
-  solution_of(one, "mcs").moments.v2 = 0.25 - 1e-9;
-  EXPECT_EQ(sentence_with(one, "residuals"),
-            "By their own residuals E[y^2] and E[y'^2] are off by 4.3e-07 and -1.2e-06 in fd-kf; "
-            "corrected, those of fd-kf are 0.5 and 0.25, within 2e-09 of the simulation.");
-  one.own_errors.pop_back();
-  EXPECT_EQ(sentence_with(one, "residuals"), "");
+TEST(Findings, StateResidualBasedErrors) {
+  auto case_result = tests::made_up_case_with_control_variates();
+  case_result.moment_error_estimates = {
+      {"epc-gaussian-n6", {}, {.y2 = 1, .v2 = 1}},
+      {"fd-kf", {.y2 = 0.5, .v2 = 0.25}, {.y2 = 4.3e-7, .v2 = -1.2e-6}}};
+  solution_of(case_result, "mcs").moments.y2 = 0.5 + 2e-9;
+  solution_of(case_result, "mcs").moments.v2 = 0.25 - 1e-9;
+  EXPECT_EQ(
+      sentence_with(case_result, "residuals"),
+      "Errors of E[y^2] and E[y'^2], estimated from residuals: 4.3e-07 and -1.2e-06 in fd-kf. "
+      "Corrected moments of fd-kf: 0.5 and 0.25, within 2e-09 of the simulation.");
+  case_result.moment_error_estimates.pop_back();
+  EXPECT_EQ(sentence_with(case_result, "residuals"), "");
 }
 
-// Of a value next to nothing there are as many digits as of any, not -2147483648.
-TEST(Findings, ShowSomeDigitsOfWhatIsSmallerThanItsGap) {
-  auto one = tests::made_up_case_without_noise();
-  one.own_errors = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
-  const std::string sentence = sentence_with(one, "By their own residuals");
-  EXPECT_TRUE(contains(sentence, "those of fd-kf are 0 and 1e+308")) << sentence;
+// The number of digits is clamped: for a value near 0 it was -2147483648.
+TEST(Findings, ClampTheNumberOfDigits) {
+  auto case_result = tests::made_up_case_with_control_variates();
+  case_result.moment_error_estimates = {{"fd-kf", {.y2 = 0, .v2 = 1e308}, {.y2 = 1, .v2 = 1}}};
+  const std::string sentence = sentence_with(case_result, "estimated from residuals");
+  EXPECT_TRUE(contains(sentence, "moments of fd-kf: 0 and 1e+308")) << sentence;
 }
 
 TEST(Findings, ComparesEquationsOfOneMethodThatDifferInOneRespectAlone) {
-  auto one = made_up_case();
-  auto& white = solution_of(one, "fd-white").identity;
+  auto case_result = made_up_case();
+  auto& white = solution_of(case_result, "fd-white").identity;
   white.equation = Equation::km4;
   white.impact = Impact::delta;
-  set_l1(one, "fd-white", "fd-km4", 0.021, 0.022);
-  const auto text = sentence_with(one, "approximations cost");
+  set_l1(case_result, "fd-white", "fd-km4", 0.021, 0.022);
+  const auto text = sentence_with(case_result, "error of each approximation");
   EXPECT_TRUE(contains(text,
                        "; the impact to first order in 1-r in place of exact (fd-white) "
                        "0.021 in p(y) and 0.022 in p(y')."))
       << text;
   EXPECT_FALSE(contains(text, "white noise")) << text;
   white.method = "another";
-  EXPECT_FALSE(contains(sentence_with(one, "approximations cost"), "the impact"));
+  EXPECT_FALSE(contains(sentence_with(case_result, "error of each approximation"), "the impact"));
 }
 
-TEST(Findings, RankClosuresByTheReferenceThatTheyState) {
-  auto one = made_up_case();
-  solution_of(one, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
-  set_l1(one, "epc-gaussian-n2", "fd-kf", 0.001, 0.001);
-  set_l1(one, "epc-gaussian-n6", "fd-kf", 0.002, 0.001);
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.002, 0.001);
-  set_l1(one, "epc-gaussian-n6", "mcs", 0.001, 0.001);
-  EXPECT_TRUE(findings(one)[0].starts_with("Reference: fd-kf,")) << findings(one)[0];
+TEST(Findings, RankClosuresByTheStatedReference) {
+  auto case_result = made_up_case();
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
+  set_l1(case_result, "epc-gaussian-n2", "fd-kf", 0.001, 0.001);
+  set_l1(case_result, "epc-gaussian-n6", "fd-kf", 0.002, 0.001);
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.002, 0.001);
+  set_l1(case_result, "epc-gaussian-n6", "mcs", 0.001, 0.001);
+  EXPECT_TRUE(findings(case_result)[0].starts_with("Reference: fd-kf,"))
+      << findings(case_result)[0];
   EXPECT_EQ(
-      sentence_with(one, "Closest to"),
-      "Closest to fd-kf of the closures that are ok: epc-gaussian-n2 with L1 0.001 in p(y) and "
-      "0.001 in p(y').");
+      sentence_with(case_result, "Closest to"),
+      "Closest to fd-kf among the closures with status ok: epc-gaussian-n2 with L1 0.001 in p(y) "
+      "and 0.001 in p(y').");
 }
 
 TEST(Findings, RankNothingWithinTheErrorOfTheReference) {
-  auto one = made_up_case();
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.005, 0.0046);
-  set_l1(one, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);  // mcs: 0.0011 and 0.0015
-  EXPECT_EQ(sentence_with(one, "Closest to"),
-            "Closest to mcs of the closures that are ok: epc-gaussian-n6, epc-gaussian-n2 "
+  auto case_result = made_up_case();
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.005, 0.0046);
+  set_l1(case_result, "epc-gaussian-n6", "mcs", 0.0024, 0.0047);  // mcs: 0.0011 and 0.0015
+  EXPECT_EQ(sentence_with(case_result, "Closest to"),
+            "Closest to mcs among the closures with status ok: epc-gaussian-n6, epc-gaussian-n2 "
             "(indistinguishable) with L1 at most 0.005 in p(y) and 0.0047 in p(y'). "
-            "Indistinguishable: their distances differ by no more than the reference's own error.");
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.0052, 0.0046);
-  EXPECT_FALSE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n2"));
+            "Indistinguishable: the distances differ by no more than the error estimate of the "
+            "reference.");
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.0052, 0.0046);
+  EXPECT_FALSE(contains(sentence_with(case_result, "Closest to"), "epc-gaussian-n2"));
 }
 
 TEST(Findings, NameTheClosestClosureOfEachFamilyAndFormulation) {
-  auto one = made_up_case();
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.015, 0.015);
-  EXPECT_FALSE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n2"));
-  auto& identity = solution_of(one, "epc-gaussian-n2").identity;
+  auto case_result = made_up_case();
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.015, 0.015);
+  EXPECT_FALSE(contains(sentence_with(case_result, "Closest to"), "epc-gaussian-n2"));
+  auto& identity = solution_of(case_result, "epc-gaussian-n2").identity;
   identity.formulation = "moment";
-  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "; epc-gaussian-n2 with"));
-  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "epc-gaussian-n6 with"));
+  EXPECT_TRUE(contains(sentence_with(case_result, "Closest to"), "; epc-gaussian-n2 with"));
+  EXPECT_TRUE(contains(sentence_with(case_result, "Closest to"), "epc-gaussian-n6 with"));
   identity.formulation = "gaussian";
   identity.family = "toy";
-  EXPECT_TRUE(contains(sentence_with(one, "Closest to"), "; epc-gaussian-n2 with"));
+  EXPECT_TRUE(contains(sentence_with(case_result, "Closest to"), "; epc-gaussian-n2 with"));
 }
 
 TEST(Findings, CallNoClosureCloseAboveTheStatedDistance) {
-  auto one = made_up_case();
-  set_l1(one, "epc-gaussian-n2", "mcs", 0.5, 0.5);
-  set_l1(one, "epc-gaussian-n6", "mcs", 0.01, 0.2);
-  EXPECT_EQ(sentence_with(one, "Closest to"), "");
+  auto case_result = made_up_case();
+  set_l1(case_result, "epc-gaussian-n2", "mcs", 0.5, 0.5);
+  set_l1(case_result, "epc-gaussian-n6", "mcs", 0.01, 0.2);
+  EXPECT_EQ(sentence_with(case_result, "Closest to"), "");
   EXPECT_EQ(
-      sentence_with(one, "No closure"),
-      "No closure that is ok is within L1 0.02 of mcs: epc-gaussian-n6, the nearest, is off by "
+      sentence_with(case_result, "No closure"),
+      "No closure with status ok is within L1 0.02 of mcs: the closest, epc-gaussian-n6, has L1 "
       "0.01 in p(y) and 0.2 in p(y').");
 }
 
-TEST(Findings, SayWhatIsKnownOfADiscretisationError) {
-  auto one = made_up_case();
-  solution_of(one, "fd-kf").error = {2.8e-5, 2.5e-5, {.y2 = 1.3e-6, .v2 = 2.4e-6}};
-  EXPECT_EQ(sentence_with(one, "discretisation error"), "");  // the budget has them
-  one.budget.clear();
-  EXPECT_EQ(sentence_with(one, "discretisation error"),
+TEST(Findings, StateTheDiscretisationError) {
+  auto case_result = made_up_case();
+  solution_of(case_result, "fd-kf").error = {2.8e-5, 2.5e-5, {.y2 = 1.3e-6, .v2 = 2.4e-6}};
+  EXPECT_EQ(sentence_with(case_result, "discretisation error"),
+            "");  // the error budget contains the error
+  case_result.budget.clear();
+  EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "The discretisation error of fd-kf, by its own estimate: L1 2.8e-05 in p(y) and "
             "2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
-  solution_of(one, "fd-km4").error = {3e-5, 1e-5, {.y2 = 4e-6, .v2 = 1e-6}};
-  EXPECT_EQ(sentence_with(one, "discretisation error"),
+  solution_of(case_result, "fd-km4").error = {3e-5, 1e-5, {.y2 = 4e-6, .v2 = 1e-6}};
+  EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "The discretisation errors of fd-km4, fd-kf, by their own estimate: at most L1 3e-05 "
             "in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
 }
 
-TEST(Findings, UseOnlySolutionsThatAreThereAndOk) {
-  auto one = made_up_case();
-  for (auto& solution : one.solutions) {
+TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
+  auto case_result = made_up_case();
+  for (auto& solution : case_result.solutions) {
     if (solution.identity.role == transform::Role::closure) solution.status = Status::failed;
   }
-  solution_of(one, "fd-white").status = Status::failed;
-  solution_of(one, "mcs").sampling.reset();
-  const auto sentences = findings(one);
+  solution_of(case_result, "fd-white").status = Status::failed;
+  solution_of(case_result, "mcs").sampling.reset();
+  const auto sentences = findings(case_result);
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0], "Reference: mcs.");
   EXPECT_FALSE(contains(sentences[1], "white noise")) << sentences[1];
-  EXPECT_EQ(sentences[2], "No closure is ok.");
+  EXPECT_EQ(sentences[2], "No closure has status ok.");
   EXPECT_FALSE(contains(sentences[3], "sampling")) << sentences[3];
 
-  one.solutions.erase(one.solutions.begin() + 4, one.solutions.end());
-  ASSERT_EQ(findings(one).size(), 1u);
-  EXPECT_TRUE(findings(one)[0].starts_with("There is no reference")) << findings(one)[0];
-  one.solutions.resize(1);
-  EXPECT_TRUE(findings(one).empty());
+  case_result.solutions.erase(case_result.solutions.begin() + 4, case_result.solutions.end());
+  ASSERT_EQ(findings(case_result).size(), 1u);
+  EXPECT_TRUE(findings(case_result)[0].starts_with("There is no reference"))
+      << findings(case_result)[0];
+  case_result.solutions.resize(1);
+  EXPECT_TRUE(findings(case_result).empty());
 }
 
-/// The case with epc-gaussian-n2 as if it were from a file.
+/// The case with epc-gaussian-n2 as an external density.
 results::Case with_a_file() {
-  auto one = made_up_case();
-  auto& file = solution_of(one, "epc-gaussian-n2");
-  file.identity.role = transform::Role::given;
-  set_l1(one, file.id(), "mcs", 0.003, 0.004);
-  set_l1(one, file.id(), "fd-kf", 0.005, 0.006);
-  return one;
+  auto case_result = made_up_case();
+  auto& file = solution_of(case_result, "epc-gaussian-n2");
+  file.identity.role = transform::Role::external;
+  set_l1(case_result, file.id(), "mcs", 0.003, 0.004);
+  set_l1(case_result, file.id(), "fd-kf", 0.005, 0.006);
+  return case_result;
 }
 
-TEST(Findings, SayHowFarAFileIsFromEverySolutionOfTheProblemItself) {
-  auto one = with_a_file();
+TEST(Findings, StateDistancesOfAFileToFullProblemSolutions) {
+  auto case_result = with_a_file();
   const std::string to_mcs =
       "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in "
       "p(y) and 0.004 in p(y')";
   const std::string to_kf =
       "epc-gaussian-n2 differs from the full jump equation (fd-kf) by L1 "
       "0.005 in p(y) and 0.006 in p(y')";
-  EXPECT_EQ(sentence_with(one, "from the simulation"), to_mcs + ".");
-  EXPECT_EQ(sentence_with(one, "from the full jump equation"), to_kf + ".");
+  EXPECT_EQ(sentence_with(case_result, "from the simulation"), to_mcs + ".");
+  EXPECT_EQ(sentence_with(case_result, "from the full jump equation"), to_kf + ".");
 
-  // Chance of the file and of the simulation (0.0011, 0.0015) together, and twice that in 99 of
-  // 100.
-  solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
+  // Combined sampling errors of the file and the simulation (0.0011, 0.0015); the 99 % quantile is
+  // twice the expectation.
+  solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
   EXPECT_EQ(
-      sentence_with(one, "from the simulation"),
+      sentence_with(case_result, "from the simulation"),
       to_mcs +
           "; its standard errors and those of mcs account for about 0.0016 in p(y) and "
-          "0.0025 in p(y'); all errors explain up to 0.0042 and 0.0068 (1 run of 1000 is beyond "
-          "by chance), which explains that.");
+          "0.0025 in p(y'); all errors explain up to 0.0042 and 0.0068 (exceeded by chance in 1 "
+          "run of 1000): the densities agree.");
   EXPECT_EQ(
-      sentence_with(one, "from the full jump equation"),
+      sentence_with(case_result, "from the full jump equation"),
       to_kf +
-          "; its standard errors account for about 0.0011 in p(y) and 0.002 in p(y'); all "
-          "errors explain up to 0.003 and 0.0054 (1 run of 1000 is beyond by chance), which does "
-          "not explain that.");
+          "; its standard errors account for about 0.0011 in p(y) and 0.002 in p(y'); all errors "
+          "explain up to 0.003 and 0.0054 (exceeded by chance in 1 run of 1000): the densities "
+          "disagree.");
 }
 
-TEST(Findings, JudgeAFileInTheVariablesThatItGave) {
-  auto one = with_a_file();
-  std::erase_if(one.pairs, [](const auto& pair) {
+TEST(Findings, AssessAFileInItsMarginalsOnly) {
+  auto case_result = with_a_file();
+  std::erase_if(case_result.pairs, [](const auto& pair) {
     return pair.a == "epc-gaussian-n2" && pair.variable == transform::Variable::ydot;
   });
-  solution_of(one, "epc-gaussian-n2").sampling = {.y = 0.0011};
-  EXPECT_EQ(sentence_with(one, "from the simulation"),
+  solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011};
+  EXPECT_EQ(sentence_with(case_result, "from the simulation"),
             "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in p(y); its standard "
             "errors and those of mcs account for about 0.0016 in p(y); all errors explain up to "
-            "0.0042 (1 run of 1000 is beyond by chance), which explains that.");
+            "0.0042 (exceeded by chance in 1 run of 1000): the densities agree.");
 }
 
-TEST(Findings, SayWhatSolversNote) {
-  auto one = made_up_case();
-  auto& observations = solution_of(one, "epc-gaussian-n2").observations;
-  observations = transform::Observer()
-                     .text("files[0].file", std::string("/data/lab.csv"))
-                     .text("files[0].notes[0]", std::string("sorted"))
-                     .text("files[0].notes[1]", std::string("2 rows were left out"))
-                     .empty_list("files[1].notes")
-                     .text("keynotes[0]", std::string("no note"))
-                     .take();
-  EXPECT_EQ(findings(one).back(), "Of lab.csv: sorted; 2 rows were left out.");
-  observations = transform::Observer().text("notes[0]", std::string("by hand")).take();
-  EXPECT_EQ(findings(one).back(), "Of epc-gaussian-n2: by hand.");
+TEST(Findings, HaveTheNotesOfSolvers) {
+  auto case_result = made_up_case();
+  auto& metrics = solution_of(case_result, "epc-gaussian-n2").metrics;
+  metrics = transform::MetricBuilder()
+                .text("files[0].file", std::string("/data/lab.csv"))
+                .text("files[0].notes[0]", std::string("sorted"))
+                .text("files[0].notes[1]", std::string("2 rows were left out"))
+                .add_empty_list("files[1].notes")
+                .text("keynotes[0]", std::string("no note"))
+                .take();
+  EXPECT_EQ(findings(case_result).back(), "Note on lab.csv: sorted; 2 rows were left out.");
+  metrics = transform::MetricBuilder().text("notes[0]", std::string("by hand")).take();
+  EXPECT_EQ(findings(case_result).back(), "Note on epc-gaussian-n2: by hand.");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "report/budget/table.hpp"
 #include "report/table.hpp"
 #include "saved_run.hpp"
@@ -11,34 +11,34 @@
 namespace fpkcheck::report {
 namespace {
 
+using tests::collapse_whitespace;
 using tests::contains;
 using tests::made_up_case;
-using tests::words;
 
-std::string legend_of(const results::Case& one, std::size_t width) {
-  const std::string text = table({results::this_program(""), {one}}, width);
-  return words(text.substr(text.find("\n\n")));
+std::string legend_of(const results::Case& case_result, std::size_t width) {
+  const std::string text = table({results::this_program(""), {case_result}}, width);
+  return collapse_whitespace(text.substr(text.find("\n\n")));
 }
 
-// Every name of an equation or impact that a table can show is explained below it.
+// The legend explains every name of an equation or impact in the table.
 TEST(Legend, ExplainsEveryEquationAndImpact) {
-  auto one = made_up_case();
+  auto case_result = made_up_case();
   for (const auto& equation : problem::kEquationNames) {
     for (const auto& impact : problem::kImpactNames) {
-      for (auto& solution : one.solutions) {
+      for (auto& solution : case_result.solutions) {
         solution.identity.equation = equation.value;
         solution.identity.impact = impact.value;
       }
       EXPECT_TRUE(
-          contains(legend_of(one, 100),
+          contains(legend_of(case_result, 100),
                    fmt::format("solves: the excitation term ({}: {}) / the impact ({}: {}).",
                                equation.name, equation.meaning, impact.name, impact.meaning)))
-          << legend_of(one, 100);
+          << legend_of(case_result, 100);
     }
   }
-  one.solutions[0].identity.equation.reset();
-  one.solutions[0].identity.impact.reset();
-  EXPECT_TRUE(contains(legend_of(one, 100), " / given: from a file."));
+  case_result.solutions[0].identity.equation.reset();
+  case_result.solutions[0].identity.impact.reset();
+  EXPECT_TRUE(contains(legend_of(case_result, 100), " / given: an external density."));
 }
 
 TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
@@ -46,16 +46,17 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
   for (const char* part :
        {"L1: integral", "white: white noise", "energy: residual", "sec: wall-clock",
         "its parts and of the row discretisation + sampling;",
-        "closure: the closure itself, against", "impact: the impact to first order",
-        "trunc.: the cut of the Kramers-Moyal series", "tail: mean", "*: the closure is not ok"}) {
+        "closure: the closure approximation, against", "impact: the impact to first order",
+        "trunc.: the truncation of the Kramers-Moyal series", "tail: mean",
+        "*: the closure is not ok"}) {
     EXPECT_TRUE(contains(wide, part)) << part << "\n" << wide;
   }
   EXPECT_FALSE(contains(narrow, "energy: residual")) << narrow;
   EXPECT_FALSE(contains(narrow, "tail: mean")) << narrow;
 
-  const std::string single = legend_of(tests::with_first(1), 100);
+  const std::string single = legend_of(tests::case_with_first(1), 100);
   EXPECT_TRUE(contains(single, "km4: Kramers-Moyal")) << single;
-  for (const char* absent : {"L1", "reference", "error budget", "white noise", "kf:", "*"}) {
+  for (const char* absent : {"L1", "- reference|", "error budget", "white noise", "kf:", "*"}) {
     EXPECT_FALSE(contains(single, absent)) << absent << "\n" << single;
   }
 }
@@ -67,7 +68,7 @@ TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
     const std::string text = budget_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
-  // Of several links that share a column, each.
+  // Each of several links that share a column.
   const Column shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
   const std::string text = budget_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;

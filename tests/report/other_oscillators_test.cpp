@@ -2,23 +2,23 @@
 
 #include <cmath>
 
-#include "changed_case.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
+#include "modified_case.hpp"
 #include "report/page/case_tables.hpp"
 #include "report/page/problem_statement.hpp"
-#include "report/reasons.hpp"
-#include "report/rest.hpp"
+#include "report/status_reasons.hpp"
 #include "report/table.hpp"
-#include "report/verdict/standing.hpp"
+#include "report/verdict/agreement.hpp"
+#include "report/wall_atoms.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
+using tests::collapse_whitespace;
 using tests::contains;
 using tests::made_up_case;
 using tests::solution_of;
-using tests::words;
 
 std::string statement(const problem::Problem& problem) {
   const problem::Problem* const problems[] = {&problem};
@@ -43,48 +43,50 @@ TEST(ProblemStatement, HasTheTermsThatTheProblemHas) {
   EXPECT_TRUE(contains(box, "r<sub>b</sub>"));
 }
 
-TEST(ProblemStatement, OfThePapersClassIsThePapers) {
+TEST(ProblemStatement, OfTheBaseClassIsThatOfThePaper) {
   EXPECT_TRUE(contains(statement(tests::paper_case(1)), "on a hardening spring"));
 }
 
 results::Case with_not_offered() {
-  results::Case one = made_up_case();
+  results::Case case_result = made_up_case();
   for (const char* id : {"fd-white", "fd-kf"}) {
-    auto& solution = solution_of(one, id);
+    auto& solution = solution_of(case_result, id);
     solution.status = transform::Status::not_offered;
-    solution.reason = "it knows no such wall";
+    solution.reason = "this wall is not supported";
     solution.density.reset();
   }
-  return one;
+  return case_result;
 }
 
-TEST(Table, WhatIsNotOfferedHasOneLineForAllThatSayTheSame) {
-  const auto one = with_not_offered();
-  const std::string text = words(table({results::this_program("fpkcheck run"), {one}}));
-  EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: it knows no such wall")) << text;
+TEST(Table, UnsupportedMethodsWithEqualReasonsShareALine) {
+  const auto case_result = with_not_offered();
+  const std::string text =
+      collapse_whitespace(table({results::this_program("fpkcheck run"), {case_result}}));
+  EXPECT_TRUE(contains(text, "fd-white, fd-kf not_offered: this wall is not supported")) << text;
   EXPECT_FALSE(contains(text, "fd-white white/map")) << text;  // no row
-  EXPECT_TRUE(contains(reasons_html(one), "fd-white, fd-kf not_offered"));
+  EXPECT_TRUE(contains(reasons_html(case_result), "fd-white, fd-kf not_offered"));
 }
 
-TEST(Verdict, LeavesOutWhatIsOfferedInNoCase) {
-  const auto offered = records({results::this_program("fpkcheck run"), {made_up_case()}});
-  const auto fewer = records({results::this_program("fpkcheck run"), {with_not_offered()}});
+TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
+  const auto offered = agreement_rows({results::this_program("fpkcheck run"), {made_up_case()}});
+  const auto fewer = agreement_rows({results::this_program("fpkcheck run"), {with_not_offered()}});
   EXPECT_EQ(fewer.size() + 2, offered.size());
   EXPECT_EQ(
-      records({results::this_program("fpkcheck run"), {made_up_case(), with_not_offered()}}).size(),
+      agreement_rows({results::this_program("fpkcheck run"), {made_up_case(), with_not_offered()}})
+          .size(),
       offered.size());
 }
 
-TEST(Table, OfWhatRestsHasTheProbabilityAtEachWall) {
-  results::Case one = made_up_case();
-  solution_of(one, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
-  EXPECT_EQ(walls_of_rest(one), std::vector<double>{-0.5});
-  EXPECT_TRUE(contains(table({results::this_program("fpkcheck run"), {one}}), "P(rest)"));
-  EXPECT_TRUE(contains(results_table(one), "0.25"));
-  solution_of(one, "mcs").atoms = {{.y = 0.5, .probability = 0.125}};
-  EXPECT_EQ(rest_header(one, 0.5), "P(rest at 0.5)");
-  EXPECT_EQ(probability_of_rest(solution_of(one, "mcs"), 0.5), 0.125);
-  EXPECT_TRUE(std::isnan(probability_of_rest(solution_of(one, "mcs"), -0.5)));
+TEST(Table, HasTheProbabilityOfRestAtEachWall) {
+  results::Case case_result = made_up_case();
+  solution_of(case_result, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
+  EXPECT_EQ(walls_with_atoms(case_result), std::vector<double>{-0.5});
+  EXPECT_TRUE(contains(table({results::this_program("fpkcheck run"), {case_result}}), "P(rest)"));
+  EXPECT_TRUE(contains(results_table(case_result), "0.25"));
+  solution_of(case_result, "mcs").atoms = {{.y = 0.5, .probability = 0.125}};
+  EXPECT_EQ(atom_header(case_result, 0.5), "P(rest at 0.5)");
+  EXPECT_EQ(atom_probability(solution_of(case_result, "mcs"), 0.5), 0.125);
+  EXPECT_TRUE(std::isnan(atom_probability(solution_of(case_result, "mcs"), -0.5)));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -10,21 +10,22 @@ namespace {
 using tests::made_up_case;
 using tests::solution_of;
 
-std::vector<std::string> ids(const results::Case& one) {
+std::vector<std::string> ids(const results::Case& case_result) {
   std::vector<std::string> all;
-  for (const auto* solution : references(one)) all.push_back(solution->id());
+  for (const auto* solution : references(case_result)) all.push_back(solution->id());
   return all;
 }
 
-TEST(References, AreTheSolutionsOfTheProblemItselfTheReferenceFirst) {
-  auto one = made_up_case();
-  EXPECT_EQ(ids(one), (std::vector<std::string>{"mcs", "fd-kf"}));  // which says nothing of errors
-  solution_of(one, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  EXPECT_EQ(ids(one), (std::vector<std::string>{"fd-kf", "mcs"}));
-  solution_of(one, "fd-kf").status = transform::Status::failed;
-  EXPECT_EQ(ids(one), (std::vector<std::string>{"mcs"}));
-  solution_of(one, "mcs").status = transform::Status::failed;
-  EXPECT_TRUE(references(one).empty());
+TEST(References, AreTheFullProblemSolutionsReferenceFirst) {
+  auto case_result = made_up_case();
+  EXPECT_EQ(ids(case_result),
+            (std::vector<std::string>{"mcs", "fd-kf"}));  // fd-kf has no error estimate
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  EXPECT_EQ(ids(case_result), (std::vector<std::string>{"fd-kf", "mcs"}));
+  solution_of(case_result, "fd-kf").status = transform::Status::failed;
+  EXPECT_EQ(ids(case_result), (std::vector<std::string>{"mcs"}));
+  solution_of(case_result, "mcs").status = transform::Status::failed;
+  EXPECT_TRUE(references(case_result).empty());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(Report, LeavesASummaryTheCurvesAndPicturesAndNothingHalf) {
   EXPECT_TRUE(warnings.empty()) << warnings.front();
   EXPECT_EQ(
       std::distance(fs::directory_iterator(directory.path() / "figures"), {}),
-      6);  // the densities, the error budget and the closures over their orders: a PNG and its script
+      6);  // a PNG and a script each for the densities, the error budget and the orders of closures
 }
 
 TEST(Report, AgainIsTheSameReport) {
@@ -49,7 +49,7 @@ TEST(Report, AgainIsTheSameReport) {
   const auto before = files_of(directory.path());
   fs::remove_all(directory.path() / "figures");
   fs::remove(directory.path() / "report.html");
-  const auto again = report_again(directory.path(), results::load_run(directory.path()), 80);
+  const auto again = rebuild_report(directory.path(), results::load_run(directory.path()), 80);
   EXPECT_EQ(again.text, table(run, 80));
   for (const auto& [file, text] : files_of(directory.path())) {
     EXPECT_TRUE(before.contains(file) && before.at(file) == text) << file;
@@ -72,12 +72,12 @@ TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
   write_report(directory.path(), made_up_run("earlier"));
   const auto before = files_of(directory.path());
   auto damaged = made_up_run("later");
-  // Two under one path: known when the summary is made, after the curves.
-  damaged.cases[0].solutions[0].observations.assign(2, {.path = "same", .value = 1.0});
+  // Two metrics with the same path fail when the summary is made, after the curves.
+  damaged.cases[0].solutions[0].metrics.assign(2, {.path = "same", .value = 1.0});
   EXPECT_THROW(write_report(directory.path(), damaged), std::logic_error);
   EXPECT_TRUE(files_of(directory.path()) == before);
 
-  // The page's place is taken: known only when the files are renamed.
+  // A directory with the name of the page makes the renaming of the files fail.
   fs::remove(directory.path() / "report.html");
   fs::create_directories(directory.path() / "report.html" / "inside");
   auto without_page = before;
@@ -86,22 +86,22 @@ TEST(Report, ThatCannotBeWrittenLeavesTheEarlierRunWholeAndNothingHalf) {
   EXPECT_TRUE(files_of(directory.path()) == without_page);
 }
 
-// A figure that an observation or a distance cannot give is a dash, and no crash, everywhere.
+// Missing metrics and distances appear as dashes and cause no crash.
 TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
-  auto& one = run.cases[0];
-  one.budget.clear();
-  one.limits.clear();
-  one.joints.clear();
-  for (auto& solution : one.solutions) {
+  auto& case_result = run.cases[0];
+  case_result.budget.clear();
+  case_result.limits.clear();
+  case_result.joints.clear();
+  for (auto& solution : case_result.solutions) {
     auto& identity = solution.identity;
     identity = {.id = identity.id,
                 .method = identity.method,
                 .equation = identity.equation,
                 .impact = identity.impact};
   }
-  const auto again = report_again(directory.path(), run);
+  const auto again = rebuild_report(directory.path(), run);
   EXPECT_TRUE(tests::contains(again.text, "There is no reference")) << again.text;
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "figures" / "case1.gp"));

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/files/atomic_file.hpp"
 #include "base/files/pending_files.hpp"
-#include "base/files/whole_file.hpp"
 #include "base/input_error.hpp"
 #include "temporary_directory.hpp"
 
@@ -18,43 +18,43 @@ namespace fs = std::filesystem;
 
 std::string refusal_to_write(const fs::path& directory) {
   try {
-    const auto made = make_writable(directory);
+    const auto made = prepare_output_directory(directory);
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(FileStem, KeepsWhatEveryFileSystemTakes) {
+TEST(FileStem, KeepsPortableCharacters) {
   EXPECT_EQ(file_stem("it's a-1.x_/"), "it_s_a-1.x__");
   EXPECT_EQ(file_stem("case1, r = 0.9"), "case1_r_0.9");
 }
 
-TEST(RunDirectory, IsMadeWithItsParentsAndLeftEmpty) {
+TEST(RunDirectory, IsCreatedWithItsParents) {
   const tests::TemporaryDirectory parent;
   const fs::path directory = parent.path() / "a" / "b";
-  const auto made = make_writable(directory);
+  const auto made = prepare_output_directory(directory);
   EXPECT_TRUE(fs::is_directory(directory));
   EXPECT_FALSE(fs::exists(directory / "figures"));
-  { const auto none = make_writable(directory); }  // again is fine, and makes nothing
+  { const auto none = prepare_output_directory(directory); }  // a second call creates nothing
   EXPECT_TRUE(fs::is_directory(directory));
 }
 
-TEST(RunDirectory, GoesAgainWhenNothingIsPutIntoIt) {
+TEST(RunDirectory, IsRemovedIfEmpty) {
   const tests::TemporaryDirectory parent;
-  { const auto made = make_writable(parent.path() / "a" / "b"); }
+  { const auto made = prepare_output_directory(parent.path() / "a" / "b"); }
   EXPECT_TRUE(parent.entries().empty());
   {
-    const auto made = make_writable(parent.path() / "a" / "b");
+    const auto made = prepare_output_directory(parent.path() / "a" / "b");
     base::write_file(parent.path() / "a" / "f", "text");
   }
   EXPECT_FALSE(fs::exists(parent.path() / "a" / "b"));
   EXPECT_TRUE(fs::exists(parent.path() / "a" / "f"));
 }
 
-// What a process of its own does, which exits with 0 when `action` returns.
+// Runs `action` in a child process, which exits with 0 when `action` returns.
 template <typename Action>
-pid_t elsewhere(const Action& action) {
+pid_t run_in_child(const Action& action) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
@@ -65,21 +65,22 @@ pid_t elsewhere(const Action& action) {
   }
 }
 
-bool ended_well(pid_t child) {
+bool has_succeeded(pid_t child) {
   int status = 1;
   return waitpid(child, &status, 0) == child && status == 0;
 }
 
-// Of two runs into one directory the first may end, having nothing to write, while the other solves.
-TEST(RunDirectory, StaysAsLongAsAnotherRunNeedsIt) {
+// One of two runs with the same output directory may end, without files, while the other still
+// solves.
+TEST(RunDirectory, RemainsWhileAnotherRunUsesIt) {
   const tests::TemporaryDirectory parent;
   const fs::path directory = parent.path() / "a" / "b", holds = parent.path() / "holds",
                  first_ended = parent.path() / "first-ended";
   pid_t second = 0;
   {
-    const auto made = make_writable(directory);
-    second = elsewhere([&] {
-      const auto found = make_writable(directory);
+    const auto made = prepare_output_directory(directory);
+    second = run_in_child([&] {
+      const auto found = prepare_output_directory(directory);
       base::write_file(holds, "");
       while (!fs::exists(first_ended)) usleep(1000);
       base::write_file(directory / "f", "text");
@@ -87,25 +88,25 @@ TEST(RunDirectory, StaysAsLongAsAnotherRunNeedsIt) {
     while (!fs::exists(holds)) usleep(1000);
   }
   base::write_file(first_ended, "");
-  EXPECT_TRUE(ended_well(second));
+  EXPECT_TRUE(has_succeeded(second));
   EXPECT_EQ(tests::contents(directory / "f"), "text");
   EXPECT_EQ(std::distance(fs::directory_iterator(directory), fs::directory_iterator()), 1);
 }
 
-TEST(RunDirectory, IsMadeByManyRunsAtOnce) {
+TEST(RunDirectory, MayBeCreatedByConcurrentRuns) {
   const tests::TemporaryDirectory parent;
   std::vector<pid_t> runs;
   for (int n = 0; n < 6; ++n) {
-    runs.push_back(elsewhere([&] {
+    runs.push_back(run_in_child([&] {
       for (int again = 0; again < 200; ++again) {
-        const auto made = make_writable(parent.path() / "a" / "b");
+        const auto made = prepare_output_directory(parent.path() / "a" / "b");
       }
     }));
   }
-  for (const pid_t run : runs) EXPECT_TRUE(ended_well(run));
+  for (const pid_t run : runs) EXPECT_TRUE(has_succeeded(run));
 }
 
-TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
+TEST(RunDirectory, RefusesAnImpossiblePathAndLeavesNothing) {
   const tests::TemporaryDirectory parent;
   const std::string too_long(300, 'x');
   const std::string message = refusal_to_write(parent.path() / "a" / "b" / too_long);
@@ -115,7 +116,7 @@ TEST(RunDirectory, ThatCannotBeIsRefusedInOneLineAndNothingIsLeft) {
   EXPECT_TRUE(parent.entries().empty());
 }
 
-TEST(RunDirectory, WhereAFileStandsIsRefused) {
+TEST(RunDirectory, RefusesAnExistingFile) {
   const tests::TemporaryDirectory parent;
   base::write_file(parent.path() / "file", "text");
   EXPECT_NE(refusal_to_write(parent.path() / "file").find("Not a directory"), std::string::npos);
@@ -124,12 +125,12 @@ TEST(RunDirectory, WhereAFileStandsIsRefused) {
   EXPECT_EQ(tests::contents(parent.path() / "file"), "text");
 }
 
-// Of somebody else, of a run that is at work, and of one that was stopped.
-TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
+// Files of another program, of an active run, and of an interrupted run.
+TEST(RunDirectory, RemovesOnlyFilesOfInterruptedRuns) {
   const tests::TemporaryDirectory directory;
-  const std::string own = base::partial_beside(directory.path() / "f").filename().string();
+  const std::string own = base::partial_path(directory.path() / "f").filename().string();
   const std::string before_pid = own.substr(0, own.rfind('-') + 1);
-  constexpr const char* kNobody = "4194999";  // beyond the greatest number of a process
+  constexpr const char* kNobody = "4194999";  // exceeds the largest process id
   const std::vector<std::string> stay{".movie.mkv.partial-download",
                                       ".f.partial-" + std::string(kNobody),
                                       ".f.partial-elsewhere-" + std::string(kNobody),
@@ -138,7 +139,7 @@ TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
                                       before_pid + "1x"};
   for (const auto& name : stay) std::ofstream(directory.path() / name) << "text";
   std::ofstream(directory.path() / (before_pid + kNobody)) << "text";
-  { const auto made = make_writable(directory.path()); }
+  { const auto made = prepare_output_directory(directory.path()); }
   auto left = directory.entries();
   std::ranges::sort(left);
   auto expected = stay;
@@ -146,8 +147,8 @@ TEST(RunDirectory, LosesOnlyWhatAStoppedRunLeft) {
   EXPECT_EQ(left, expected);
 }
 
-TEST(RunDirectory, ThatIsNotWritableIsRefused) {
-  // Holds for the superuser too.
+TEST(RunDirectory, RefusesAnUnwritableDirectory) {
+  // Not writable even for the superuser.
   EXPECT_NE(refusal_to_write("/proc/self").find("cannot write into"), std::string::npos);
 }
 

@@ -13,7 +13,7 @@ using transform::Variable;
 
 const compare::ComparisonAxes kAxes = compare::comparison_axes(tests::paper_case(1));
 
-// The eight made-up solutions, and the simulation with a histogram that no polynomial could follow.
+// The eight synthetic solutions; the simulation's histogram is too rough for interpolation.
 std::vector<transform::Solution> solutions_with_histogram() {
   auto solutions = tests::made_up_solutions(kAxes);
   transform::GridDensity histogram{kAxes.y_edges, kAxes.v_edges, {}};
@@ -24,7 +24,7 @@ std::vector<transform::Solution> solutions_with_histogram() {
   return solutions;
 }
 
-TEST(JointDensities, AreOfAllSolutionsThatHaveOneInTheirOrder) {
+TEST(JointDensities, HaveTheOrderOfTheSolutions) {
   const auto found = [](const std::vector<transform::Solution>& solutions) {
     std::string ids;
     for (const auto& joint : joint_densities(kAxes, solutions)) ids += joint.solution + ' ';
@@ -54,7 +54,7 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
   }
 }
 
-TEST(JointDensities, OfASimulationAreSumsOfItsCells) {
+TEST(JointDensities, OfASimulationSumItsCells) {
   const auto solutions = solutions_with_histogram();
   const auto joint = joint_densities(kAxes, solutions).back();
   ASSERT_EQ(joint.solution, "mcs");

@@ -21,8 +21,7 @@ using tests::contents;
 
 transform::Solution named(const std::string& id) { return {.identity = {.id = id, .method = "m"}}; }
 
-// Two cases with cells of their own, numbers that can be told apart, and "b" in the first case
-// only.
+// Two cases with different cells and distinct numbers; the solution "b" is in the first case only.
 results::Run small_run() {
   results::Run run{this_program("fpkcheck run"), {}};
   auto problem = tests::paper_case(1);
@@ -60,7 +59,7 @@ void expect_same(const JointDensity& read, const JointDensity& written) {
   }
 }
 
-TEST(JointNetCdf, HoldsTheDensitiesWithNamedAxesAndWhatTheyAreOf) {
+TEST(JointNetCdf, ContainsDensitiesWithNamedAxesAndAttributes) {
   const tests::TemporaryDirectory directory;
   write(directory.path() / "joint.nc", small_run());
   const tests::OpenedNetCdf file(directory.path() / "joint.nc");
@@ -106,7 +105,7 @@ TEST(JointNetCdf, IsReadBack) {
   expect_same(read[2].joint, run.cases[0].joints[1]);
 }
 
-TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
+TEST(JointNetCdf, RefusesCorruptFiles) {
   const tests::TemporaryDirectory directory;
   const fs::path file = directory.path() / "joint.nc";
   write(file, small_run());
@@ -124,8 +123,8 @@ TEST(JointNetCdf, ThatIsBrokenIsRefusedInOneLine) {
   }
 }
 
-/// A file that declares what it does not hold.
-class Declaring : public testing::Test {
+/// A file whose declared sizes exceed its contents.
+class DeclaredSizes : public testing::Test {
  protected:
   /// @param lengths of the dimensions of p_case1
   void declare(const std::vector<std::size_t>& lengths, const std::vector<std::size_t>& chunk,
@@ -153,7 +152,7 @@ class Declaring : public testing::Test {
       nc_def_var(id, name.c_str(), NC_DOUBLE, 1, both, &coordinate);
       nc_put_att_text(id, coordinate, "bounds", of_bounds.size(), of_bounds.data());
       nc_def_var(id, of_bounds.c_str(), NC_DOUBLE, 2, both, &bounds);
-      const std::size_t of_one[] = {1, 2};  // so that nothing is stored of what is not written
+      const std::size_t of_one[] = {1, 2};  // unwritten chunks take no space
       nc_def_var_chunking(id, bounds, NC_CHUNKED, of_one);
     }
     nc_close(id);
@@ -171,28 +170,28 @@ class Declaring : public testing::Test {
   fs::path file_ = directory_.path() / "joint.nc";
 };
 
-TEST_F(Declaring, MoreThanItHoldsIsRefusedBeforeThereIsRoomForIt) {
+TEST_F(DeclaredSizes, BeyondTheContentsAreRefusedBeforeAllocation) {
   const std::size_t many = 3'000'000'000;
   declare({many, 2, 2}, {1, 2, 2});
-  EXPECT_TRUE(contains(refusal(), "no texts")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not a list of texts")) << refusal();
   declare({1, many, many}, {1, 1, 1});
   EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
   // A product beyond 2^64.
   declare({5000, many, many}, {1, 1, 1});
   EXPECT_TRUE(contains(refusal(), "more than")) << refusal();
   declare({1, 4'000'000, 1}, {1, 1, 1});
-  EXPECT_TRUE(contains(refusal(), "more values than the file can hold")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "more values than the file can contain")) << refusal();
 }
 
-TEST_F(Declaring, AnotherFormOrTypeIsRefused) {
+TEST_F(DeclaredSizes, OfOtherFormatsAndTypesAreRefused) {
   declare({1, 1, 1}, {}, NC_FLOAT, NC_64BIT_DATA);
-  EXPECT_TRUE(contains(refusal(), "no netCDF-4")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not netCDF-4")) << refusal();
   declare({1, 1, 1}, {}, NC_STRING);
-  EXPECT_TRUE(contains(refusal(), "not a whole file")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "not a complete file")) << refusal();
 }
 
-// libnetcdf would take one for an address in the network and another for two directories.
-TEST(JointNetCdf, IsReadWhateverTheNameOfItsDirectory) {
+// libnetcdf would interpret one path as a network address and another as two directories.
+TEST(JointNetCdf, IsReadFromDirectoriesWithAnyName) {
   const tests::TemporaryDirectory directory;
   const fs::path whole = directory.path() / "joint.nc";
   write(whole, small_run());

@@ -12,7 +12,7 @@ namespace {
 
 Json json_of(const std::string& text) {
   std::istringstream in(text);
-  return parsed(in, "x.json");
+  return parse_json(in, "x.json");
 }
 
 std::string refusal_of(const std::string& text) {
@@ -24,7 +24,7 @@ std::string refusal_of(const std::string& text) {
   return "accepted";
 }
 
-TEST(Json, IsReadWithinBounds) {
+TEST(Json, IsReadWithinLimits) {
   const auto starts = [](const std::string& text, const char* with) {
     return refusal_of(text).starts_with(with);
   };
@@ -37,17 +37,17 @@ TEST(Json, IsReadWithinBounds) {
   EXPECT_LT(refusal_of("[1" + std::string(1'000'000, '0') + "e999]").size(), 200u);
 }
 
-// The path made of "a[" was followed without end as it was written again.
-TEST(Json, NamesOfResultsHaveNothingThatAPathIsTakenApartBy) {
+// Writing the path of the key "a[" did not terminate.
+TEST(Json, KeysMustNotContainPathSeparators) {
   for (const char* key : {"", ".", "a.b", "a[", "a[1000000000]", "[]", "]", "a[]"}) {
     const Json json{{"nested", {{key, 1}}}};
-    EXPECT_THROW(observations_in(json), InputError) << key;
-    EXPECT_THROW(observations_in(json.at("nested")), InputError) << key;
+    EXPECT_THROW(metrics_in(json), InputError) << key;
+    EXPECT_THROW(metrics_in(json.at("nested")), InputError) << key;
   }
-  EXPECT_EQ(observations_in(json_of(R"({"a": {"b": [1, 2]}})")).at(1).path, "a.b[1]");
+  EXPECT_EQ(metrics_in(json_of(R"({"a": {"b": [1, 2]}})")).at(1).path, "a.b[1]");
 }
 
-TEST(Json, HoldsNothingThatATerminalWouldObey) {
+TEST(Json, ControlCharactersAreEscaped) {
   const std::string red = "{\"a\": \"\\u001b[31m\\n\"}", greek = "{\"a\": \"p(y′), σ\"}";
   EXPECT_EQ(json_of(red).at("a"), "\\x1b[31m\\x0a");
   EXPECT_EQ(json_of(greek).at("a"), "p(y′), σ");

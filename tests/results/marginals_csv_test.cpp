@@ -13,7 +13,7 @@ namespace {
 
 using transform::Variable;
 
-/// The curves of a run of one made-up case, and of cases with such curves alone.
+/// The curves of a synthetic run with one case, and of cases that have only such curves.
 std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
   std::vector<Case> cases;
   for (auto& [name, own] : curves) {
@@ -59,7 +59,7 @@ TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
   expect_read_back(crlf, cases);
 }
 
-TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
+TEST(MarginalsCsv, SeparatesConsecutiveCurves) {
   const auto cases = cases_with({{"a",
                                   {{"s", Variable::y, {0.5}, {1}, {}, {}},
                                    {"s", Variable::ydot, {0.5}, {2}, {}, {}},
@@ -68,7 +68,7 @@ TEST(MarginalsCsv, TellsNeighbouringCurvesApart) {
   expect_read_back(written(cases), cases);
 }
 
-TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
+TEST(MarginalsCsv, LeavesMissingIntervalsEmpty) {
   EXPECT_EQ(written(cases_with({{"c",
                                  {{"s", Variable::y, {0.5}, {0.25}, {}, {}},
                                   {"t", Variable::y, {0.5}, {0.25}, {0.125}, {1}}}}})),
@@ -77,8 +77,8 @@ TEST(MarginalsCsv, LeavesTheIntervalEmptyWhereThereIsNone) {
             "c,t,y,0.5,0.25,0.125,1\n");
 }
 
-// A simulation whose trajectories left the range of numbers has a density of what they were.
-TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
+// A simulation whose trajectories exceeded the range of numbers has a density that is not finite.
+TEST(MarginalsCsv, AllowsNonFiniteNumbersOnlyOfFailedSolutions) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto read = [&](const std::string& row) -> std::string {
     std::istringstream csv(header + "c,fd-kf,y,0.5,1,,\n" + row);
@@ -98,7 +98,7 @@ TEST(MarginalsCsv, HasNumbersThatAreNotFiniteOnlyOfWhatBrokeDown) {
   EXPECT_EQ(read("c,fd-kf,ydot,0.5,1,0,inf\n"), "m.csv:3: inf (numbers must be finite)");
 }
 
-TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
+TEST(MarginalsCsv, ReportsTheInvalidLine) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto message = [](const std::string& text) -> std::string {
     std::istringstream csv(text);
@@ -112,12 +112,12 @@ TEST(MarginalsCsv, NamesTheLineThatIsWrong) {
   EXPECT_TRUE(tests::contains(message("a,b\n"), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(""), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,,\nc,s,y,0\n"), "m.csv:3: 4 fields"));
-  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval with one"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,\n"), "m.csv:2: an interval has one"));
   EXPECT_TRUE(
       tests::contains(message(header + "c,s,y,0,one,,\n"), "m.csv:2: 'one' is not a number"));
   EXPECT_TRUE(tests::contains(message(header + "c,s,z,0,1,,\n"), "variable 'z'"));
-  EXPECT_TRUE(
-      tests::contains(message(header + "c,s,y,0,1,0,2\nc,s,y,1,1,,\n"), "m.csv:3: intervals"));
+  EXPECT_TRUE(tests::contains(message(header + "c,s,y,0,1,0,2\nc,s,y,1,1,,\n"),
+                              "m.csv:3: a curve has intervals"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::tests {
 
-/// A netCDF file opened for reading.
+/// A netCDF file, open for reading.
 class OpenedNetCdf {
  public:
   explicit OpenedNetCdf(const std::filesystem::path& path) {

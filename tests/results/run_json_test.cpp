@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/input_error.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {
@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using tests::contains;
 using transform::Kind;
-using transform::Observer;
+using transform::MetricBuilder;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -38,7 +38,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(RunJson, SaysThatTheRunWasStopped) {
+TEST(RunJson, ContainsTheStopMessage) {
   const results::Run whole{{"fpkcheck", "1", "fpkcheck run"}, {}};
   EXPECT_FALSE(summary_of(whole).contains("stopped"));
   const results::Run stopped{{"fpkcheck", "1", "fpkcheck run"}, {}, "Stopped. Missing: case2."};
@@ -46,25 +46,25 @@ TEST(RunJson, SaysThatTheRunWasStopped) {
   EXPECT_EQ(read(summary_text(whole)).stopped, "");
 }
 
-// With something in every field.
+// A run with a value in every field.
 results::Run full_run() {
   results::Run run = tests::made_up_run();
   auto& solutions = run.cases[0].solutions;
   solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
-  solutions[0].observations = Observer()
-                                  .result("order", std::int64_t{2})
-                                  .work("iterations", std::int64_t{7})
-                                  .result("coefficients[0].x1", std::int64_t{2})
-                                  .result("coefficients[0].a", -0.25)
-                                  .result("coefficients[1].x1", std::int64_t{0})
-                                  .result("support.edge_density", 1e-9)
-                                  .result("branch", {})
-                                  .text("leading_form", std::string("negative"))
-                                  .result("falls", true)
-                                  .empty_list("branches")
-                                  .take();
+  solutions[0].metrics = MetricBuilder()
+                             .result("order", std::int64_t{2})
+                             .work("iterations", std::int64_t{7})
+                             .result("coefficients[0].x1", std::int64_t{2})
+                             .result("coefficients[0].a", -0.25)
+                             .result("coefficients[1].x1", std::int64_t{0})
+                             .result("support.edge_density", 1e-9)
+                             .result("branch", {})
+                             .text("leading_form", std::string("negative"))
+                             .result("falls", true)
+                             .add_empty_list("branches")
+                             .take();
   solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
-  solutions[6].observations = Observer().result("error.observed_order", 4.9).take();
+  solutions[6].metrics = MetricBuilder().result("error.observed_order", 4.9).take();
   solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
   run.cases[0].bounds = compare::Bounds{.reason = "wider than asked for",
                                         .seconds = 0.5,
@@ -85,14 +85,14 @@ TEST(Summary, AtomsAreReadBack) {
   auto& solution = run.cases[0].solutions.back();
   EXPECT_FALSE(summary_of(run)["cases"][0]["solutions"].back().contains("atoms"));
   solution.atoms = {{.y = -0.5, .probability = 0.25, .standard_error = 0.01},
-                    {.y = 0.5, .probability = 0.125, .stated_error = 0.02}};
+                    {.y = 0.5, .probability = 0.125, .error_estimate = 0.02}};
   const auto again = read(summary_text(run)).cases[0].solutions.back().atoms;
   ASSERT_EQ(again.size(), 2u);
   EXPECT_EQ(again[0].y, -0.5);
   EXPECT_EQ(again[0].probability, 0.25);
   EXPECT_EQ(again[0].standard_error, 0.01);
-  EXPECT_FALSE(again[0].stated_error);
-  EXPECT_EQ(again[1].stated_error, 0.02);
+  EXPECT_FALSE(again[0].error_estimate);
+  EXPECT_EQ(again[1].error_estimate, 0.02);
 }
 
 TEST(Summary, OfAnotherOscillatorIsReadBack) {
@@ -142,7 +142,7 @@ TEST(Summary, HasEveryFieldOfTheContract) {
   for (const char* key : {"mass", "min_density", "energy_residual"}) {
     EXPECT_TRUE(s.at(key).is_number()) << key;
   }
-  EXPECT_EQ(s.at("order"), 2);  // what its solver alone knows
+  EXPECT_EQ(s.at("order"), 2);  // a metric of the solver
   EXPECT_EQ(s.at("coefficients").dump(), R"([{"x1":2,"a":-0.25},{"x1":0}])");
   EXPECT_EQ(s.at("support").dump(), R"({"edge_density":1e-09})");
   EXPECT_EQ(s.at("branches").dump(), "[]");
@@ -180,17 +180,17 @@ TEST(Summary, IsReadBackAsItWas) {
   EXPECT_TRUE(solution.has_density());
   EXPECT_FALSE(solution.density);
   EXPECT_FALSE(run.cases[0].solutions[3].has_density());
-  EXPECT_EQ(transform::number(solution.observations, "coefficients[0].a"), -0.25);
-  EXPECT_EQ(transform::word(solution.observations, "leading_form"), "negative");
+  EXPECT_EQ(transform::number(solution.metrics, "coefficients[0].a"), -0.25);
+  EXPECT_EQ(transform::word(solution.metrics, "leading_form"), "negative");
   EXPECT_EQ(run.cases[0].budget[0].parts[0].links.front(), compare::Link::closure);
 }
 
-TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
+TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
   results::Run run = full_run();
   auto& one = run.cases[0];
   one.solutions[0].energy_residual = std::nan("");
-  one.solutions[0].observations =
-      Observer().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
+  one.solutions[0].metrics =
+      MetricBuilder().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
   one.pairs[0].distances.kl = kInfinity;
   one.budget[0].total_tail = std::nan("");
   const Json json = summary_of(run);
@@ -208,21 +208,21 @@ TEST(Summary, WhatIsNotFiniteOrNotKnownIsNull) {
   EXPECT_TRUE(std::isnan(again.cases[0].budget[0].total_tail));
 }
 
-TEST(Summary, ObservationsMustNotClaimACommonFieldOrEachOther) {
+TEST(Summary, MetricsMustNotReuseKeys) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
-    run.cases[0].solutions[0].observations = Observer().result(path, 1.0).take();
+    run.cases[0].solutions[0].metrics = MetricBuilder().result(path, 1.0).take();
     EXPECT_THROW(summary_text(run), std::logic_error) << path;
   }
   results::Run run = full_run();
-  run.cases[0].solutions[0].observations = Observer().result("nx", 1.0).result("nx", 2.0).take();
+  run.cases[0].solutions[0].metrics = MetricBuilder().result("nx", 1.0).result("nx", 2.0).take();
   EXPECT_THROW(summary_text(run), std::logic_error);
-  run.cases[0].solutions[0].observations =
-      Observer().result("nx", 1.0).result("nx.more", 2.0).take();
+  run.cases[0].solutions[0].metrics =
+      MetricBuilder().result("nx", 1.0).result("nx.more", 2.0).take();
   EXPECT_THROW(summary_text(run), std::logic_error);
 }
 
-TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
+TEST(Summary, OfAnOlderVersionHasSolutionsWithoutAFamily) {
   Json json = summary_of(full_run());
   for (auto& solution : json["cases"][0]["solutions"]) solution.erase("identity");
   json["cases"][0].erase("reference");
@@ -231,21 +231,22 @@ TEST(Summary, OfAnOlderProgramHasSolutionsWithoutAFamily) {
   EXPECT_EQ(run.cases[0].solutions[0].id(), "epc-gaussian-n2");
 }
 
-TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
+TEST(Summary, RefusesCorruptFiles) {
   const std::string text = summary_text(full_run());
-  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON (at byte"));
-  EXPECT_TRUE(contains(refusal("[]"), "it has no schema"));
-  EXPECT_TRUE(contains(refusal(R"({"schema": 7})"), "has schema 7 (this program reads schema 1"));
+  EXPECT_TRUE(contains(refusal(text.substr(0, 1000)), "is not JSON: error at byte"));
+  EXPECT_TRUE(contains(refusal("[]"), "\"schema\" is missing"));
+  EXPECT_TRUE(
+      contains(refusal(R"({"schema": 7})"), "has schema 7, but this program reads schema 1"));
   EXPECT_TRUE(contains(refusal(R"({"schema": 1e999})"), "is not JSON"));
   Json json = Json::parse(text);
   json["cases"][0]["solutions"][0].erase("status");
   EXPECT_TRUE(contains(refusal(json.dump()), "key 'status' not found")) << refusal(json.dump());
   json = Json::parse(text);
   json["cases"].push_back(json["cases"][0]);
-  EXPECT_TRUE(contains(refusal(json.dump()), "case1 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "case1 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["solutions"][1]["id"] = "epc-gaussian-n2";
-  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 is there twice"));
+  EXPECT_TRUE(contains(refusal(json.dump()), "epc-gaussian-n2 occurs twice"));
   json = Json::parse(text);
   json["cases"][0]["system"]["restitution"] = 1.5;
   EXPECT_TRUE(contains(refusal(json.dump()), "system.restitution = 1.5"));
@@ -260,8 +261,8 @@ TEST(Summary, ThatIsBrokenIsRefusedInOneLine) {
   }
 }
 
-// What no int holds would become one whose value the language leaves open.
-TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
+// The conversion of a number out of the range of int is undefined behaviour.
+TEST(Summary, RefusesNonIntegers) {
   for (const Json& wrong : {Json(1e300), Json(-1e300), Json(3000000000), Json(1.5), Json("6")}) {
     for (const char* place : {"/order", "/trust", "/look/layer"}) {
       Json json = Json::parse(summary_text(full_run()));
@@ -275,8 +276,8 @@ TEST(Summary, WithWhatIsNoIntegerWhereOneMustBeIsRefused) {
   EXPECT_TRUE(contains(refusal(json.dump()), "\"bins\" is 1e+300 (must be an integer"));
 }
 
-// Deeper JSON than any stack holds must not be descended into.
-TEST(Summary, ThatIsNestedWithoutEndIsRefused) {
+// Recursion into deeply nested JSON must not exhaust the stack.
+TEST(Summary, RefusesDeepNesting) {
   const std::string opening(100000, '[');
   EXPECT_TRUE(contains(refusal(opening + std::string(100000, ']')), "nested more than"));
   EXPECT_TRUE(contains(refusal(opening), "nested more than"));

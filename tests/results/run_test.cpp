@@ -10,8 +10,8 @@ namespace {
 
 using transform::Variable;
 
-TEST(Curves, KnowTheWidthsOfTheirBinsFromTheCentres) {
-  // A twentieth of the usual rate: the bins at 0 are divided.
+TEST(Curves, ComputeBinWidthsFromCentres) {
+  // At a twentieth of the default rate the bins at 0 are divided.
   const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
   ASSERT_GT(axes.divisions, 0);
   for (const Variable variable : transform::kVariables) {

@@ -43,19 +43,20 @@ TEST(SavedRun, IsReadBackWhole) {
   EXPECT_EQ(read.cases[0].joints[2].solution, run.cases[0].joints[2].solution);
 }
 
-TEST(SavedRun, WithSmoothBinsAndOwnErrorsIsReadBackWhole) {
+TEST(SavedRun, WithSmoothBinsAndErrorEstimatesIsReadBackWhole) {
   const tests::TemporaryDirectory directory;
-  results::Run run{results::this_program("fpkcheck run"), {tests::made_up_case_without_noise()}};
+  results::Run run{results::this_program("fpkcheck run"),
+                   {tests::made_up_case_with_control_variates()}};
   auto& one = run.cases[0];
-  one.own_errors = {{"fd-kf", {.y2 = 0.5, .v4 = 2}, {.y1 = 1e-7, .v2 = -1e-6}}};
+  one.moment_error_estimates = {{"fd-kf", {.y2 = 0.5, .v4 = 2}, {.y1 = 1e-7, .v2 = -1e-6}}};
   save(directory.path(), run);
   const results::Run read = load_run(directory.path());
   EXPECT_EQ(summary_text(read), summary_text(run));
   EXPECT_EQ(read.cases[0].smooth, one.smooth);
   EXPECT_EQ(read.cases[0].pairs.back().l1_standard_error, one.pairs.back().l1_standard_error);
   EXPECT_EQ(read.cases[0].solutions.back().smooth_sampling->ydot_99, 6e-6);
-  EXPECT_EQ(read.cases[0].own_errors[0].error.v2, -1e-6);
-  // And of a run without them nothing of an earlier one is left.
+  EXPECT_EQ(read.cases[0].moment_error_estimates[0].error.v2, -1e-6);
+  // Saving a run without them removes those of an earlier run.
   save(directory.path(), tests::made_up_run());
   EXPECT_FALSE(fs::exists(directory.path() / kSmoothFile));
 }
@@ -67,7 +68,7 @@ TEST(SavedRun, OfAnOlderVersionHasNoJointDensities) {
   EXPECT_TRUE(load_run(directory.path()).cases[0].joints.empty());
 }
 
-TEST(SavedRun, WithoutJointDensitiesLeavesNoneOfAnEarlierOne) {
+TEST(SavedRun, WithoutJointDensitiesRemovesEarlierOnes) {
   const tests::TemporaryDirectory directory;
   results::Run run = tests::made_up_run();
   save(directory.path(), run);
@@ -76,7 +77,7 @@ TEST(SavedRun, WithoutJointDensitiesLeavesNoneOfAnEarlierOne) {
   EXPECT_FALSE(fs::exists(directory.path() / kJointFile));
 }
 
-TEST(SavedRun, WhoseFilesAreOfSeveralRunsIsRefused) {
+TEST(SavedRun, WithFilesOfSeveralRunsIsRefused) {
   const tests::TemporaryDirectory one, other;
   save(one.path(), tests::made_up_run("case1"));
   save(other.path(), tests::made_up_run("case2"));
@@ -92,8 +93,8 @@ TEST(SavedRun, WhoseFilesAreOfSeveralRunsIsRefused) {
   EXPECT_TRUE(contains(refusal_to_load(one.path()), "are not of the same run"));
 }
 
-// Files that fit each other in all but the numbers.
-TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
+// Files that differ from those of the run only in their numbers.
+TEST(SavedRun, WithAModifiedFileIsRefused) {
   const tests::TemporaryDirectory directory;
   save(directory.path(), tests::made_up_run("case1"));
   const fs::path file = directory.path() / kMarginalsFile;
@@ -103,14 +104,14 @@ TEST(SavedRun, OfWhichAFileWasChangedIsRefused) {
   ++changed[digit];
   base::write_file(file, changed);
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "are not of the same run"));
-  // The ends of lines do not count.
+  // Line ends may differ.
   std::string other_ends;
   for (const char c : text) other_ends += c == '\n' ? std::string("\r\n") : std::string(1, c);
   base::write_file(file, other_ends);
   EXPECT_EQ(refusal_to_load(directory.path()), "accepted");
 }
 
-TEST(SavedRun, WithInfiniteDensitiesIsReadBackWhereASolutionFailed) {
+TEST(SavedRun, WithInfiniteDensitiesOfFailedSolutionsIsReadBack) {
   const tests::TemporaryDirectory directory;
   results::Run run = tests::made_up_run();
   auto& solution = run.cases[0].solutions.back();
@@ -124,7 +125,7 @@ TEST(SavedRun, WithInfiniteDensitiesIsReadBackWhereASolutionFailed) {
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "inf (numbers must be finite)"));
 }
 
-TEST(SavedRun, ThatIsNotThereIsRefusedInOneLine) {
+TEST(SavedRun, ThatDoesNotExistIsRefused) {
   const tests::TemporaryDirectory directory;
   EXPECT_TRUE(contains(refusal_to_load(directory.path()), "summary.json is not a readable file"));
   EXPECT_THROW(load_summary("nowhere.json"), InputError);

@@ -10,42 +10,43 @@
 namespace fpkcheck::transform {
 namespace {
 
-TEST(BalanceResiduals, AreObservedWithTheErrorsThatThereAre) {
-  Observer observer;
-  observe(observer, {.virial = 1e-3, .momentum = -2e-3}, {.virial = {}, .momentum = 5e-4});
-  const auto observations = observer.take();
-  EXPECT_EQ(number(observations, "balances.virial"), 1e-3);
-  EXPECT_EQ(number(observations, "balances.momentum"), -2e-3);
-  EXPECT_EQ(number(observations, "balances.momentum_error"), 5e-4);
-  EXPECT_EQ(find(observations, "balances.momentum")->error_at, "balances.momentum_error");
-  EXPECT_EQ(find(observations, "balances.virial_error"), nullptr);
+TEST(BalanceResiduals, AreMetricsWithTheirErrors) {
+  MetricBuilder builder;
+  add_metrics(builder, {.virial = 1e-3, .momentum = -2e-3}, {.virial = {}, .momentum = 5e-4});
+  const auto metrics = builder.take();
+  EXPECT_EQ(number(metrics, "balances.virial"), 1e-3);
+  EXPECT_EQ(number(metrics, "balances.momentum"), -2e-3);
+  EXPECT_EQ(number(metrics, "balances.momentum_error"), 5e-4);
+  EXPECT_EQ(find(metrics, "balances.momentum")->standard_error_path, "balances.momentum_error");
+  EXPECT_EQ(find(metrics, "balances.virial_error"), nullptr);
 }
 
-TEST(BalanceResiduals, AreNullWhereThereAreNone) {
-  Observer observer;
-  observe(observer, {});
-  const auto observations = observer.take();
-  ASSERT_NE(find(observations, "balances.virial"), nullptr);
-  EXPECT_FALSE(number(observations, "balances.virial"));
-  EXPECT_FALSE(number(observations, "balances.momentum"));
+TEST(BalanceResiduals, AreNullIfAbsent) {
+  MetricBuilder builder;
+  add_metrics(builder, {});
+  const auto metrics = builder.take();
+  ASSERT_NE(find(metrics, "balances.virial"), nullptr);
+  EXPECT_FALSE(number(metrics, "balances.virial"));
+  EXPECT_FALSE(number(metrics, "balances.momentum"));
 }
 
-// Of a folded normal law: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
-TEST(PanelMarginals, GiveTheMeanOfAPolynomial) {
+// Half-normal density: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
+TEST(PanelMarginals, ComputeTheMeanOfAPolynomial) {
   const SmoothDensity bell{
       [](double y, double v) { return std::exp(-(y * y + v * v) / 2) / std::numbers::pi; }, 9.0,
       9.0};
   const double mean = std::sqrt(2 / std::numbers::pi);
-  for (const auto panels : {Panels::even, Panels::graded, Panels::shrinking}) {
+  for (const auto panels : {PanelSpacing::uniform, PanelSpacing::graded, PanelSpacing::geometric}) {
     const auto marginals = panel_marginals(bell, bell.y_max, bell.v_max, panels);
-    EXPECT_NEAR(mean_of(marginals, numerics::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
-    EXPECT_NEAR(mean_of(marginals, numerics::Polynomial({0, 3}).times_argument()), 3, 1e-8);
+    EXPECT_NEAR(displacement_mean(marginals, numerics::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
+    EXPECT_NEAR(displacement_mean(marginals, numerics::Polynomial({0, 3}).times_argument()), 3,
+                1e-8);
   }
 }
 
-// A wide bell and one of a thousandth of its width, each with half of the mass, that change with the
-// direction from the origin only.
-TEST(PanelMarginals, ShrinkingOnesHoldASpikeThatFansOutFromTheOrigin) {
+// Two Gaussians of equal mass, with widths 1 and 1/1000, modulated by the direction from the
+// origin.
+TEST(PanelMarginals, GeometricPanelsResolveASelfSimilarSpike) {
   const auto bell = [](double rho, double width) {
     return std::exp(-rho * rho / (2 * width * width)) / (2 * std::numbers::pi * width * width);
   };
@@ -55,12 +56,12 @@ TEST(PanelMarginals, ShrinkingOnesHoldASpikeThatFansOutFromTheOrigin) {
                                    (bell(rho, 1) + bell(rho, 1e-3));
                           },
                           8.0, 8.0};
-  const auto mass = [&](Panels panels) {
+  const auto mass = [&](PanelSpacing panels) {
     return panel_marginals(fan, fan.y_max, fan.v_max, panels).mass;
   };
-  EXPECT_NEAR(mass(Panels::shrinking), 1, 1e-4);
-  EXPECT_GT(std::abs(mass(Panels::graded) - 1), 1e-3);
-  EXPECT_GT(std::abs(mass(Panels::even) - 1), 1e-2);
+  EXPECT_NEAR(mass(PanelSpacing::geometric), 1, 1e-4);
+  EXPECT_GT(std::abs(mass(PanelSpacing::graded) - 1), 1e-3);
+  EXPECT_GT(std::abs(mass(PanelSpacing::uniform) - 1), 1e-2);
 }
 
 }  // namespace

@@ -8,28 +8,28 @@ namespace {
 const problem::Frame kShifted{.origin = -0.5, .mirrored = false};
 const problem::Frame kMirrored{.origin = 2, .mirrored = true};
 
-// Cells over (x, x'): 2 of x, 3 of x', the averages 1 .. 6 row by row.
+// 2 x 3 cells over (x, x') with the averages 1 .. 6, row by row.
 const GridDensity kGrid{{0, 1, 3}, {-2, -1, 0, 4}, {1, 2, 3, 4, 5, 6}};
 
 const GridDensity& grid_of(const Density& density) { return std::get<GridDensity>(density); }
 
 TEST(ChangeOfFrame, ShiftsCells) {
-  const Density density = in_physical_coordinates(kShifted, kGrid);
+  const Density density = to_physical_coordinates(kShifted, kGrid);
   EXPECT_EQ(grid_of(density).y_edges, (std::vector<double>{-0.5, 0.5, 2.5}));
   EXPECT_EQ(grid_of(density).v_edges, kGrid.v_edges);
   EXPECT_EQ(grid_of(density).averages, kGrid.averages);
 }
 
-// y = 2 - x, y' = -x': the first cell becomes the last one in both directions.
+// y = 2 - x, y' = -x': the first cell becomes the last cell in both directions.
 TEST(ChangeOfFrame, MirrorsCellsInBothDirections) {
-  const Density density = in_physical_coordinates(kMirrored, kGrid);
+  const Density density = to_physical_coordinates(kMirrored, kGrid);
   EXPECT_EQ(grid_of(density).y_edges, (std::vector<double>{-1, 1, 2}));
   EXPECT_EQ(grid_of(density).v_edges, (std::vector<double>{-4, 0, 1, 2}));
   EXPECT_EQ(grid_of(density).averages, (std::vector<double>{6, 5, 4, 3, 2, 1}));
 }
 
 TEST(ChangeOfFrame, MirrorsFunctionsWithTheirSupport) {
-  const Density density = in_physical_coordinates(
+  const Density density = to_physical_coordinates(
       kMirrored, SmoothDensity{[](double x, double v) { return 10 * x + v; }, 3, 7});
   const auto& smooth = std::get<SmoothDensity>(density);
   EXPECT_EQ(smooth.y_min, -1);
@@ -38,13 +38,13 @@ TEST(ChangeOfFrame, MirrorsFunctionsWithTheirSupport) {
   EXPECT_EQ(smooth.value(1.5, 0.25), 10 * 0.5 - 0.25);
 }
 
-TEST(ChangeOfFrame, EdgesGoThereAndBack) {
+TEST(ChangeOfFrame, EdgesAreTransformedBack) {
   const std::vector<double> y{-1, 0.5, 2};
-  EXPECT_EQ(x_edges_of(kMirrored, y), (std::vector<double>{0, 1.5, 3}));
-  EXPECT_EQ(y_edges_of(kMirrored, x_edges_of(kMirrored, y)), y);
+  EXPECT_EQ(to_x_edges(kMirrored, y), (std::vector<double>{0, 1.5, 3}));
+  EXPECT_EQ(to_y_edges(kMirrored, to_x_edges(kMirrored, y)), y);
 }
 
-TEST(ChangeOfFrame, CarriesMarginalsWithIntervalsAndAtoms) {
+TEST(ChangeOfFrame, TransformsMarginalsWithIntervalsAndAtoms) {
   Solution solution;
   solution.density = kGrid;
   solution.estimated_marginals = {
@@ -52,15 +52,15 @@ TEST(ChangeOfFrame, CarriesMarginalsWithIntervalsAndAtoms) {
        {.edges = {0, 1, 3}, .density = {0.1, 0.2}, .lower = {0.05, 0.15}, .upper = {0.2, 0.3}}},
       {Variable::ydot, {.edges = {-1, 0, 2}, .density = {0.3, 0.4}, .lower = {}, .upper = {}}}};
   solution.atoms = {{.y = 0, .probability = 0.25}};
-  const Solution carried = in_physical_coordinates(kMirrored, solution);
-  const Marginal& y = carried.estimated_marginals[0].second;
+  const Solution transformed = to_physical_coordinates(kMirrored, solution);
+  const Marginal& y = transformed.estimated_marginals[0].second;
   EXPECT_EQ(y.edges, (std::vector<double>{-1, 1, 2}));
   EXPECT_EQ(y.density, (std::vector<double>{0.2, 0.1}));
   EXPECT_EQ(y.lower, (std::vector<double>{0.15, 0.05}));
-  const Marginal& ydot = carried.estimated_marginals[1].second;
+  const Marginal& ydot = transformed.estimated_marginals[1].second;
   EXPECT_EQ(ydot.edges, (std::vector<double>{-2, 0, 1}));
   EXPECT_EQ(ydot.density, (std::vector<double>{0.4, 0.3}));
-  EXPECT_EQ(carried.atoms[0].y, 2);
+  EXPECT_EQ(transformed.atoms[0].y, 2);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(Marginal, BetweenTheEdgesConvergesWithOrder8InTheGrid) {
   }
 }
 
-TEST(Marginal, BinsBeyondTheGridAreEmptyAndTheMassIsKept) {
+TEST(Marginal, BinsBeyondTheGridAreEmptyAndMassIsConserved) {
   const auto edges = uniform_edges(-20, 20, 133);
   const Marginal m = marginal(bell(16, 64), Variable::ydot, edges);
   double sum = 0;
@@ -64,7 +64,7 @@ TEST(Marginal, BinsBeyondTheGridAreEmptyAndTheMassIsKept) {
   EXPECT_NEAR(sum, mass(bell(16, 64)), 1e-13);
 }
 
-TEST(Marginal, ASolversOwnEstimateIsUsedOnItsOwnEdges) {
+TEST(Marginal, UsesTheSolversEstimateOnItsEdges) {
   Solution s;
   s.density = bell(16, 16);
   Marginal estimate{.edges = {0, 1, 2}, .density = {7, 8}, .lower = {6, 7}, .upper = {8, 9}};
@@ -74,7 +74,7 @@ TEST(Marginal, ASolversOwnEstimateIsUsedOnItsOwnEdges) {
   EXPECT_TRUE(marginal(s, Variable::y, std::vector<double>{0, 1}).lower.empty());
 }
 
-TEST(Marginal, OfNoDensityIsMisuse) {
+TEST(Marginal, ThrowsWithoutADensity) {
   EXPECT_THROW(marginal(Solution{}, Variable::y, std::vector<double>{0, 1}), std::logic_error);
 }
 

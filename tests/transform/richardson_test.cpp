@@ -8,8 +8,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-// u(h) = limit + error h^order, with an error that changes its sign over the bins.
-Level at(double h, double order, double error = 0.1) {
+// u(h) = limit + error h^order; the sign of the error varies over the bins.
+GridLevel at(double h, double order, double error = 0.1) {
   const double scale = error * std::pow(h, order);
   const auto marginal = [&](double level) {
     return Marginal{{0, 1, 2, 3}, {level + scale, level - 2 * scale, level + 0.5 * scale}, {}, {}};
@@ -25,23 +25,23 @@ Level at(double h, double order, double error = 0.1) {
 }
 
 struct Sequence {
-  Level coarse, middle, fine;
+  GridLevel coarse, middle, fine;
 
-  Change before() const { return change(coarse, middle); }
-  Change last() const { return change(middle, fine); }
-  Richardson richardson(int order_of_scheme) const {
-    return transform::richardson(before(), last(), kLevelRatio, order_of_scheme);
+  LevelDifference before() const { return level_difference(coarse, middle); }
+  LevelDifference last() const { return level_difference(middle, fine); }
+  Richardson richardson_estimate(int order_of_scheme) const {
+    return transform::richardson_estimate(before(), last(), kRefinementRatio, order_of_scheme);
   }
 };
 
 Sequence of_order(double order) {
-  return {at(1, order), at(1 / kLevelRatio, order), at(0.5, order)};
+  return {at(1, order), at(1 / kRefinementRatio, order), at(0.5, order)};
 }
 
-TEST(Richardson, FindsTheLimitOfASequenceOfItsOrder) {
+TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
   const Sequence levels = of_order(3);
-  const Richardson known = levels.richardson(5);
-  const Level found = limit(levels.middle, levels.fine, known.factor);
+  const Richardson known = levels.richardson_estimate(5);
+  const GridLevel found = limit(levels.middle, levels.fine, known.factor);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(found.y.density[k], 0.3, 1e-13);
     EXPECT_NEAR(found.ydot.density[k], 0.2, 1e-13);
@@ -55,95 +55,98 @@ TEST(Richardson, FindsTheLimitOfASequenceOfItsOrder) {
   EXPECT_NEAR(known.error.ydot_l1, 3.5 * 0.1 / 8, 1e-13);
 }
 
-TEST(Richardson, SeesTheOrderOfASequence) {
+TEST(Richardson, ObservesTheOrderOfASequence) {
   for (const double order : {1.0, 2.0, 3.5, 7.0}) {
     const Sequence levels = of_order(order);
-    const auto orders = observed_orders(levels.before(), levels.last(), kLevelRatio);
+    const auto orders = observed_orders(levels.before(), levels.last(), kRefinementRatio);
     EXPECT_NEAR(orders.l1, order, 1e-9);
     EXPECT_NEAR(orders.y2, order, 1e-9);
     EXPECT_NEAR(orders.v2, order, 1e-9);
-    EXPECT_EQ(levels.richardson(9).orders.l1, orders.l1);
+    EXPECT_EQ(levels.richardson_estimate(9).orders.l1, orders.l1);
   }
 }
 
-// A moment that happens to be the same on the last two levels is not known exactly.
-TEST(Richardson, DoesNotTakeAChanceAgreementOfMomentsForAccuracy) {
+// A moment with equal values on the last two levels still has an error.
+TEST(Richardson, DoesNotTreatAccidentalAgreementAsAccuracy) {
   Sequence levels = of_order(3);
   levels.fine.moments.y2 = levels.middle.moments.y2;
-  // What a sequence of this order would have.
-  EXPECT_NEAR(levels.richardson(5).error.moments.y2, 0.1 / 8, 1e-12);
+  // The error of a sequence of this order.
+  EXPECT_NEAR(levels.richardson_estimate(5).error.moments.y2, 0.1 / 8, 1e-12);
 }
 
-// Differences that fall faster than the scheme can are chance: the limit must not be overrated.
-TEST(Richardson, DoesNotExtrapolateByMoreThanTheSchemeHas) {
-  EXPECT_NEAR(of_order(7).richardson(2).factor, 1, 1e-13);  // 1 / (sqrt(2)^2 - 1)
+// Differences that decrease faster than the scheme allows must not enlarge the extrapolation.
+TEST(Richardson, LimitsTheExtrapolationByTheOrderOfTheScheme) {
+  EXPECT_NEAR(of_order(7).richardson_estimate(2).factor, 1, 1e-13);  // 1 / (sqrt(2)^2 - 1)
 }
 
-TEST(Richardson, ErrorsAreByACredibleOrder) {
+TEST(Richardson, UsesACredibleOrderForErrors) {
   EXPECT_EQ(credible_order(4.5, 5), 4.5);
-  EXPECT_EQ(credible_order(5 + kMostAboveOrder, 5), 5);
-  EXPECT_NEAR(credible_order(7 + kMostAboveOrder, 5), 3, 1e-12);
+  EXPECT_EQ(credible_order(5 + kMaxOrderExcess, 5), 5);
+  EXPECT_NEAR(credible_order(7 + kMaxOrderExcess, 5), 3, 1e-12);
   EXPECT_EQ(credible_order(22.4, 2), 1);
   EXPECT_EQ(credible_order(-3, 5), 1);
-  // Differences that fall by 2^7 from a coarsest level that is far off.
+  // The error of the coarsest level is far too large: the differences decrease too fast.
   Sequence levels = of_order(3);
   levels.coarse = at(1, 3, 3);
-  const Richardson known = levels.richardson(3);
-  EXPECT_GT(known.orders.l1, 3 + kMostAboveOrder + 2);
-  EXPECT_GE(known.error.y_l1, levels.last().y_l1 / (kLevelRatio - 1) * (1 - 1e-12));
+  const Richardson known = levels.richardson_estimate(3);
+  EXPECT_GT(known.orders.l1, 3 + kMaxOrderExcess + 2);
+  EXPECT_GE(known.error.y_l1, levels.last().y_l1 / (kRefinementRatio - 1) * (1 - 1e-12));
   EXPECT_FALSE(has_limit(known.orders.l1, 3));
   EXPECT_TRUE(has_limit(3, 3));
   EXPECT_FALSE(has_limit(1, 3));
 }
 
 TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder) {
-  const Sequence diverging{at(0.5, 3), at(1 / kLevelRatio, 3), at(1, 3)};
-  EXPECT_NEAR(diverging.richardson(5).factor, 1 / (kLevelRatio - 1), 1e-12);
-  EXPECT_LT(diverging.richardson(5).orders.l1, 0);
+  const Sequence diverging{at(0.5, 3), at(1 / kRefinementRatio, 3), at(1, 3)};
+  EXPECT_NEAR(diverging.richardson_estimate(5).factor, 1 / (kRefinementRatio - 1), 1e-12);
+  EXPECT_LT(diverging.richardson_estimate(5).orders.l1, 0);
 }
 
-// Two levels are compared on common bins; those of another pair may differ.
-TEST(Richardson, ComparesNeighboursOnTheirOwnBins) {
-  Level coarse = at(1, 3);
+// Consecutive levels need common bins; another pair of levels may have other bins.
+TEST(Richardson, ComparesConsecutiveLevelsOnCommonBins) {
+  GridLevel coarse = at(1, 3);
   coarse.y.edges = {0, 2, 4, 6};
-  EXPECT_THROW(change(coarse, at(0.5, 3)), std::invalid_argument);
-  Level middle = at(1 / kLevelRatio, 3);
+  EXPECT_THROW(level_difference(coarse, at(0.5, 3)), std::invalid_argument);
+  GridLevel middle = at(1 / kRefinementRatio, 3);
   middle.y.edges = coarse.y.edges;
-  EXPECT_NEAR(change(coarse, middle).y_l1, 2 * change(at(1, 3), at(1 / kLevelRatio, 3)).y_l1,
-              1e-14);
+  EXPECT_NEAR(level_difference(coarse, middle).y_l1,
+              2 * level_difference(at(1, 3), at(1 / kRefinementRatio, 3)).y_l1, 1e-14);
 }
 
-// Atoms at walls of their own are apart in y, and together at y' = 0.
+// Atoms at different walls have different y, and all have y' = 0.
 TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   const auto with_atoms = [](double h) {
-    Level level = at(h, 2);
-    level.at_rest = {0.25 + 0.01 * h * h, 0.125 - 0.004 * h * h};
+    GridLevel level = at(h, 2);
+    level.rest_probabilities = {0.25 + 0.01 * h * h, 0.125 - 0.004 * h * h};
     return level;
   };
-  const Level coarse = with_atoms(1), middle = with_atoms(1 / kLevelRatio), fine = with_atoms(0.5);
-  const Change last = change(middle, fine);
-  const Change plain = change(at(1 / kLevelRatio, 2), at(0.5, 2));
-  ASSERT_EQ(last.at_rest.size(), 2u);
-  EXPECT_NEAR(last.at_rest[0], -0.0025, 1e-15);
-  EXPECT_NEAR(last.at_rest[1], 0.001, 1e-15);
+  const GridLevel coarse = with_atoms(1), middle = with_atoms(1 / kRefinementRatio),
+                  fine = with_atoms(0.5);
+  const LevelDifference last = level_difference(middle, fine);
+  const LevelDifference plain = level_difference(at(1 / kRefinementRatio, 2), at(0.5, 2));
+  ASSERT_EQ(last.rest_probabilities.size(), 2u);
+  EXPECT_NEAR(last.rest_probabilities[0], -0.0025, 1e-15);
+  EXPECT_NEAR(last.rest_probabilities[1], 0.001, 1e-15);
   EXPECT_NEAR(last.y_l1 - plain.y_l1, 0.0035, 1e-15);
   EXPECT_NEAR(last.ydot_l1 - plain.ydot_l1, 0.0015, 1e-15);
-  const Richardson known = richardson(change(coarse, middle), last, kLevelRatio, 2);
-  EXPECT_NEAR(known.at_rest[0], 0.0025, 1e-12);  // of the second order: as much again is missing
-  EXPECT_NEAR(known.at_rest[1], 0.001, 1e-12);
-  EXPECT_THROW(change(at(1, 2), fine), std::invalid_argument);
+  const Richardson known =
+      richardson_estimate(level_difference(coarse, middle), last, kRefinementRatio, 2);
+  EXPECT_NEAR(known.rest_probabilities[0], 0.0025,
+              1e-12);  // second order: the error is the last difference
+  EXPECT_NEAR(known.rest_probabilities[1], 0.001, 1e-12);
+  EXPECT_THROW(level_difference(at(1, 2), fine), std::invalid_argument);
 }
 
-TEST(Richardson, ALevelIsWhatASolutionHasOfIt) {
+TEST(Richardson, GridLevelIsTakenFromASolution) {
   Solution solution;
   solution.density = GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.1, 0.2, 0.3, 0.4}};
   solution.moments.y2 = 7;
   solution.atoms = {{.y = 0, .probability = 0.25}};
-  const Level of = level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
+  const GridLevel of = level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
   EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
   EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);
   EXPECT_EQ(of.moments.y2, 7);
-  EXPECT_EQ(of.at_rest, std::vector<double>{0.25});
+  EXPECT_EQ(of.rest_probabilities, std::vector<double>{0.25});
 }
 
 }  // namespace

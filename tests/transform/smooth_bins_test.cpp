@@ -23,7 +23,7 @@ TEST(SmoothBins, SumToOne) {
   EXPECT_NEAR(cubic_spline(0), 2.0 / 3, 1e-15);
 }
 
-TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
+TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
   for (int b = 0; b < kBins.count; ++b) {
     double sum = 0;
     constexpr double kStep = 1e-4;
@@ -36,16 +36,17 @@ TEST(SmoothBins, WeighWhatLiesInFrontOfTheWall) {
 }
 
 TEST(SmoothBins, AreAsWideAsTheirWeights) {
-  const Marginal of_y = marginal_of(kBins, std::vector<double>(8, 1.0));
+  const Marginal of_y = smooth_bin_marginal(kBins, std::vector<double>(8, 1.0));
   EXPECT_EQ(of_y.edges.front(), 0);
   EXPECT_NEAR(of_y.width(0), 0.2 / 24, 1e-15);
   EXPECT_NEAR(of_y.width(1), 0.1, 1e-15);
   for (std::size_t b = 3; b < 8; ++b) EXPECT_NEAR(of_y.centre(b), 0.2 * (double(b) - 1), 1e-14);
-  const Marginal of_v = marginal_of({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
+  const Marginal of_v =
+      smooth_bin_marginal({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
   for (std::size_t b = 0; b < 5; ++b) EXPECT_NEAR(of_v.centre(b), -0.4 + 0.2 * double(b), 1e-14);
 }
 
-/// p(x) = exp(-x) for x > 0, 0 before: M at b > 0 gives exp(-centre) (2 sinh(h/2)/h)^4.
+/// p(x) = exp(-x) for x > 0, else 0: a bin away from the wall has exp(-centre) (2 sinh(h/2)/h)^4.
 TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
   for (const auto& [bins, tolerance] : {std::pair{70, 1e-7}, std::pair{140, 1e-8}}) {
     const auto edges = tests::uniform_edges(0, 7, bins);
@@ -59,7 +60,7 @@ TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
     for (std::size_t b = 3; b < 8; ++b) {
       EXPECT_NEAR(smooth.density[b], factor * std::exp(-0.2 * (double(b) - 1)), tolerance) << b;
     }
-    // At the wall: int_0^1 (1 - t)^3/6 e^-ht dt and the like, by a fine sum.
+    // Bins at the wall, int_0^1 (1 - t)^3/6 e^-ht dt and similar: by a fine midpoint rule.
     for (int b = 0; b < 3; ++b) {
       double sum = 0;
       constexpr double kStep = 1e-5;
@@ -72,11 +73,11 @@ TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
 }
 
 TEST(SmoothAverages, KeepAJumpAtTheWall) {
-  // p = 1 for v < 0 and 3 for v > 0, as densities of y' have it after impacts.
+  // p = 1 for v < 0 and 3 for v > 0: a jump as in densities of y' at the wall.
   Marginal sharp{.edges = tests::uniform_edges(-1, 1, 40), .density = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < 40; ++k) sharp.density.push_back(k < 20 ? 1 : 3);
   const Marginal smooth = smooth_averages(sharp, {.first = -0.4, .spacing = 0.2, .count = 5});
-  // Shares of M beyond 0, of the spline about -0.2 and -0.4: 1/24 and 0.
+  // Fractions of M above 0, for the splines centred at -0.2 and -0.4: 1/24 and 0.
   EXPECT_NEAR(smooth.density[0], 1, 1e-12);
   EXPECT_NEAR(smooth.density[1], 1 + 2.0 / 24, 1e-12);
   EXPECT_NEAR(smooth.density[2], 2, 1e-12);
@@ -84,7 +85,7 @@ TEST(SmoothAverages, KeepAJumpAtTheWall) {
   EXPECT_NEAR(smooth.density[4], 3, 1e-12);
 }
 
-/// int M dF with F(x) = x^a: over equal parts of F.
+/// int M dF with F(x) = x^a, by a sum over equal parts of F.
 double mean_of_spike(double a, int bin) {
   double sum = 0;
   constexpr int kPoints = 400000;
@@ -96,8 +97,8 @@ double mean_of_spike(double a, int bin) {
   return sum * end / kPoints;
 }
 
-TEST(SmoothAverages, HoldASpikeThatNarrowBinsHold) {
-  // p = a x^(a - 1), unbounded at the wall, on bins that shrink towards it.
+TEST(SmoothAverages, ResolveASpikeThatNarrowBinsResolve) {
+  // p = a x^(a - 1), unbounded at the wall, on bins that shrink towards the wall.
   const double a = 0.3;
   std::vector<double> edges{0};
   for (double x = 1e-6; x < 0.05; x *= 1.3) edges.push_back(x);

@@ -12,7 +12,7 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Two correlated bells, without any symmetry: N(m, 1) x N(a z, 1).
+// A correlated Gaussian without symmetry: z ~ N(0.4, 1), z' ~ N(z/2, 1).
 PlaneDensity skewed() {
   return {[](double x1, double x2) {
             const double u = x1 - 0.4, w = x2 - 0.5 * x1;
@@ -42,7 +42,7 @@ TEST(Zhuravlev, JointDensityOnAxesHasTheMassAndTheMarginalsOfTheFunction) {
   std::vector<double> y_edges, v_edges;
   for (int k = 0; k <= 45; ++k) y_edges.push_back(0.2 * k);
   for (int k = -60; k <= 60; ++k) v_edges.push_back(0.2 * k);
-  const GridDensity grid = on_cells(folded, y_edges, v_edges);
+  const GridDensity grid = average_over_cells(folded, y_edges, v_edges);
   EXPECT_NEAR(mass(grid), 1.0, 1e-9);
   EXPECT_NEAR(grid.average(3, 50), folded.value(0.7, -1.9), 1e-3);
   for (const auto variable : {Variable::y, Variable::ydot}) {

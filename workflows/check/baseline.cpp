@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/saved_run.hpp"
-#include "workflows/check/chance.hpp"
-#include "workflows/check/claims.hpp"
+#include "workflows/check/quantities.hpp"
+#include "workflows/check/sampling_tolerance.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -16,91 +16,97 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// A solution that somebody brought along cannot be solved again: it goes, with its distances, its
-// error budget and its curves.
-void leave_out(results::Case& one, const std::string& id) {
-  std::erase_if(one.solutions, [&](const auto& solution) { return solution.id() == id; });
-  std::erase_if(one.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
-  std::erase_if(one.budget, [&](const auto& row) { return row.solution == id; });
-  std::erase_if(one.own_errors, [&](const auto& own) { return own.solution == id; });
-  std::erase_if(one.curves, [&](const auto& curve) { return curve.solution == id; });
+// Removes a solution that no method of this program made, with its distances, error budget and
+// curves: it cannot be solved again.
+void remove_solution(results::Case& case_result, const std::string& id) {
+  std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
+  std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
+  std::erase_if(case_result.budget, [&](const auto& row) { return row.solution == id; });
+  std::erase_if(case_result.moment_error_estimates,
+                [&](const auto& own) { return own.solution == id; });
+  std::erase_if(case_result.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
-// A simulation is judged by its own errors: without them, or cut short, it is no baseline.
-void require_whole_simulation(const Solution& solution) {
-  const auto* interrupted = transform::find(solution.observations, kInterrupted);
+// A simulation is compared by its own standard errors: without them, or interrupted, it cannot
+// serve as a baseline.
+void require_complete_simulation(const Solution& solution) {
+  const auto* interrupted = transform::find(solution.metrics, kInterrupted);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {
-    throw InputError("the simulation was interrupted (run again, to its end)");
+    throw InputError("the simulation was interrupted: run it again, to its end");
   }
   if (!solution.has_density()) return;
-  for (const Claim& claim : solution_claims(solution, {})) {
-    if (claim.kind != FigureKind::simulated_error || number_in(claim.value) > 0) continue;
+  for (const Quantity& quantity : solution_quantities(solution, {})) {
+    if (quantity.kind != QuantityKind::simulated_error || number_in(quantity.value) > 0) continue;
     throw InputError(fmt::format("{} = {} (must be a positive number: run again, and longer)",
-                                 claim.name, number_in(claim.value)));
+                                 quantity.name, number_in(quantity.value)));
   }
 }
 
-// The methods of a case. Solutions that have none are left out, with a note.
-CaseAgain plan(results::Case& one, const methods::Registry& registry, const base::Values& given,
-               std::vector<std::string>& notes) {
-  CaseAgain again{one.problem, {}};
-  std::vector<std::string> not_ours;
-  for (const Solution& solution : one.solutions) {
+// The methods of a case. Solutions of external densities have none: they are removed, with a note.
+RepeatedCase plan_repetition(results::Case& case_result, const methods::Registry& registry,
+                             const base::Values& option_overrides,
+                             std::vector<std::string>& notes) {
+  RepeatedCase again{case_result.problem, {}};
+  std::vector<std::string> external_ids;
+  for (const Solution& solution : case_result.solutions) {
     try {
-      if (auto method = registry.that_made(solution, given)) {
-        if (solution.standard_errors) require_whole_simulation(solution);
+      if (auto method = registry.method_for_solution(solution, option_overrides)) {
+        if (solution.standard_errors) require_complete_simulation(solution);
         again.methods.push_back(std::move(*method));
       } else {
-        not_ours.push_back(solution.id());
+        external_ids.push_back(solution.id());
       }
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", base::shown(one.name()),
-                                   base::shown(solution.id()), error.what()));
+      throw InputError(fmt::format("{}: {}: {}", base::sanitise(case_result.name()),
+                                   base::sanitise(solution.id()), error.what()));
     }
   }
-  for (const auto& id : not_ours) {
-    leave_out(one, id);
-    notes.push_back(fmt::format(
-        "{} {} was given from outside: it is not solved again and not compared.", one.name(), id));
+  for (const auto& id : external_ids) {
+    remove_solution(case_result, id);
+    notes.push_back(
+        fmt::format("{} {} is an external density: it is not solved again and not compared.",
+                    case_result.name(), id));
   }
   return again;
 }
 
 }  // namespace
 
-Baseline load_baseline(const fs::path& place, const methods::Registry& registry,
-                       const base::Values& given) {
+Baseline load_baseline(const fs::path& path, const methods::Registry& registry,
+                       const base::Values& option_overrides) {
   std::error_code ignored;
-  const fs::path file = fs::is_directory(place, ignored) ? place / results::kSummaryFile : place;
+  const fs::path file = fs::is_directory(path, ignored) ? path / results::kSummaryFile : path;
   const fs::path curves = file.parent_path() / results::kMarginalsFile;
   Baseline baseline{results::load_summary(file), fs::exists(curves, ignored), {}, {}};
   if (baseline.has_marginals) {
     results::load_curves(curves, baseline.run);
   } else {
     baseline.notes.push_back(
-        fmt::format("There is no {} beside the baseline: the curves are not compared.",
+        fmt::format("{} is missing beside the baseline: marginal densities are not compared.",
                     results::kMarginalsFile));
   }
   try {
-    for (results::Case& one : baseline.run.cases) {
-      baseline.cases.push_back(plan(one, registry, given, baseline.notes));
+    for (results::Case& case_result : baseline.run.cases) {
+      baseline.cases.push_back(
+          plan_repetition(case_result, registry, option_overrides, baseline.notes));
     }
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", base::shown(file.string()), error.what()));
+    throw InputError(fmt::format("{}: {}", base::sanitise(file.string()), error.what()));
   }
-  if (std::ranges::all_of(baseline.cases, [](const auto& one) { return one.methods.empty(); })) {
-    throw InputError(fmt::format("{} has no solution that can be solved again (give another run)",
-                                 base::shown(file.string())));
+  if (std::ranges::all_of(baseline.cases,
+                          [](const auto& case_result) { return case_result.methods.empty(); })) {
+    throw InputError(fmt::format("{} has no solution that can be solved again: use another run",
+                                 base::sanitise(file.string())));
   }
   return baseline;
 }
 
-results::Run run_again(const Baseline& baseline, const std::string& command, int threads,
-                       const methods::ProgressListener& listener) {
+results::Run repeat_run(const Baseline& baseline, const std::string& command, int threads,
+                        const methods::ProgressListener& listener) {
   std::size_t total = 0, before = 0;
-  for (const auto& one : baseline.cases) total += one.methods.size();
+  for (const auto& case_result : baseline.cases) total += case_result.methods.size();
   results::Run run{results::this_program(command), {}};
-  // Case by case, since each may have been solved by other methods.
+  // Each case has its own list of methods.
   for (const auto& [problem, methods] : baseline.cases) {
     auto cases = methods::run_cases({problem}, methods, threads, [&](methods::RunProgress at) {
       at.done += before;

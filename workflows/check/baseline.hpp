@@ -10,32 +10,32 @@
 
 namespace fpkcheck::check {
 
-/// What to solve again of one case.
-struct CaseAgain {
+/// A case of the baseline to solve again: its problem and the methods of its solutions.
+struct RepeatedCase {
   problem::Problem problem;
   std::vector<methods::Method> methods;
 };
 
-/// A saved run, and how to repeat it.
+/// A saved run, and the methods that repeat it.
 struct Baseline {
-  results::Run run;  ///< without the solutions that were read from files
+  results::Run run;  ///< without the solutions of external densities
   bool has_marginals;
-  std::vector<CaseAgain> cases;
-  std::vector<std::string> notes;  ///< what is not compared and why, one sentence each
+  std::vector<RepeatedCase> cases;
+  std::vector<std::string> notes;  ///< what is not compared and why: one sentence each
 };
 
-/// Reads a baseline: a summary.json under any name, with the marginals.csv beside it where there is
-/// one, or the directory that holds them.
-/// @param given options that replace those of the run for all methods that know them, e.g.
-///        "threads"
-/// @throws InputError on one line: as results::load_summary and load_curves do; when a case or a
-///         solution cannot be solved again
-Baseline load_baseline(const std::filesystem::path& place, const methods::Registry& registry,
-                       const base::Values& given);
+/// Reads a baseline: a directory with summary.json, or the path of such a file under any name. The
+/// marginal densities come from marginals.csv in the same directory, where that file exists.
+/// @param option_overrides values of options that replace those of the run, e.g.
+///        "threads"; a method ignores options that it does not have
+/// @throws InputError with a message of one line: as results::load_summary and load_curves; when a
+///         case or a solution cannot be solved again
+Baseline load_baseline(const std::filesystem::path& path, const methods::Registry& registry,
+                       const base::Values& option_overrides);
 
-/// Solves again what the baseline holds.
+/// Solves the cases of the baseline again, each by its own methods.
 /// @param command the command line, for the summary
-results::Run run_again(const Baseline& baseline, const std::string& command, int threads,
-                       const methods::ProgressListener& listener);
+results::Run repeat_run(const Baseline& baseline, const std::string& command, int threads,
+                        const methods::ProgressListener& listener);
 
 }  // namespace fpkcheck::check

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "base/input_error.hpp"
-#include "workflows/check/claims.hpp"
+#include "workflows/check/quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -16,30 +16,30 @@ void append(List& list, List more) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
-Claims claims_of(const results::Case& one, const results::Case& other, bool is_baseline,
-                 const Tolerances& tolerances) {
-  Claims claims;
+Quantities case_quantities(const results::Case& one, const results::Case& other, bool is_baseline,
+                           const Tolerances& tolerances) {
+  Quantities quantities;
   for (transform::Solution solution : one.solutions) {
     const auto* again = other.find(solution.id());
     if (is_baseline && again != nullptr) {
-      solution.observations = described(std::move(solution.observations), again->observations);
+      solution.metrics = copy_metric_kinds(std::move(solution.metrics), again->metrics);
     }
-    append(claims, solution_claims(solution, tolerances));
+    append(quantities, solution_quantities(solution, tolerances));
   }
-  append(claims, distance_claims(one, other, tolerances));
-  append(claims, budget_claims(one, other, tolerances));
-  return claims;
+  append(quantities, distance_quantities(one, other, tolerances));
+  append(quantities, budget_quantities(one, other, tolerances));
+  return quantities;
 }
 
 }  // namespace
 
-std::vector<Figure> Check::moved() const {
-  std::vector<Figure> result;
-  std::ranges::copy_if(figures, std::back_inserter(result), &Figure::moved);
+std::vector<QuantityChange> Check::moved() const {
+  std::vector<QuantityChange> result;
+  std::ranges::copy_if(changes, std::back_inserter(result), &QuantityChange::moved);
   return result;
 }
 
-bool Check::agrees() const { return std::ranges::none_of(figures, &Figure::moved); }
+bool Check::agrees() const { return std::ranges::none_of(changes, &QuantityChange::moved); }
 
 Check check(const results::Run& baseline, const results::Run& now, const Tolerances& tolerances,
             bool with_marginals) {
@@ -50,24 +50,26 @@ Check check(const results::Run& baseline, const results::Run& now, const Toleran
       throw InputError(fmt::format("case {} is missing in the new run", was.name()));
     }
     result.solutions += was.solutions.size();
-    append(result.figures, held_against(was.name(), claims_of(was, *is, true, tolerances),
-                                        claims_of(*is, was, false, tolerances)));
-    if (with_marginals) append(result.figures, marginal_figures(was, *is, tolerances));
+    append(result.changes,
+           compare_quantities(was.name(), case_quantities(was, *is, true, tolerances),
+                              case_quantities(*is, was, false, tolerances)));
+    if (with_marginals) append(result.changes, marginal_changes(was, *is, tolerances));
   }
   return result;
 }
 
-std::vector<KindSummary> by_kind(const Check& check) {
+std::vector<KindSummary> summarise_by_kind(const Check& check) {
   std::vector<KindSummary> kinds;
-  for (const auto& entry : kFigureKindNames) {
+  for (const auto& entry : kQuantityKindNames) {
     KindSummary summary{entry.value};
-    for (const auto& figure : check.figures) {
-      if (figure.kind != entry.value) continue;
+    for (const auto& quantity_change : check.changes) {
+      if (quantity_change.kind != entry.value) continue;
       ++summary.count;
-      if (figure.moved()) {
+      if (quantity_change.moved()) {
         ++summary.moved;
-      } else if (summary.largest == nullptr || figure.share() > summary.largest->share()) {
-        summary.largest = &figure;
+      } else if (summary.largest == nullptr || quantity_change.change_over_tolerance() >
+                                                   summary.largest->change_over_tolerance()) {
+        summary.largest = &quantity_change;
       }
     }
     if (summary.count > 0) kinds.push_back(summary);

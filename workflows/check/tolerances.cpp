@@ -20,7 +20,7 @@ void require_positive(double value, const char* option) {
 
 }  // namespace
 
-double Tolerances::of_the_largest(std::size_t n) const {
+double Tolerances::bonferroni_threshold(std::size_t n) const {
   const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
   return std::numbers::sqrt2 *
          boost::math::erfc_inv(std::max(rare / static_cast<double>(std::max<std::size_t>(n, 1)),

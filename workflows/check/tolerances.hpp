@@ -4,28 +4,28 @@
 
 namespace fpkcheck::check {
 
-/// By how much a figure may move before `check` calls it a change. docs/checking.md holds the
-/// measurements behind the numbers.
+/// Tolerances for the change of a quantity between two runs. docs/checking.md has the measurements
+/// behind the numbers.
 struct Tolerances {
-  /// Of what no chance enters: moments relative, mass and balance of power as they are, densities
-  /// relative to their peak, distances in the units of deviations of the variable. Rounding alone
-  /// moves these by up to 6e-11.
+  /// For deterministic quantities: moments relative, mass and energy residual absolute, densities
+  /// relative to their peak, distances in units of the deviation of the variable. Rounding changes
+  /// these by up to 6e-11.
   double deterministic = 1e-8;
-  /// Of a simulation: both runs' standard errors in quadrature.
+  /// For simulations: in standard errors of the difference, those of both runs in quadrature.
   double standard_errors = 4;
 
-  /// Of a closure's coefficients, relative: rounding moves small ones of the formulation `moment`
-  /// by up to 1.5e-7.
+  /// For the coefficients of a closure, relative: rounding changes small coefficients of the
+  /// formulation `moment` by up to 1.5e-7.
   double coefficient() const { return 50 * deterministic; }
-  /// Of mean |log10| differences by decades, absolute: rounding moves those of densities 1e-6 of
-  /// their peak by up to 3e-8.
+  /// For the mean |log10| difference in a decade, absolute: rounding changes that of densities of
+  /// 1e-6 of their peak by up to 3e-8.
   double tail() const { return 100 * deterministic; }
-  /// The deviation that the largest of n independent normal numbers exceeds as rarely as a single
-  /// one exceeds `standard_errors`.
-  double of_the_largest(std::size_t n) const;
+  /// Bonferroni-adjusted threshold: the largest of n standard normal numbers exceeds it as rarely
+  /// as a single number exceeds `standard_errors`.
+  double bonferroni_threshold(std::size_t n) const;
 };
 
-/// @throws InputError naming the option that is no positive number
+/// @throws InputError naming the option whose value is not a positive number
 void validate(const Tolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -10,13 +10,13 @@ using transform::Variable;
 const std::vector<Variable> kY{Variable::y}, kYdot{Variable::ydot}, kBoth{kY[0], kYdot[0]};
 const std::vector<int> kAll{1, 2, 3, 4};
 
-constexpr const char* kNoEighth =
+constexpr const char* kOrderEightQuote =
     "the conventional Newton-Raphson method solving Eq. (23) becomes non-convergent for EPC "
     "(n = 8) in the four examined cases";
-constexpr const char* kLessGaussian =
+constexpr const char* kLessGaussianQuote =
     "It is expected that the PDF solutions of the response become more non-Gaussian when these "
     "parameters increase in their magnitudes.";
-constexpr const char* kConclusion =
+constexpr const char* kConclusionQuote =
     "the PDFs obtained with the proposed solution procedure agree well with the simulated results "
     "when the polynomial order equals six. The tail region of the PDF is also approximated well "
     "for both displacement and velocity.";
@@ -28,7 +28,7 @@ std::string density(const Claim& claim) {
 
 }  // namespace
 
-// {cases, panels, variables, n, relation, rival, the paper's words}
+// {cases, panels, variables, n, relation, rival, quotation}
 const std::vector<Claim>& claims() {
   using enum Relation;
   static const std::vector<Claim> all{
@@ -73,7 +73,7 @@ const std::vector<Claim>& claims() {
        differs,
        0,
        "EPC (n = 4) differs from the simulation result unlike EPC (n = 2) and EPC (n = 6)."},
-      {{1}, "", {}, 8, not_found, 0, kNoEighth},
+      {{1}, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.2
       {{2},
        "ab",
@@ -103,9 +103,9 @@ const std::vector<Claim>& claims() {
       {{2}, "cd", kYdot, 2, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
       {{2}, "cd", kYdot, 4, differs, 0, "EPC (n = 2) and EPC (n = 4) are different from MCS"},
       {{2}, "cd", kYdot, 6, agrees, 0, "whereas EPC (n = 6) agrees well with the simulated result"},
-      {{2}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{2}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{2}, "", {}, 8, not_found, 0, kNoEighth},
+      {{2}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{2}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{2}, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.3
       {{3},
        "ab",
@@ -140,9 +140,9 @@ const std::vector<Claim>& claims() {
        "EPC (n = 6) is in good agreement with the simulated result"},
       {{3}, "cd", kYdot, 6, closer, 2, "which is better than EPC (n = 2) and EPC (n = 4)"},
       {{3}, "cd", kYdot, 6, closer, 4, "which is better than EPC (n = 2) and EPC (n = 4)"},
-      {{3}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{3}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{3}, "", {}, 8, not_found, 0, kNoEighth},
+      {{3}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{3}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{3}, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 3.4
       {{4},
        "ab",
@@ -199,43 +199,43 @@ const std::vector<Claim>& claims() {
        closer_in_tail,
        4,
        "EPC (n = 6) is more accurate than EPC (n = 4) as shown in Fig. 5a, d"},
-      {{4}, "", kY, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{4}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussian},
-      {{4}, "", {}, 8, not_found, 0, kNoEighth},
+      {{4}, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{4}, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
+      {{4}, "", {}, 8, not_found, 0, kOrderEightQuote},
       // Section 4
-      {kAll, "ab", kY, 6, agrees, 0, kConclusion},
-      {kAll, "cd", kYdot, 6, agrees, 0, kConclusion},
+      {kAll, "ab", kY, 6, agrees, 0, kConclusionQuote},
+      {kAll, "cd", kYdot, 6, agrees, 0, kConclusionQuote},
   };
   return all;
 }
 
-std::string words(const Claim& claim) {
-  const auto said = [&](const char* what) {
+std::string claim_text(const Claim& claim) {
+  const auto formatted = [&](const char* what) {
     return fmt::format(fmt::runtime(what), fmt::arg("n", claim.order),
                        fmt::arg("rival", claim.rival),
                        fmt::arg("p", claim.variables.empty() ? "" : density(claim)));
   };
   switch (claim.relation) {
     case Relation::agrees:
-      return said("n={n} agrees with MCS in {p}");
+      return formatted("n={n} agrees with MCS in {p}");
     case Relation::agrees_in_tail:
-      return said("n={n} agrees in the tail of {p}");
+      return formatted("n={n} agrees in the tail of {p}");
     case Relation::differs:
-      return said("n={n} differs from MCS in {p}");
+      return formatted("n={n} differs from MCS in {p}");
     case Relation::differs_in_tail:
-      return said("n={n} differs in the tail of {p}");
+      return formatted("n={n} differs in the tail of {p}");
     case Relation::closer:
-      return said("n={n} is better than n={rival} in {p}");
+      return formatted("n={n} is better than n={rival} in {p}");
     case Relation::closer_in_l1:
-      return said("n={n} is better than n={rival} in {p}, L1");
+      return formatted("n={n} is better than n={rival} in {p}, L1");
     case Relation::closer_in_tail:
-      return said("n={n} is better than n={rival} in {p}, tail");
+      return formatted("n={n} is better than n={rival} in {p}, tail");
     case Relation::further_than_in_case_1:
-      return said("{p} is less Gaussian than in case 1");
+      return formatted("{p} is less Gaussian than in case 1");
     case Relation::is_linearisation:
-      return said("n={n} is equivalent linearisation");
+      return formatted("n={n} is equivalent linearisation");
     case Relation::not_found:
-      return said("n={n} is not found by Newton's method");
+      return formatted("n={n} is not found by Newton's method");
   }
   return "";
 }

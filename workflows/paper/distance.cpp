@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The bins of the tail are those in which a closure is positive: one that has fewer of them than
-// others is 0 in the rest.
-int bins_of_the_tail(const results::Case& one, transform::Variable variable) {
+// Number of bins in the tail. The bins of a row are those where its closure is positive: a closure
+// with fewer bins than others is 0 in part of the tail.
+int tail_bin_count(const results::Case& one, transform::Variable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
     if (row.variable == variable) most = std::max(most, row.tail_bins);
@@ -25,30 +25,32 @@ int bins_of_the_tail(const results::Case& one, transform::Variable variable) {
   return most;
 }
 
-// The end of a budget's chain may be a limit, which is no solution of the case.
-double own_error(const results::Case& one, const compare::BudgetRow& row) {
+// The chain of a budget may end in a Richardson limit, which is not a solution of the case: then
+// the error of the case's reference counts.
+double error_estimate(const results::Case& one, const compare::BudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = compare::reference(one.solutions);
-  return reference == nullptr ? kInfinity : compare::own_error(*reference, row.variable);
+  return reference == nullptr ? kInfinity : compare::error_estimate(*reference, row.variable);
 }
 
 }  // namespace
 
-std::optional<Distance> distance_of(const results::Case& one, int order,
-                                    transform::Variable variable, std::string& missing) {
+std::optional<Distance> distance_to_simulation(const results::Case& one, int order,
+                                               transform::Variable variable, std::string& missing) {
   const auto row = std::ranges::find_if(one.budget, [&](const compare::BudgetRow& of) {
     return of.solution == closure_id(order) && of.variable == variable;
   });
   if (row == one.budget.end()) {
     const auto* closure = one.find(closure_id(order));
     missing = closure != nullptr && closure->has_density()
-                  ? fmt::format("{} has no reference to measure by", one.name())
+                  ? fmt::format("{} has no reference solution", one.name())
                   : fmt::format("{} has no density of {}", one.name(), closure_id(order));
     return std::nullopt;
   }
-  Distance distance{.l1 = row->total, .tail = row->total_tail, .l1_error = own_error(one, *row)};
-  if (row->tail_bins < bins_of_the_tail(one, variable)) distance.tail = kInfinity;
-  if (!row->parts.empty() && row->parts.back().beyond_the_equations()) {
+  Distance distance{
+      .l1 = row->total, .tail = row->total_tail, .l1_error = error_estimate(one, *row)};
+  if (row->tail_bins < tail_bin_count(one, variable)) distance.tail = kInfinity;
+  if (!row->parts.empty() && row->parts.back().is_reference_error()) {
     distance.tail_error = row->parts.back().tail;
   }
   if (!std::isfinite(distance.l1)) {
@@ -56,15 +58,15 @@ std::optional<Distance> distance_of(const results::Case& one, int order,
         fmt::format("the distance of {} in {} is not a number", closure_id(order), one.name());
     return std::nullopt;
   }
-  if (!(distance.l1_error <= kReferencePart * kAgreementL1)) {
-    missing = fmt::format("the reference of {} may itself be off by L1 {:.2g} (simulate longer)",
+  if (!(distance.l1_error <= kMaxReferenceErrorFraction * kAgreementL1)) {
+    missing = fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
                           one.name(), distance.l1_error);
     return std::nullopt;
   }
   return distance;
 }
 
-Distance worse(const Distance& one, const Distance& other) {
+Distance maximum_of_each(const Distance& one, const Distance& other) {
   const auto larger = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
   return {.l1 = std::max(one.l1, other.l1),
           .tail = larger(one.tail, other.tail),

@@ -7,26 +7,26 @@
 
 namespace fpkcheck::paper {
 
-/// How far a closure is from the simulation in one variable, as the error budget has it.
+/// Distance between a closure and the simulation in one variable, from the error budget.
 struct Distance {
   double l1 = 0;
   /// compare::BudgetRow::total_tail; infinite where the closure is 0 in part of the tail, NaN where
-  /// no bin of it is known well.
+  /// no bin of the tail is resolved.
   double tail = 0;
-  double l1_error = 0;  ///< what the simulation says of its own error
-  /// What finite differences and the simulation, which solve the same problem, differ by in the
-  /// tail; 0 where the budget does not say.
+  double l1_error = 0;  ///< error estimate of the reference
+  /// Distance in the tail between finite volumes and the simulation, which solve the same problem;
+  /// 0 where the budget lacks it.
   double tail_error = 0;
 };
 
-/// @param order of the paper's closure
-/// @param missing says in words why there is no distance
-/// @return nothing without the closure, a density of it, or a reference that knows itself well
-///         enough (workflows/paper/criteria.hpp)
-std::optional<Distance> distance_of(const results::Case& one, int order,
-                                    transform::Variable variable, std::string& missing);
+/// @param order order of the paper's closure
+/// @param missing set to the reason where there is no distance
+/// @return empty without the closure, its density, or a reference of sufficient accuracy
+///         (workflows/paper/criteria.hpp)
+std::optional<Distance> distance_to_simulation(const results::Case& one, int order,
+                                               transform::Variable variable, std::string& missing);
 
-/// The larger of all their numbers.
-Distance worse(const Distance& one, const Distance& other);
+/// The maximum of each number of two distances.
+Distance maximum_of_each(const Distance& one, const Distance& other);
 
 }  // namespace fpkcheck::paper

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "report/figure/content.hpp"
+#include "report/figure/density_script.hpp"
 #include "report/figure/ranges.hpp"
-#include "report/figure/script.hpp"
 #include "report/page/density_plots.hpp"
 #include "workflows/paper/claims.hpp"
 
@@ -21,8 +21,8 @@ using results::Case;
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
 
-// Ids here, and what the paper calls them.
-std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
+// Ids of this program, with the names in the paper.
+std::vector<std::pair<std::string, std::string>> paper_names() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
     names.emplace_back(closure_id(order), fmt::format("EPC (n = {})", order));
@@ -31,22 +31,23 @@ std::vector<std::pair<std::string, std::string>> names_in_the_paper() {
   return names;
 }
 
-// The case as the paper's figure shows it: four solutions under other names, and their curves.
-Case as_in_the_paper(const Case& one) {
-  Case shown{.problem = one.problem,
+// The case with the four solutions of the paper's figure, under the names of the paper, and their
+// curves.
+Case paper_figure_case(const Case& case_result) {
+  Case shown{.problem = case_result.problem,
              .solutions = {},
              .pairs = {},
              .budget = {},
              .limits = {},
              .curves = {},
              .joints = {}};
-  for (const auto& [id, paper_name] : names_in_the_paper()) {
-    const auto* solution = one.find(id);
+  for (const auto& [id, paper_name] : paper_names()) {
+    const auto* solution = case_result.find(id);
     if (solution == nullptr) continue;
     shown.solutions.push_back(*solution);
     shown.solutions.back().identity.id = paper_name;
     for (const auto variable : transform::kVariables) {
-      const auto* curve = one.curve(id, variable);
+      const auto* curve = case_result.curve(id, variable);
       if (curve == nullptr) continue;
       shown.curves.push_back(*curve);
       shown.curves.back().solution = paper_name;
@@ -59,37 +60,37 @@ Case as_in_the_paper(const Case& one) {
 template <class Use>
 void for_each_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
-    const auto one = std::ranges::find(run.cases, case_name(number), &Case::name);
-    if (one == run.cases.end()) continue;
+    const auto case_result = std::ranges::find(run.cases, case_name(number), &Case::name);
+    if (case_result == run.cases.end()) continue;
     const int figure = Claim::figure(number);
-    const Case shown = as_in_the_paper(*one);
+    const Case shown = paper_figure_case(*case_result);
     auto content = report::figure_content(shown);
-    if (content.sides.empty()) continue;
-    // The paper has no differences.
+    if (content.marginals.empty()) continue;
+    // The paper's figures show no differences.
     content.reference.clear();
-    for (auto& side : content.sides) {
-      for (auto& drawn : side.curves) drawn.difference = {};
-      // Nor does it judge what it draws: the peaks of all are seen.
-      const auto all_curves = report::figure_ranges(side.curves);
-      side.ranges.linear_top = std::max(side.ranges.linear_top, all_curves.linear_top);
-      side.ranges.largest_density =
-          std::max(side.ranges.largest_density, all_curves.largest_density);
+    for (auto& marginal : content.marginals) {
+      for (auto& drawn : marginal.curves) drawn.difference = {};
+      // The paper's axes include the peaks of all curves, whatever the status of the closure.
+      const auto all_curves = report::figure_ranges(marginal.curves);
+      marginal.ranges.linear_top = std::max(marginal.ranges.linear_top, all_curves.linear_top);
+      marginal.ranges.largest_density =
+          std::max(marginal.ranges.largest_density, all_curves.largest_density);
     }
     use(figure, shown, content);
   }
 }
 
-std::string stem_of(int figure) { return fmt::format("paper-fig-{}", figure); }
+std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure); }
 
 }  // namespace
 
 std::vector<report::Picture> figures(const results::Run& run, report::FigureWidth width) {
   std::vector<report::Picture> all;
   for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
-    const std::string stem = stem_of(figure);
+    const std::string stem = figure_stem(figure);
     problem::Problem titled = shown.problem;
     titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
-    all.push_back({stem, report::figure_script(titled, content, stem, width)});
+    all.push_back({stem, report::density_script(titled, content, stem, width)});
   });
   return all;
 }
@@ -99,10 +100,10 @@ std::vector<std::vector<report::Plot>> figure_plots(const results::Run& run) {
   for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
     std::set<std::string> ids;
     for (const auto& solution : shown.solutions) ids.insert(solution.id());
-    auto plots = report::density_plots(shown, content, ids, stem_of(figure));
+    auto plots = report::density_plots(shown, content, ids, figure_stem(figure));
     for (std::size_t k = 0; k < plots.size(); ++k) {
-      const bool of_y = content.sides[k].variable == transform::Variable::y;
-      plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, of_y ? "a, b" : "c, d",
+      const bool is_y = content.marginals[k].variable == transform::Variable::y;
+      plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",
                                      shown.problem.name, plots[k].caption);
     }
     all.push_back(std::move(plots));

@@ -8,7 +8,7 @@
 
 #include "workflows/paper/criteria.hpp"
 #include "workflows/paper/distance.hpp"
-#include "workflows/paper/linearisation.hpp"
+#include "workflows/paper/linearisation_distance.hpp"
 #include "workflows/paper/measured_text.hpp"
 
 namespace fpkcheck::paper {
@@ -23,11 +23,11 @@ class Judge {
   Judge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
 
   Judgement judgement() {
-    note_status();
-    const std::optional<bool> holds = missing_.empty() ? decided() : std::nullopt;
+    record_status();
+    const std::optional<bool> holds = missing_reason_.empty() ? evaluate_claim() : std::nullopt;
     if (!holds) {
       judgement_.outcome = Outcome::unjudged;
-      judgement_.note = missing_;
+      judgement_.note = missing_reason_;
     } else if (claim().relation == Relation::not_found) {
       judge_search(*holds);
     } else {
@@ -42,20 +42,21 @@ class Judge {
   const Case* find_case(int number) {
     const auto found = std::ranges::find(run_.cases, case_name(number), &Case::name);
     if (found != run_.cases.end()) return &*found;
-    missing_ = fmt::format("the run has no {}", case_name(number));
+    missing_reason_ = fmt::format("the run has no {}", case_name(number));
     return nullptr;
   }
 
-  // Of several cases, that of the first in which the closure is not ok.
-  void note_status() {
+  // Of several cases, the status in the first where the closure is not ok.
+  void record_status() {
     for (const int number : claim().cases) {
-      const Case* one = find_case(number);
-      if (one == nullptr) return;
-      const Solution* closure = one->find(closure_id(claim().order));
+      const Case* case_result = find_case(number);
+      if (case_result == nullptr) return;
+      const Solution* closure = case_result->find(closure_id(claim().order));
       if (closure == nullptr || closure->status == Status::failed) {
-        missing_ = closure == nullptr
-                       ? fmt::format("{} has no {}", one->name(), closure_id(claim().order))
-                       : fmt::format("{} failed in {}", closure->id(), one->name());
+        missing_reason_ =
+            closure == nullptr
+                ? fmt::format("{} has no {}", case_result->name(), closure_id(claim().order))
+                : fmt::format("{} failed in {}", closure->id(), case_result->name());
         return;
       }
       if (judgement_.status && *judgement_.status != Status::ok) continue;
@@ -64,89 +65,92 @@ class Judge {
     }
   }
 
-  // All that the claim is about, the worst of each number.
+  // The maximum of each number over the given cases and the variables of the claim.
   std::optional<Distance> distance(int order, const std::vector<int>& cases) {
     Distance worst;
     for (const int number : cases) {
-      const Case* one = find_case(number);
-      if (one == nullptr) return std::nullopt;
+      const Case* case_result = find_case(number);
+      if (case_result == nullptr) return std::nullopt;
       for (const auto variable : claim().variables) {
-        const auto next = distance_of(*one, order, variable, missing_);
+        const auto next = distance_to_simulation(*case_result, order, variable, missing_reason_);
         if (!next) return std::nullopt;
-        worst = worse(worst, *next);
+        worst = maximum_of_each(worst, *next);
       }
     }
     return worst;
   }
 
-  // A tail that a criterion needs.
+  // True where the tail has a distance; otherwise sets the reason.
   bool has_tail(const Distance& distance) {
     if (!std::isnan(distance.tail)) return true;
-    missing_ = "no bin of the tail is known well";
+    missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
   }
 
-  // Puts the numbers and what they are held to into the judgement; nothing where one is missing.
-  std::optional<bool> decided() {
+  // Sets the measured values and their limits; returns whether the claim holds, or nothing where a
+  // number is missing.
+  std::optional<bool> evaluate_claim() {
     using enum Relation;
     const Relation relation = claim().relation;
     if (relation == not_found) return !newton_converges();
-    if (relation == is_linearisation) return is_the_same_gaussian();
+    if (relation == is_linearisation) return is_same_gaussian();
 
-    const auto own = distance(claim().order, claim().cases);
-    if (!own) return std::nullopt;
+    const auto closure_distance = distance(claim().order, claim().cases);
+    if (!closure_distance) return std::nullopt;
     auto& l1 = judgement_.l1;
     auto& tail = judgement_.tail;
-    l1.value = own->l1;
-    if (!std::isnan(own->tail)) tail.value = own->tail;
+    l1.value = closure_distance->l1;
+    if (!std::isnan(closure_distance->tail)) tail.value = closure_distance->tail;
 
     if (relation == further_than_in_case_1) {
       const auto first = distance(claim().order, {1});
       if (!first) return std::nullopt;
-      l1 = {own->l1, first->l1 + own->l1_error + first->l1_error, true};
-      return l1.complies();
+      l1 = {closure_distance->l1, first->l1 + closure_distance->l1_error + first->l1_error, true};
+      return l1.is_satisfied();
     }
-    const bool of_l1 =
+    const bool uses_l1 =
         relation != agrees_in_tail && relation != differs_in_tail && relation != closer_in_tail;
-    const bool of_tail = relation != closer_in_l1;
-    if (of_tail && !has_tail(*own)) return std::nullopt;
+    const bool uses_tail = relation != closer_in_l1;
+    if (uses_tail && !has_tail(*closure_distance)) return std::nullopt;
     const bool differ = relation == differs || relation == differs_in_tail;
     Distance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
     if (claim().rival != 0) {
       const auto rival = distance(claim().rival, claim().cases);
-      if (!rival || (of_tail && !has_tail(*rival))) return std::nullopt;
-      // Closer by more than what the reference leaves open.
-      limit = {.l1 = rival->l1 - own->l1_error, .tail = rival->tail - own->tail_error};
+      if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
+      // The difference must exceed the error of the reference.
+      limit = {.l1 = rival->l1 - closure_distance->l1_error,
+               .tail = rival->tail - closure_distance->tail_error};
     }
-    if (of_l1) l1 = {own->l1, limit.l1, differ};
-    if (of_tail) tail = {own->tail, limit.tail, differ};
-    if (differ) return l1.complies() || tail.complies();
-    return (!of_l1 || l1.complies()) && (!of_tail || tail.complies());
+    if (uses_l1) l1 = {closure_distance->l1, limit.l1, differ};
+    if (uses_tail) tail = {closure_distance->tail, limit.tail, differ};
+    if (differ) return l1.is_satisfied() || tail.is_satisfied();
+    return (!uses_l1 || l1.is_satisfied()) && (!uses_tail || tail.is_satisfied());
   }
 
-  std::optional<bool> is_the_same_gaussian() {
+  std::optional<bool> is_same_gaussian() {
     double largest = 0;
     for (const int number : claim().cases) {
-      const Case* one = find_case(number);
-      if (one == nullptr) return std::nullopt;
+      const Case* case_result = find_case(number);
+      if (case_result == nullptr) return std::nullopt;
       for (const auto variable : claim().variables) {
-        const auto* curve = one->curve(closure_id(claim().order), variable);
+        const auto* curve = case_result->curve(closure_id(claim().order), variable);
         if (curve == nullptr) {
-          missing_ = fmt::format("{} has no density of {}", one->name(), closure_id(claim().order));
+          missing_reason_ = fmt::format("{} has no density of {}", case_result->name(),
+                                        closure_id(claim().order));
           return std::nullopt;
         }
-        largest = std::max(largest, l1_to_linearisation(*curve, one->problem));
+        largest = std::max(largest, l1_to_linearisation(*curve, case_result->problem));
       }
     }
     judgement_.l1 = {largest, kSameGaussianL1};
-    return judgement_.l1.complies();
+    return judgement_.l1.is_satisfied();
   }
 
-  // Runs of older programs do not say by which steps a root was found.
+  // Runs of older programs lack the metric: then plain Newton steps are assumed to have converged.
   bool newton_converges() {
     const Solution* closure = find_case(claim().cases.front())->find(closure_id(claim().order));
     if (closure->status == Status::not_converged) return false;
-    const auto* observed = transform::find(closure->observations, "plain_newton_converges");
+    const auto* observed = transform::find(closure->metrics, "plain_newton_converges");
     const auto* converges = observed == nullptr ? nullptr : std::get_if<bool>(&observed->value);
     return converges == nullptr || *converges;
   }
@@ -155,28 +159,28 @@ class Judge {
     judgement_.outcome = holds ? Outcome::established : Outcome::not_established;
     if (judgement_.status == Status::not_converged) return;
     judgement_.note = fmt::format("{} a root{}",
-                                  holds ? "plain Newton steps find none, but other means find"
+                                  holds ? "plain Newton steps find no root, but other methods find"
                                         : "plain Newton steps from equivalent linearisation find",
                                   is_no_density() ? fmt::format(", which {}", kNoDensity) : "");
   }
 
   void judge_distances(bool holds) {
     judgement_.outcome = holds ? Outcome::established : Outcome::not_established;
-    const bool praised =
+    const bool claims_accuracy =
         claim().relation != Relation::differs && claim().relation != Relation::differs_in_tail;
-    if (!holds) judgement_.note = shortfalls();
-    if (!praised || !is_no_density()) return;
+    if (!holds) judgement_.note = unmet_limits_text();
+    if (!claims_accuracy || !is_no_density()) return;
     if (holds) judgement_.outcome = Outcome::qualified;
     judgement_.note += fmt::format("{}n={} {}", holds ? "" : "; and ", claim().order, kNoDensity);
   }
 
   bool is_no_density() const { return judgement_.status == Status::inadmissible; }
 
-  std::string shortfalls() const {
+  std::string unmet_limits_text() const {
     std::string text;
-    const auto add = [&](const char* what, const Measured& of, const std::string& value,
+    const auto add = [&](const char* what, const MeasuredNumber& of, const std::string& value,
                          const std::string& limit) {
-      if (!of.limit || of.complies()) return;
+      if (!of.limit || of.is_satisfied()) return;
       text += fmt::format("{}{} {} is {} {}", text.empty() ? "" : ", ", what, value,
                           of.above ? "not above" : "above", limit);
     };
@@ -187,11 +191,11 @@ class Judge {
   }
 
   static constexpr const char* kNoDensity =
-      "meets its equations yet is no probability density (inadmissible)";
+      "solves its equations but is no probability density (inadmissible)";
 
   const results::Run& run_;
   Judgement judgement_;
-  std::string missing_;
+  std::string missing_reason_;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-/// Numbers of a judgement as tables and sentences show them; empty for what is not there.
+/// Numbers of a judgement as text for tables and sentences; absent numbers are empty.
 namespace fpkcheck::paper {
 
 std::string l1_text(const std::optional<double>& l1);

@@ -8,9 +8,9 @@
 
 #include "report/page/html.hpp"
 #include "report/page/plot.hpp"
+#include "workflows/paper/claims_files.hpp"
+#include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/figures.hpp"
-#include "workflows/paper/files.hpp"
-#include "workflows/paper/table.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -23,16 +23,18 @@ std::string list_html(const std::vector<std::string>& lines) {
 
 std::string claims_table(std::span<const Judgement> judgements) {
   using report::Align;
-  std::vector<report::HtmlColumn> columns{
-      {"case", Align::left},           {"Fig.", Align::left},
-      {"the paper says", Align::left}, {"L1"},
-      {"wanted", Align::left},         {"tail"},
-      {"wanted", Align::left},         {"came out", Align::left}};
+  std::vector<report::HtmlColumn> columns{{"case", Align::left},
+                                          {"Fig.", Align::left},
+                                          {"claim of the paper", Align::left},
+                                          {"L1"},
+                                          {"required", Align::left},
+                                          {"tail"},
+                                          {"required", Align::left},
+                                          {"outcome", Align::left}};
   columns.back().is_status = true;
   for (const auto& row : rows(judgements)) {
-    const std::string* const cells[] = {&row.cases,       &row.figure,    &row.claim,
-                                        &row.l1,          &row.l1_wanted, &row.tail,
-                                        &row.tail_wanted, &row.outcome};
+    const std::string* const cells[] = {&row.cases,    &row.figure, &row.claim,      &row.l1,
+                                        &row.l1_limit, &row.tail,   &row.tail_limit, &row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) {
       columns[k].cells.emplace_back(cells[k]->empty() ? report::kNoValue : *cells[k]);
     }
@@ -40,27 +42,27 @@ std::string claims_table(std::span<const Judgement> judgements) {
   return report::table_html("The claims, and the numbers that decide them", std::move(columns));
 }
 
-// The paper's words, for whoever has not the paper at hand.
+// Quotations, for readers without the paper at hand.
 std::string quotes(std::span<const Judgement> judgements) {
   std::vector<std::string> lines;
-  for (const auto& one : judgements) {
-    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(one.claim),
-                                words(one.claim), one.claim.quote));
+  for (const auto& judgement : judgements) {
+    lines.push_back(fmt::format("case {}, {}: \u201c{}\u201d", cases_text(judgement.claim),
+                                claim_text(judgement.claim), judgement.claim.quote));
   }
-  return report::folded("claims-quotes", "The claims in the paper's own words", list_html(lines));
+  return report::details_html("claims-quotes", "Quotations of the claims", list_html(lines));
 }
 
 report::PageSection section(std::span<const Judgement> judgements, const results::Run& run) {
   report::PageSection section{
       .anchor = "claims", .heading = "The paper's claims", .html = {}, .groups = figure_plots(run)};
   auto sentences = summary(judgements);
-  sentences.erase(sentences.begin());  // opens the page
+  sentences.erase(sentences.begin());  // the page begins with this sentence
   for (const auto& sentence : sentences) section.html += report::element("p", sentence);
   section.html += claims_table(judgements);
   for (const auto& sentence : criteria()) section.html += report::element("p", sentence);
-  section.html += report::folded("claims-notes", "What must be said of single claims",
-                                 list_html(notes(judgements))) +
-                  quotes(judgements);
+  section.html +=
+      report::details_html("claims-notes", "Notes on single claims", list_html(notes(judgements))) +
+      quotes(judgements);
   if (!section.groups.empty()) {
     section.html +=
         "<h3 id=\"paper-figures\">The paper's figures, by the densities of this run</h3>\n";
@@ -81,7 +83,7 @@ report::Supplement supplement(std::span<const Judgement> judgements, const resul
           .pictures = figures(run, width)};
 }
 
-bool is_run_of_paper(const results::Run& run) {
+bool is_paper_run(const results::Run& run) {
   const std::string command = run.program.command + ' ';
   return command.starts_with("fpkcheck paper ") && run.stopped.empty();
 }

@@ -10,14 +10,14 @@
 
 namespace fpkcheck::paper {
 
-/// What the paper's claims add to the report of a run: their summary, table and files, a section of
-/// the page with the table and the paper's figures, and these as pictures.
-/// @param judgements of the run
-/// @param format     of the table on a terminal
+/// The paper's claims as a supplement to the report of a run: their summary, table and files, a
+/// section of the page with the table and the paper's figures, and the same figures as pictures.
+/// @param judgements the judgements of this run
+/// @param format     text format of the table for the terminal
 report::Supplement supplement(std::span<const Judgement> judgements, const results::Run& run,
                               report::FigureWidth width, const report::TextFormat& format = {});
 
-/// Whether a run is one of `fpkcheck paper` that came to its end: then its report has the claims.
-bool is_run_of_paper(const results::Run& run);
+/// Whether a run is a complete run of `fpkcheck paper`: then its report includes the claims.
+bool is_paper_run(const results::Run& run);
 
 }  // namespace fpkcheck::paper

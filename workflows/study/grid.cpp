@@ -10,25 +10,26 @@
 #include "base/input_error.hpp"
 #include "compare/axes.hpp"
 #include "fd_fpk/solve.hpp"
-#include "workflows/study/kinds.hpp"
+#include "workflows/study/method_variants.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using transform::Level;
+using transform::GridLevel;
 using transform::Solution;
 
-// The box ends where the density is this small relative to its peak, so that what lies beyond does
-// not limit the convergence.
+// Density on the outer walls of the box, relative to the peak: so small that the mass beyond the
+// box does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
-/// The problem with what every solve of the study shares.
-class Solving {
+/// Solves the problem on grids and by other methods, with the axes, options and progress that all
+/// solves share.
+class GridStudySolver {
  public:
-  Solving(const problem::Problem& problem, const GridStudyOptions& options, std::size_t total,
-          const methods::ProgressListener& listener)
+  GridStudySolver(const problem::Problem& problem, const GridStudyOptions& options,
+                  std::size_t total, const methods::ProgressListener& listener)
       : problem_(problem),
-        axes_(compare::even_axes(compare::comparison_axes(problem))),
+        axes_(compare::uniform_axes(compare::comparison_axes(problem))),
         options_(options),
         listener_(listener),
         total_(total) {}
@@ -36,9 +37,9 @@ class Solving {
   GridRow grid(int order, int level) {
     GridRow row{.order = order,
                 .level = level,
-                .refinement = options_.coarsest * std::pow(transform::kLevelRatio, level - 1),
+                .refinement = options_.coarsest * std::pow(transform::kRefinementRatio, level - 1),
                 .solution = {}};
-    tell(fmt::format("order {}, level {}", order, level), 0, "");
+    report_progress(fmt::format("order {}, level {}", order, level), 0, "");
     auto found = fd_fpk::solve(problem_, {.equation = options_.equation,
                                           .impact = options_.impact,
                                           .stepper = fd_fpk::Stepper::direct,
@@ -57,7 +58,7 @@ class Solving {
     row.solution = std::move(found.solution);
     row.density = density(row.solution);
     if (row.density) {
-      // All grids share a box: where it ends is no part of the convergence.
+      // All grids use one box, so that its size does not affect the convergence.
       y_max_ = found.summary.x1_max;
       v_max_ = found.summary.x2_max;
     }
@@ -65,22 +66,22 @@ class Solving {
   }
 
   Solution solve(const methods::Method& method) {
-    const methods::Fraction progress = [&](double fraction, const std::string& note) {
-      tell(method.id(), fraction, note);
+    const methods::ProgressCallback progress = [&](double fraction, const std::string& note) {
+      report_progress(method.id(), fraction, note);
     };
     progress(0, "");
-    Solution solution = methods::solve_by(method, problem_, {axes_, progress});
+    Solution solution = methods::solve_with(method, problem_, {axes_, progress});
     ++done_;
     return solution;
   }
 
-  std::optional<Level> density(const Solution& solution) const {
+  std::optional<GridLevel> density(const Solution& solution) const {
     if (!solution.has_density()) return std::nullopt;
     return transform::level(solution, axes_.y_edges, axes_.v_edges);
   }
 
  private:
-  void tell(const std::string& method, double fraction, const std::string& note) const {
+  void report_progress(const std::string& method, double fraction, const std::string& note) const {
     if (listener_) listener_({done_, total_, problem_.name, method, fraction, note});
   }
 
@@ -92,9 +93,10 @@ class Solving {
   std::optional<double> y_max_{}, v_max_{};
 };
 
-// Why three grids have no limit; empty where they have one. Only where the finest density is ok,
-// and they converge: else the extrapolation leads away.
-std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow& fine) {
+// The reason why three grids have no limit; empty where there is a limit. The finest density must
+// be ok and the grids must converge: otherwise the extrapolation increases the error.
+std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
+                                 const GridRow& fine) {
   for (const GridRow* grid : {&coarse, &middle, &fine}) {
     if (grid->density && (grid != &fine || fine.solution.is_ok())) continue;
     return fmt::format("one of the three finest grids is {} ({})", name(grid->solution.status),
@@ -103,76 +105,78 @@ std::string obstacle(const GridRow& coarse, const GridRow& middle, const GridRow
   for (const auto& [before, here] : {std::pair(&coarse, &middle), std::pair(&middle, &fine)}) {
     if (before->nx != here->nx || before->nv != here->nv) continue;
     return fmt::format(
-        "two of the three finest levels have the same {} x {} cells, the fewest there are (begin "
-        "with a larger --coarsest)",
+        "two of the three finest levels have the same {} x {} cells, the smallest grid; use a "
+        "larger --coarsest",
         here->nx, here->nv);
   }
   if (transform::has_limit(fine.observed->l1, fine.order)) return "";
   if (fine.observed->l1 > fine.order) {
     return fmt::format(
-        "the differences fall at order {:.2g}, more than a scheme of order {} explains (begin with a "
-        "larger --coarsest)",
+        "the observed order {:.2g} exceeds what a scheme of order {} explains; use a larger "
+        "--coarsest",
         fine.observed->l1, fine.order);
   }
   return fmt::format(
-      "the differences fall at order {:.2g} only, and the limit takes {} (refine the origin, or "
-      "take finer levels)",
-      fine.observed->l1, transform::kLeastOrderOfALimit);
+      "the observed order {:.2g} is below {}, the minimum for a limit; refine the origin or use "
+      "finer levels",
+      fine.observed->l1, transform::kMinOrderForLimit);
 }
 
-// The orders that the grids of a scheme show, and what they tend to.
+// Sets the observed orders of the grids of a scheme, and returns their Richardson limit.
 GridLimit limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
                &fine = grids[k].density;
     if (!coarse || !middle || !fine) continue;
-    grids[k].observed =
-        transform::observed_orders(transform::change(*coarse, *middle),
-                                   transform::change(*middle, *fine), transform::kLevelRatio);
+    grids[k].observed = transform::observed_orders(transform::level_difference(*coarse, *middle),
+                                                   transform::level_difference(*middle, *fine),
+                                                   transform::kRefinementRatio);
   }
   const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
-  GridLimit limit{.order = fine.order, .none = obstacle(coarse, middle, fine)};
-  if (!limit.none.empty()) return limit;
-  const auto found = transform::richardson(transform::change(*coarse.density, *middle.density),
-                                           transform::change(*middle.density, *fine.density),
-                                           transform::kLevelRatio, fine.order);
+  GridLimit limit{.order = fine.order, .failure = reason_without_limit(coarse, middle, fine)};
+  if (!limit.failure.empty()) return limit;
+  const auto found =
+      transform::richardson_estimate(transform::level_difference(*coarse.density, *middle.density),
+                                     transform::level_difference(*middle.density, *fine.density),
+                                     transform::kRefinementRatio, fine.order);
   limit.density = transform::limit(*middle.density, *fine.density, found.factor);
   limit.error = found.error.moments;
   return limit;
 }
 
-std::optional<MarginalL1> l1(const std::optional<Level>& one, const std::optional<Level>& other) {
+std::optional<MarginalL1> l1(const std::optional<GridLevel>& one,
+                             const std::optional<GridLevel>& other) {
   if (!one || !other) return std::nullopt;
   return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
 }
 
-// A grid alone estimates no error: it is what the grids tend to that measures it.
-void state_error(GridRow& row) {
+// A grid alone has no error estimate: the distance to the limit is the error estimate.
+void set_error_estimate(GridRow& row) {
   if (row.l1) {
-    row.solution.error = transform::StatedError{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
+    row.solution.error = transform::ErrorEstimate{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
   }
-  transform::require_stated_error(row.solution);
+  transform::require_error_estimate(row.solution);
 }
 
-fd_fpk::Options of_grids(const GridStudyOptions& options) {
+fd_fpk::Options grid_options(const GridStudyOptions& options) {
   return {.equation = options.equation, .impact = options.impact};
 }
 
 }  // namespace
 
 void validate(const GridStudyOptions& options) {
-  constexpr int kFewest = 3, kMost = 9;
-  if (options.levels < kFewest || options.levels > kMost) {
+  constexpr int kMinLevels = 3, kMaxLevels = 9;
+  if (options.levels < kMinLevels || options.levels > kMaxLevels) {
     throw InputError(
-        fmt::format("--levels {} (an observed order takes 3, and 9 are 256 times the coarsest "
-                    "cells; use 3 .. 9)",
+        fmt::format("--levels {} (must be 3 .. 9: an observed order needs 3 levels, and level 9 "
+                    "has 256 times the cells of level 1)",
                     options.levels));
   }
   if (options.orders.empty()) {
-    throw InputError("--orders: the list is empty (use some of 2 .. 8)");
+    throw InputError("--orders: the list is empty; use some of 2 .. 8");
   }
   for (const int order : options.orders) {
-    auto of_order = of_grids(options);
+    auto of_order = grid_options(options);
     of_order.order = order;
     fd_fpk::validate(of_order);
   }
@@ -184,12 +188,13 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
                      const methods::Registry& registry, const methods::ProgressListener& listener) {
   validate(options);
   const std::set<int> orders(options.orders.begin(), options.orders.end());
-  const auto others = other_methods(registry, options.equation, options.impact, options.simulation);
+  const auto others =
+      comparison_methods(registry, options.equation, options.impact, options.simulation);
   methods::require_solvable({problem}, others);
-  Solving solving(problem, options,
-                  orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
-                  listener);
-  GridStudy study{problem, fd_fpk::identity(of_grids(options)), {}, {}, {}};
+  GridStudySolver solving(problem, options,
+                          orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
+                          listener);
+  GridStudy study{problem, fd_fpk::identity(grid_options(options)), {}, {}, {}};
   for (const int order : orders) {
     std::vector<GridRow> grids;
     for (int level = 1; level <= options.levels; ++level) {
@@ -198,30 +203,30 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     study.limits.push_back(limit(grids));
     std::ranges::move(grids, std::back_inserter(study.rows));
   }
-  const auto& truth = study.truth().density;
+  const auto& reference_limit = study.reference_limit().density;
   for (auto& row : study.rows) {
-    row.l1 = l1(row.density, truth);
-    state_error(row);
+    row.l1 = l1(row.density, reference_limit);
+    set_error_estimate(row);
   }
-  for (auto& one : study.limits) one.l1 = l1(one.density, truth);
-  if (!truth) return study;  // nothing to measure others by
-  if (study.limits.size() > 1) study.known_to = study.limits.end()[-2].l1;
+  for (auto& one : study.limits) one.l1 = l1(one.density, reference_limit);
+  if (!reference_limit) return study;  // without a limit other methods have no reference
+  if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);
-    const auto distance = l1(solving.density(solution), truth);
-    transform::require_stated_error(solution);
+    const auto distance = l1(solving.density(solution), reference_limit);
+    transform::require_error_estimate(solution);
     study.others.push_back({std::move(solution), distance});
   }
   return study;
 }
 
-bool reached(const GridStudy& study) {
+bool has_converged(const GridStudy& study) {
   for (std::size_t k = 0; k < study.rows.size(); ++k) {
     const bool finest =
         k + 1 == study.rows.size() || study.rows[k + 1].order != study.rows[k].order;
     if (finest && study.rows[k].solution.status == transform::Status::failed) return false;
   }
-  return study.truth().none.empty();
+  return study.reference_limit().failure.empty();
 }
 
 }  // namespace fpkcheck::study

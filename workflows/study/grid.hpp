@@ -14,85 +14,85 @@
 
 namespace fpkcheck::study {
 
-/// Which grids to study.
+/// Grids of a grid study.
 struct GridStudyOptions {
   problem::Equation equation = problem::Equation::kf;
   problem::Impact impact = problem::Impact::map;
-  std::vector<int> orders{3, 5, 7};           ///< of the scheme
-  int levels = 5;                             ///< grids per order, at least 3
+  std::vector<int> orders{3, 5, 7};           ///< orders of the scheme
+  int levels = 5;                             ///< number of grids for each order, at least 3
   double coarsest = 0.5;                      ///< refinement of the first level
-  std::optional<double> origin_refinement{};  ///< as fd_fpk::Options has it
-  /// Options of the simulation that stands beside the grids; all others are as usual.
+  std::optional<double> origin_refinement{};  ///< as in fd_fpk::Options
+  /// Options of the simulation that is compared with the grids; all others have their defaults.
   base::Values simulation{};
 };
 
-/// @throws InputError naming the option, its value and what is allowed
+/// @throws InputError naming the option, its value and its range
 void validate(const GridStudyOptions& options);
 
-/// A grid of a scheme.
+/// The solution on one grid.
 struct GridRow {
   int order = 0;  ///< of the scheme
   int level = 1;
   double refinement = 1, origin_refinement = 1;
-  int nx = 0, nv = 0;  ///< cells
+  int nx = 0, nv = 0;  ///< numbers of cells in y and y'
   transform::Solution solution;
-  std::optional<transform::Level> density = {};            ///< where it has one
-  std::optional<transform::ObservedOrders> observed = {};  ///< with the two levels before
-  std::optional<MarginalL1> l1 = {};                       ///< to the limit
+  std::optional<transform::GridLevel> density = {};        ///< empty without a density
+  std::optional<transform::ObservedOrders> observed = {};  ///< from this level and two before
+  std::optional<MarginalL1> l1 = {};                       ///< distance to the limit
 };
 
-/// What the grids of a scheme tend to, from the last three levels.
+/// The Richardson limit of the grids of a scheme, from the last three levels.
 struct GridLimit {
   int order = 0;
-  std::string none = {};  ///< why there is no limit; empty where there is one
-  std::optional<transform::Level> density = {};
-  transform::Moments error = {};      ///< what the extrapolation added to the moments, absolute
-  std::optional<MarginalL1> l1 = {};  ///< to that of the highest order
+  std::string failure = {};  ///< reason why there is no limit; empty where there is a limit
+  std::optional<transform::GridLevel> density = {};
+  transform::Moments error = {};      ///< differences of the moments to the finest grid, absolute
+  std::optional<MarginalL1> l1 = {};  ///< distance to the limit of the highest order
 };
 
-/// A closure or a simulation beside them.
-struct OtherRow {
+/// A closure or a simulation that is compared with the grids.
+struct ComparedMethodRow {
   transform::Solution solution;
   std::optional<MarginalL1> l1 = {};
 };
 
-/// Everything is measured by the limit at the highest order.
+/// Result of a grid study; the limit at the highest order is the reference of all distances.
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
-  transform::Identity grids;      ///< what the finite differences solve
-  std::vector<GridRow> rows;      ///< by order, then by level
-  std::vector<GridLimit> limits;  ///< by order
-  std::vector<OtherRow> others;   ///< none without a limit
-  /// How far the limit is known: its distance to that of the next lower order.
-  std::optional<MarginalL1> known_to = {};
+  transform::Identity grids;              ///< equation and impact of the finite volumes
+  std::vector<GridRow> rows;              ///< by order, then by level
+  std::vector<GridLimit> limits;          ///< by order
+  std::vector<ComparedMethodRow> others;  ///< empty without a limit
+  /// Accuracy of the limit: its distance to the limit of the next lower order.
+  std::optional<MarginalL1> limit_accuracy = {};
 
-  const GridLimit& truth() const { return limits.back(); }
+  const GridLimit& reference_limit() const { return limits.back(); }
 };
 
-/// Solves a problem on grids of every order and level (null vector alone, one after the other, all
-/// on the box of the first), by the closures and simulations of the same equation (other_methods),
-/// and measures all by the Richardson limit at the highest order. Without densities that are ok, or
-/// at an observed order below transform::kLeastOrderOfALimit, there is no limit, and no other
-/// method is run.
-/// @throws InputError as validate does
+/// Solves a problem on grids of every order and level: by the null vector alone, one after the
+/// other, all on the box of the first grid. Then solves by the closures and simulations of the same
+/// equation (comparison_methods). The Richardson limit at the highest order is the reference of all
+/// distances. There is no limit where a density is missing or not ok, or where the observed order
+/// is below transform::kMinOrderForLimit; then no other method is run.
+/// @throws InputError as validate
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
 
-/// True when there is a limit, and no order's finest grid failed: coarse ones are looked at.
-bool reached(const GridStudy& study);
+/// True when there is a limit and the finest grid of no order failed; coarse grids may fail.
+bool has_converged(const GridStudy& study);
 
-/// The parts of `output`.
+/// The parts of a StudyOutput.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
-/// Grids, limits and other methods, and which method is the quickest for which accuracy.
+/// Grids, limits and other methods, and the fastest method for each accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
-/// L1 distance over the cell width by order, and over the time by all methods.
+/// L1 distance against the cell width by order, and against the time for all methods.
 std::string figure(const GridStudy& study, const std::string& file_stem,
                    report::FigureWidth width = report::FigureWidth::screen);
 
 Record record(const GridRow& row);
 Record record(const GridLimit& limit);
-Record record(const OtherRow& row);
+Record record(const ComparedMethodRow& row);
 
 }  // namespace fpkcheck::study

@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 
-#include "transform/observation.hpp"
+#include "transform/metric.hpp"
 #include "workflows/study/grid.hpp"
 
 namespace fpkcheck::study {
 
 using base::Value;
-using transform::counted;
+using transform::count_value;
 using transform::Moments;
 using transform::ObservedOrders;
 
 Record record(const GridRow& row) {
-  Record record{{"order", counted(row.order)},  {"level", counted(row.level)},
-                {"refinement", row.refinement}, {"nx", counted(row.nx)},
-                {"nv", counted(row.nv)},        {"origin_refinement", row.origin_refinement}};
+  Record record{{"order", count_value(row.order)}, {"level", count_value(row.level)},
+                {"refinement", row.refinement},    {"nx", count_value(row.nx)},
+                {"nv", count_value(row.nv)},       {"origin_refinement", row.origin_refinement}};
   add_outcome(row.solution, row.l1, record);
   record.push_back({"observed_order.l1", value(row.observed, &ObservedOrders::l1)});
   record.push_back({"observed_order.y2", value(row.observed, &ObservedOrders::y2)});
@@ -24,11 +24,11 @@ Record record(const GridRow& row) {
 }
 
 Record record(const GridLimit& limit) {
-  Record record{{"order", counted(limit.order)},
+  Record record{{"order", count_value(limit.order)},
                 {"l1_y", value(limit.l1, &MarginalL1::y)},
                 {"l1_ydot", value(limit.l1, &MarginalL1::ydot)}};
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    if (moment == &Moments::v1) continue;  // 0 whatever the density
+    if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     const bool known = limit.density.has_value();
     record.push_back({name, known ? Value(limit.density->moments.*moment) : Value()});
     record.push_back({fmt::format("{}_error", name), known ? Value(limit.error.*moment) : Value()});
@@ -36,45 +36,48 @@ Record record(const GridLimit& limit) {
   return record;
 }
 
-Record record(const OtherRow& row) {
-  const auto& who = row.solution.identity;
-  Record record{{"id", who.id},
-                {"method", who.method},
-                {"formulation", who.formulation.empty() ? Value() : Value(who.formulation)},
-                {"order", who.order ? counted(*who.order) : Value()}};
+Record record(const ComparedMethodRow& row) {
+  const auto& identity = row.solution.identity;
+  Record record{
+      {"id", identity.id},
+      {"method", identity.method},
+      {"formulation", identity.formulation.empty() ? Value() : Value(identity.formulation)},
+      {"order", identity.order ? count_value(*identity.order) : Value()}};
   add_outcome(row.solution, row.l1, record);
   const auto& sampling = row.solution.sampling;
   if (!sampling) {
     record.push_back({"sampling_l1", {}});
     return record;
   }
-  record.push_back({"sampling_l1.y", transform::value_of(sampling->y)});
-  record.push_back({"sampling_l1.ydot", transform::value_of(sampling->ydot)});
-  record.push_back({"sampling_l1.y_99", transform::value_of(sampling->y_99)});
-  record.push_back({"sampling_l1.ydot_99", transform::value_of(sampling->ydot_99)});
+  record.push_back({"sampling_l1.y", transform::optional_value(sampling->y)});
+  record.push_back({"sampling_l1.ydot", transform::optional_value(sampling->ydot)});
+  record.push_back({"sampling_l1.y_99", transform::optional_value(sampling->y_99)});
+  record.push_back({"sampling_l1.ydot_99", transform::optional_value(sampling->ydot_99)});
   return record;
 }
 
 std::string json(const GridStudy& study, const std::string& command) {
-  const GridLimit& truth = study.truth();
-  return json_of(GridStudy::kName, study.problem, command,
-                 {{"equation", std::string(problem::name(*study.grids.equation))},
-                  {"impact", std::string(problem::name(*study.grids.impact))},
-                  {"ratio", transform::kLevelRatio},
-                  {"truth.order", truth.none.empty() ? counted(truth.order) : Value()},
-                  {"truth.reason", truth.none},
-                  {"truth.known_to.y", value(study.known_to, &MarginalL1::y)},
-                  {"truth.known_to.ydot", value(study.known_to, &MarginalL1::ydot)}},
-                 {{"limits", records(study.limits)},
-                  {"rows", records(study.rows)},
-                  {"others", records(study.others)}});
+  const GridLimit& reference_limit = study.reference_limit();
+  return study_json(
+      GridStudy::kName, study.problem, command,
+      {{"equation", std::string(problem::name(*study.grids.equation))},
+       {"impact", std::string(problem::name(*study.grids.impact))},
+       {"ratio", transform::kRefinementRatio},
+       {"truth.order",
+        reference_limit.failure.empty() ? count_value(reference_limit.order) : Value()},
+       {"truth.reason", reference_limit.failure},
+       {"truth.known_to.y", value(study.limit_accuracy, &MarginalL1::y)},
+       {"truth.known_to.ydot", value(study.limit_accuracy, &MarginalL1::ydot)}},
+      {{"limits", records(study.limits)},
+       {"rows", records(study.rows)},
+       {"others", records(study.others)}});
 }
 
 std::string csv(const GridStudy& study) {
   auto rows = records(study.rows);
   for (auto& row : rows) row.push_back({"id", study.grids.id});
   for (const auto& other : study.others) rows.push_back(record(other));
-  return csv_of(
+  return csv_text(
       rows, "id order level nx nv status l1_y l1_ydot observed_order=observed_order.l1 seconds");
 }
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "workflows/study/grid.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using report::wrapped;
+using report::wrap_text;
 
 constexpr const char* kL1 = "L1 to the limit";
 constexpr const char* kObserved = "observed order";
@@ -36,120 +36,121 @@ std::vector<Record> timed_records(const std::vector<Row>& rows) {
 std::string grids(const GridStudy& study, const report::TextFormat& format) {
   auto rows = timed_records(study.rows);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k].push_back({"cells", cells(study.rows[k])});
-  return table_of(rows,
-                  {{"", "order", "order", ""},
-                   {"", "cells", "cells", ""},
-                   {"", "status", "status", ""},
-                   {kL1, "p(y)", "l1_y", "{:.1e}"},
-                   {kL1, "p(y')", "l1_ydot", "{:.1e}"},
-                   {kObserved, "L1", "observed_order.l1", "{:.1f}"},
-                   {kObserved, "E[y^2]", "observed_order.y2", "{:.1f}", 1},
-                   {kObserved, "E[y'^2]", "observed_order.v2", "{:.1f}", 1},
-                   {"", "ms", "ms", ""}},
-                  format);
+  return table_text(rows,
+                    {{"", "order", "order", ""},
+                     {"", "cells", "cells", ""},
+                     {"", "status", "status", ""},
+                     {kL1, "p(y)", "l1_y", "{:.1e}"},
+                     {kL1, "p(y')", "l1_ydot", "{:.1e}"},
+                     {kObserved, "L1", "observed_order.l1", "{:.1f}"},
+                     {kObserved, "E[y^2]", "observed_order.y2", "{:.1f}", 1},
+                     {kObserved, "E[y'^2]", "observed_order.v2", "{:.1f}", 1},
+                     {"", "ms", "ms", ""}},
+                    format);
 }
 
 std::string limits(const GridStudy& study, const report::TextFormat& format) {
-  return table_of(records(study.limits),
-                  {{kLimit, "order", "order", ""},
-                   {kLimit, "E[y^2]", "y2", "{:.8g}"},
-                   {kLimit, "+-", "y2_error", "{:.0e}", 1},
-                   {kLimit, "E[y'^2]", "v2", "{:.8g}"},
-                   {kLimit, "+-", "v2_error", "{:.0e}", 1},
-                   {kLimit, "E[y^4]", "y4", "{:.7g}", 2},
-                   {kLimit, "E[y'^4]", "v4", "{:.7g}", 2},
-                   {kL1, "p(y)", "l1_y", "{:.1e}"},
-                   {kL1, "p(y')", "l1_ydot", "{:.1e}"}},
-                  format);
+  return table_text(records(study.limits),
+                    {{kLimit, "order", "order", ""},
+                     {kLimit, "E[y^2]", "y2", "{:.8g}"},
+                     {kLimit, "+-", "y2_error", "{:.0e}", 1},
+                     {kLimit, "E[y'^2]", "v2", "{:.8g}"},
+                     {kLimit, "+-", "v2_error", "{:.0e}", 1},
+                     {kLimit, "E[y^4]", "y4", "{:.7g}", 2},
+                     {kLimit, "E[y'^4]", "v4", "{:.7g}", 2},
+                     {kL1, "p(y)", "l1_y", "{:.1e}"},
+                     {kL1, "p(y')", "l1_ydot", "{:.1e}"}},
+                    format);
 }
 
 std::string others(const GridStudy& study, const report::TextFormat& format) {
   if (study.others.empty()) return "";
-  return '\n' + table_of(timed_records(study.others),
-                         {{"", "other methods", "id", "", report::kAlwaysShown, true},
-                          {"", "status", "status", ""},
-                          {kL1, "p(y)", "l1_y", "{:.1e}"},
-                          {kL1, "p(y')", "l1_ydot", "{:.1e}"},
-                          {"", "ms", "ms", ""}},
-                         format);
+  return '\n' + table_text(timed_records(study.others),
+                           {{"", "other methods", "id", "", report::kAlwaysShown, true},
+                            {"", "status", "status", ""},
+                            {kL1, "p(y)", "l1_y", "{:.1e}"},
+                            {kL1, "p(y')", "l1_ydot", "{:.1e}"},
+                            {"", "ms", "ms", ""}},
+                           format);
 }
 
 std::string name_of(const GridRow& row) {
   return fmt::format("order {} on {} cells", row.order, cells(row));
 }
-std::string name_of(const OtherRow& row) { return row.solution.id(); }
+std::string name_of(const ComparedMethodRow& row) { return row.solution.id(); }
 
-/// One way to a density, and its cost.
-struct Way {
+/// A method with its wall-clock time.
+struct TimedMethod {
   std::string name;
   double seconds;
 };
 
 template <class Row>
-void keep_quickest(const Row& row, double accuracy, std::optional<Way>& best) {
+void update_fastest(const Row& row, double accuracy, std::optional<TimedMethod>& best) {
   if (!row.solution.is_ok() || !row.l1 || !(std::max(row.l1->y, row.l1->ydot) <= accuracy)) return;
   if (!best || row.solution.seconds < best->seconds) best = {name_of(row), row.solution.seconds};
 }
 
-std::string quickest_sentence(const GridStudy& study, double accuracy) {
-  std::optional<Way> grid, closure, simulation;
-  for (const auto& row : study.rows) keep_quickest(row, accuracy, grid);
+std::string fastest_sentence(const GridStudy& study, double accuracy) {
+  std::optional<TimedMethod> grid, closure, simulation;
+  for (const auto& row : study.rows) update_fastest(row, accuracy, grid);
   for (const auto& row : study.others) {
     const bool simulated = row.solution.identity.role == transform::Role::simulation;
-    keep_quickest(row, accuracy, simulated ? simulation : closure);
+    update_fastest(row, accuracy, simulated ? simulation : closure);
   }
-  if (grid) grid->name = "finite differences of " + grid->name;
-  std::vector<Way> ways;
+  if (grid) grid->name = "finite volumes of " + grid->name;
+  std::vector<TimedMethod> ways;
   for (const auto& found : {grid, closure, simulation}) {
     if (found) ways.push_back(*found);
   }
   if (ways.empty()) return "";
-  std::ranges::sort(ways, {}, &Way::seconds);
+  std::ranges::sort(ways, {}, &TimedMethod::seconds);
   std::vector<std::string> parts;
   for (const auto& way : ways) {
     parts.push_back(fmt::format("{} in {} ms", way.name, milliseconds(way.seconds)));
   }
-  return fmt::format("  Quickest to L1 {:.0e} in both marginals: {}.", accuracy,
+  return fmt::format("  Fastest to L1 {:.0e} in both marginals: {}.", accuracy,
                      fmt::join(parts, "; "));
 }
 
-std::string truth_sentence(const GridStudy& study) {
-  const GridLimit& truth = study.truth();
-  if (!truth.none.empty()) {
-    return fmt::format("  There is no limit at the highest order: {}.", truth.none);
+std::string limit_sentence(const GridStudy& study) {
+  const GridLimit& reference_limit = study.reference_limit();
+  if (!reference_limit.failure.empty()) {
+    return fmt::format("  There is no limit at the highest order: {}.", reference_limit.failure);
   }
-  std::string text = fmt::format("  The limit is that of order {}", truth.order);
-  if (study.known_to) {
+  std::string text = fmt::format("  The limit is that of order {}", reference_limit.order);
+  if (study.limit_accuracy) {
     text += fmt::format(
-        "; that of the next lower order differs by L1 {:.1e} in p(y) and {:.1e} in p(y'), so "
-        "smaller distances mean nothing",
-        study.known_to->y, study.known_to->ydot);
+        "; the limit of the next lower order differs by L1 {:.1e} in p(y) and {:.1e} in p(y'): "
+        "smaller distances are not significant",
+        study.limit_accuracy->y, study.limit_accuracy->ydot);
   }
   return text + '.';
 }
 
 constexpr const char* kGridLegend =
-    "order: of the transport terms; cells: in y and y' (narrower by sqrt 2 from level to level). L1: integral of "
-    "|p - limit|. observed order: from the differences of the last three levels. +-: what the extrapolation added. "
-    "ms: wall-clock time of one solve, grids by the null vector alone, one processor; the simulation on all.";
+    "order: order of the transport terms; cells: numbers in y and y' (each level has sqrt 2 times "
+    "as many in a direction). L1: integral of |p - limit|. observed order: from the differences of "
+    "the last three levels. +-: difference between the limit and the finest grid. ms: wall-clock "
+    "time of one solve; grids: null vector alone, one processor; simulation: all processors.";
 
 }  // namespace
 
 std::string table(const GridStudy& study, const report::TextFormat& format) {
-  std::string text = wrapped(
-      fmt::format("{}; finite differences of {}, impact {}", report::case_title(study.problem),
+  std::string text = wrap_text(
+      fmt::format("{}; finite volumes for {}, impact {}", report::case_title(study.problem),
                   problem::name(*study.grids.equation), problem::name(*study.grids.impact)),
       format.width, 2);
   text += grids(study, format) + '\n' + limits(study, format) + others(study, format);
   for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, format.width);
   for (const auto& row : study.others)
     text += reason_text(name_of(row), row.solution, format.width);
-  text += wrapped(truth_sentence(study), format.width, 2);
+  text += wrap_text(limit_sentence(study), format.width, 2);
   for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5}) {
-    const auto sentence = quickest_sentence(study, accuracy);
-    if (!sentence.empty()) text += wrapped(sentence, format.width, 2);
+    const auto sentence = fastest_sentence(study, accuracy);
+    if (!sentence.empty()) text += wrap_text(sentence, format.width, 2);
   }
-  return text + '\n' + wrapped(kGridLegend, format.width);
+  return text + '\n' + wrap_text(kGridLegend, format.width);
 }
 
 }  // namespace fpkcheck::study

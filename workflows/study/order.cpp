@@ -10,7 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "compare/pairs.hpp"
-#include "workflows/study/kinds.hpp"
+#include "workflows/study/method_variants.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -21,45 +21,47 @@ using transform::Variable;
 
 Method reference_method(const Registry& registry) {
   std::vector<Method> candidates;
-  for (auto& kind : kinds(registry, transform::Role::equation)) {
-    if (kind.usual && kind.solves_the_problem()) candidates.push_back(std::move(kind.first));
+  for (auto& variant : method_variants(registry, transform::Role::equation)) {
+    if (variant.usual && variant.solves_full_problem())
+      candidates.push_back(std::move(variant.first));
   }
   if (candidates.empty()) {
     throw InputError(
-        "nothing to measure closures by (no discretisation of the problem itself is registered)");
+        "no reference for the closures: no discretisation of the full problem is registered");
   }
-  return *std::ranges::max_element(candidates, methods::less_trusted, &Method::identity);
+  return *std::ranges::max_element(candidates, methods::is_less_trusted, &Method::identity);
 }
 
-const Kind& formulation_named(const std::string& name, const std::vector<Kind>& all) {
-  const auto found = std::ranges::find(all, name, &Kind::name);
+const MethodVariant& find_formulation(const std::string& name,
+                                      const std::vector<MethodVariant>& all) {
+  const auto found = std::ranges::find(all, name, &MethodVariant::name);
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   for (const auto& known : all) names.push_back(known.name);
-  throw InputError(
-      fmt::format("--formulations: '{}' is none (use some of {})", name, fmt::join(names, ", ")));
+  throw InputError(fmt::format("--formulations: '{}' is no formulation; use some of {}", name,
+                               fmt::join(names, ", ")));
 }
 
-std::vector<Kind> closures(const Registry& registry) {
-  auto all = kinds(registry, transform::Role::closure);
-  std::erase_if(all, [](const Kind& kind) { return !kind.identity().order; });
+std::vector<MethodVariant> closures(const Registry& registry) {
+  auto all = method_variants(registry, transform::Role::closure);
+  std::erase_if(all, [](const MethodVariant& variant) { return !variant.identity().order; });
   return all;
 }
 
-// In L1: the study is of how errors fall from order to order, and none is asked to be small.
-constexpr double kAnyError = 10;
+// L1 error that every closure satisfies: the study shows the errors, whatever their size.
+constexpr double kUnlimitedError = 10;
 
-Method at_order(const Registry& registry, const Kind& formulation, int order) {
+Method method_of_order(const Registry& registry, const MethodVariant& formulation, int order) {
   const std::string id = fmt::format("{}-n{}", formulation.stem, order);
-  auto method = registry.by_id(id, {{"accuracy", kAnyError}});
+  auto method = registry.method_by_id(id, {{"accuracy", kUnlimitedError}});
   if (!method)
-    throw InputError(fmt::format("--orders {} (there is no {}) leave it out", order, id));
+    throw InputError(fmt::format("--orders {}: there is no {}; leave this order out", order, id));
   return std::move(*method);
 }
 
 void add_distances(const std::vector<compare::PairDistances>& pairs, const std::string& reference,
                    OrderRow& row) {
-  constexpr double kTailFrom = 1e-5;  // the decade of the reference density that is looked at
+  constexpr double kTailStart = 1e-5;  // the tail: this decade of the reference density
   const std::string& id = row.solution.id();
   const auto y = compare::l1_between(pairs, id, reference, Variable::y);
   const auto ydot = compare::l1_between(pairs, id, reference, Variable::ydot);
@@ -68,32 +70,32 @@ void add_distances(const std::vector<compare::PairDistances>& pairs, const std::
     const auto* pair = compare::find_pair(pairs, id, reference, variable);
     if (pair == nullptr) continue;
     for (const auto& decade : pair->distances.log10_tail) {
-      const bool looked_at = std::abs(decade.from / kTailFrom - 1) < 1e-6;
-      if (!looked_at || !std::isfinite(decade.mean_abs)) continue;
+      const bool is_tail_decade = std::abs(decade.from / kTailStart - 1) < 1e-6;
+      if (!is_tail_decade || !std::isfinite(decade.mean_abs)) continue;
       (variable == Variable::y ? row.tail_y : row.tail_ydot) = decade.mean_abs;
     }
   }
 }
 
-bool flag(const transform::Observations& observations, const std::string& path) {
-  const auto* found = transform::find(observations, path);
+bool flag_value(const transform::Metrics& metrics, const std::string& path) {
+  const auto* found = transform::find(metrics, path);
   const auto* value = found == nullptr ? nullptr : std::get_if<bool>(&found->value);
   return value != nullptr && *value;
 }
 
 }  // namespace
 
-std::optional<Branch> branch(const transform::Observations& observations) {
-  const auto end = transform::word(observations, "branch.end");
-  const auto furthest = transform::number(observations, "branch.furthest");
-  if (!end || !furthest) return std::nullopt;
-  Branch branch{*end, *furthest, {}};
+std::optional<Branch> branch(const transform::Metrics& metrics) {
+  const auto end = transform::word(metrics, "branch.end");
+  const auto largest_fraction = transform::number(metrics, "branch.furthest");
+  if (!end || !largest_fraction) return std::nullopt;
+  Branch branch{*end, *largest_fraction, {}};
   for (;;) {
     const std::string path = fmt::format("branch.points[{}].", branch.points.size());
-    const auto fraction = transform::number(observations, path + "fraction");
-    const auto norm = transform::number(observations, path + "norm");
+    const auto fraction = transform::number(metrics, path + "fraction");
+    const auto norm = transform::number(metrics, path + "norm");
     if (!fraction || !norm) return branch;
-    branch.points.push_back({*fraction, *norm, flag(observations, path + "fold")});
+    branch.points.push_back({*fraction, *norm, flag_value(metrics, path + "fold")});
   }
 }
 
@@ -110,11 +112,11 @@ OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions
   OrderStudy study{problem, {}, {}};
   std::vector<Method> methods;
   for (const auto& name : options.formulations) {
-    const Kind& formulation = formulation_named(name, known);
-    const bool to_converge = formulation.usual && formulation.solves_the_problem();
+    const MethodVariant& formulation = find_formulation(name, known);
+    const bool must_converge = formulation.usual && formulation.solves_full_problem();
     for (const int order : orders) {
-      methods.push_back(at_order(registry, formulation, order));
-      study.rows.push_back({formulation.name, order, to_converge, {}});
+      methods.push_back(method_of_order(registry, formulation, order));
+      study.rows.push_back({formulation.name, order, must_converge, {}});
     }
   }
   methods.push_back(reference_method(registry));
@@ -127,9 +129,9 @@ OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions
   return study;
 }
 
-bool reached(const OrderStudy& study) {
+bool has_converged(const OrderStudy& study) {
   return study.reference.is_ok() && std::ranges::all_of(study.rows, [](const OrderRow& row) {
-           return row.solution.is_ok() || !row.to_converge;
+           return row.solution.is_ok() || !row.must_converge;
          });
 }
 

@@ -13,39 +13,39 @@
 
 namespace fpkcheck::study {
 
-/// What to study: every formulation at every order.
+/// Formulations and orders of an order study, which solves every combination.
 struct OrderStudyOptions {
   std::vector<std::string> formulations;
   std::vector<int> orders;
 };
 
-/// What may be studied, by increasing trust: "gaussian", "moment-white"; all formulations of
-/// closures that are registered.
+/// Names of all formulations that can be studied (closures of the registry), by increasing trust:
+/// "gaussian", "moment-white".
 std::vector<std::string> formulations(const methods::Registry& registry);
 
-/// A branch of solutions that a closure followed from a problem that it solves exactly.
+/// A branch of solutions that a closure followed, from a problem with a known exact solution.
 struct Branch {
   struct Point {
-    double fraction;  ///< of the way to the full problem
-    double norm;      ///< of the coefficients
-    bool fold;        ///< the fraction turns round here
+    double fraction;  ///< fraction of the way to the full problem
+    double norm;      ///< norm of the coefficients
+    bool fold;        ///< the fraction has an extremum here
   };
-  std::string end;  ///< how it was left, in a word
-  double furthest;  ///< greatest fraction
+  std::string end;          ///< how the branch was left: a word, as in docs/glossary.md
+  double largest_fraction;  ///< largest fraction
   std::vector<Point> points;
 };
 
-/// The branch that a solution tells of, under the path "branch"; nothing where it tells of none.
-std::optional<Branch> branch(const transform::Observations& observations);
+/// The branch in the metrics of a solution, under the path "branch"; empty without a branch.
+std::optional<Branch> branch(const transform::Metrics& metrics);
 
-/// A closure of a formulation at an order.
+/// A closure of one formulation and order.
 struct OrderRow {
   std::string formulation;
   int order = 0;
-  bool to_converge = false;  ///< a family's usual formulation, and of the problem itself
+  bool must_converge = false;  ///< default variant of its family that solves the full problem
   transform::Solution solution;
-  std::optional<MarginalL1> l1 = {};  ///< to the reference
-  /// Mean difference of log10 p over reference densities 1e-5 .. 1e-4.
+  std::optional<MarginalL1> l1 = {};  ///< distance to the reference
+  /// Mean |log10 p - log10 reference| where the reference density is 1e-5 .. 1e-4.
   std::optional<double> tail_y = {}, tail_ydot = {};
 };
 
@@ -53,27 +53,26 @@ struct OrderStudy {
   static constexpr const char* kName = "order";
   problem::Problem problem;
   transform::Solution reference;
-  std::vector<OrderRow> rows;  ///< by formulation as asked for, then by order
+  std::vector<OrderRow> rows;  ///< by formulation in the given order, then by order n
 };
 
-/// Solves a problem by the closures asked for and by the most trusted discretisation of the problem
-/// itself, their reference, one after the other so that the times mean something.
-/// @throws InputError naming what is no formulation or no order of one
+/// Solves a problem by the given closures and by their reference, the most trusted discretisation
+/// of the full problem; one after the other, so that the times are comparable.
+/// @throws InputError naming an unknown formulation or order
 OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions& options,
                         const methods::Registry& registry,
                         const methods::ProgressListener& listener);
 
-/// True when the reference is ok, and so is every closure that is to converge; others are looked
-/// at.
-bool reached(const OrderStudy& study);
+/// True when the reference is ok, and so is every closure with `must_converge`.
+bool has_converged(const OrderStudy& study);
 
-/// The parts of `output`. JSON: the reference's id, status and reason, and the rows: what
-/// summary.json has of a solution, but for its identity, options and moments, and the distances.
+/// The parts of a StudyOutput. JSON: id, status and reason of the reference; rows with the keys of
+/// summary.json for a solution (without identity, options and moments) and the distances.
 std::string json(const OrderStudy& study, const std::string& command);
 std::string csv(const OrderStudy& study);
-/// The rows, reasons, folds met, and what the orders are worth.
+/// The rows, the reasons, the folds of branches, and the convergence over the orders.
 std::string table(const OrderStudy& study, const report::TextFormat& format);
-/// L1 distances over the order, and below them the branches that were followed.
+/// L1 distances against the order, and below them the branches that were followed.
 std::string figure(const OrderStudy& study, const std::string& file_stem,
                    report::FigureWidth width = report::FigureWidth::screen);
 

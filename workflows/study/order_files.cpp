@@ -12,17 +12,17 @@ Record record(const OrderRow& row) {
   };
   Record record{{"id", identity.id},
                 {"formulation", row.formulation},
-                {"order", transform::counted(row.order)},
+                {"order", transform::count_value(row.order)},
                 {"equation", equation ? Value(std::string(name(*equation))) : Value()},
                 {"impact", impact ? Value(std::string(name(*impact))) : Value()},
                 {"mass", number(row.solution.mass)},
                 {"min_density", number(row.solution.min_density)},
                 {"energy_residual", number(row.solution.energy_residual)}};
   add_outcome(row.solution, row.l1, record);
-  record.push_back({"tail_y", transform::value_of(row.tail_y)});
-  record.push_back({"tail_ydot", transform::value_of(row.tail_ydot)});
-  for (const auto& observation : row.solution.observations) {
-    if (observation.path == "formulation" || observation.path == "order") continue;  // above
+  record.push_back({"tail_y", transform::optional_value(row.tail_y)});
+  record.push_back({"tail_ydot", transform::optional_value(row.tail_ydot)});
+  for (const auto& observation : row.solution.metrics) {
+    if (observation.path == "formulation" || observation.path == "order") continue;  // added above
     record.push_back({observation.path, observation.value});
   }
   return record;
@@ -30,16 +30,16 @@ Record record(const OrderRow& row) {
 
 std::string json(const OrderStudy& study, const std::string& command) {
   const auto& reference = study.reference;
-  return json_of(OrderStudy::kName, study.problem, command,
-                 {{"reference.id", reference.id()},
-                  {"reference.status", std::string(name(reference.status))},
-                  {"reference.reason", reference.reason},
-                  {"reference.seconds", reference.seconds}},
-                 {{"rows", records(study.rows)}});
+  return study_json(OrderStudy::kName, study.problem, command,
+                    {{"reference.id", reference.id()},
+                     {"reference.status", std::string(name(reference.status))},
+                     {"reference.reason", reference.reason},
+                     {"reference.seconds", reference.seconds}},
+                    {{"rows", records(study.rows)}});
 }
 
 std::string csv(const OrderStudy& study) {
-  return csv_of(
+  return csv_text(
       records(study.rows),
       "formulation order status iterations residual condition l1_y l1_ydot tail_y tail_ydot seconds");
 }

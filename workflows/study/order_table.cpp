@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "workflows/study/order.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using report::wrapped;
+using report::wrap_text;
 
 std::string name_of(const OrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// What Q_n itself does at infinity, also where a confinement holds the density down.
+// Sign of the leading form of Q_n itself, also where a confinement bounds the density.
 std::string leading_form(const OrderRow& row) {
-  const auto& observations = row.solution.observations;
-  auto form = transform::word(observations, "tail.polynomial_leading_form");
-  if (!form) form = transform::word(observations, "leading_form");
+  const auto& metrics = row.solution.metrics;
+  auto form = transform::word(metrics, "tail.polynomial_leading_form");
+  if (!form) form = transform::word(metrics, "leading_form");
   if (!form) return report::kAbsent;
   return *form == "negative" ? "falls" : "rises";
 }
@@ -34,32 +34,32 @@ std::string rows(const OrderStudy& study, const report::TextFormat& format) {
     rows[k].push_back({"leading", leading_form(study.rows[k])});
     rows[k].push_back({"ms", study.rows[k].solution.seconds * 1000});
   }
-  return table_of(rows,
-                  {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
-                   {"", "n", "order", ""},
-                   {"", "status", "status", ""},
-                   {"", "steps", "iterations", "{:.0f}", 3},
-                   {"", "cond.", "condition", "{:.0e}", 1},
-                   {"", "residual", "residual", "{:.0e}", 4},
-                   {"", "Q_n", "leading", "", 2, true},
-                   {"", "edge", "support.edge_density", "{:.0e}", 2},
-                   {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
-                   {l1, "p(y)", "l1_y", "{:.5f}"},
-                   {l1, "p(y')", "l1_ydot", "{:.5f}"},
-                   {"tail", "p(y)", "tail_y", "{:.2f}", 5},
-                   {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
-                   {"", "ms", "ms", "{:.0f}"}},
-                  format);
+  return table_text(rows,
+                    {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
+                     {"", "n", "order", ""},
+                     {"", "status", "status", ""},
+                     {"", "steps", "iterations", "{:.0f}", 3},
+                     {"", "cond.", "condition", "{:.0e}", 1},
+                     {"", "residual", "residual", "{:.0e}", 4},
+                     {"", "Q_n", "leading", "", 2, true},
+                     {"", "edge", "support.edge_density", "{:.0e}", 2},
+                     {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
+                     {l1, "p(y)", "l1_y", "{:.5f}"},
+                     {l1, "p(y')", "l1_ydot", "{:.5f}"},
+                     {"tail", "p(y)", "tail_y", "{:.2f}", 5},
+                     {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
+                     {"", "ms", "ms", "{:.0f}"}},
+                    format);
 }
 
-std::string end_text(const std::string& end) {
-  if (end == "full_problem") return "arrives at the full problem";
-  if (end == "white_noise") return "comes back to white noise at another root";
-  if (end == "far_away") return "leaves with coefficients beyond all measure";
-  return "is lost";
+std::string branch_end_text(const std::string& end) {
+  if (end == "full_problem") return "reaches the full problem";
+  if (end == "white_noise") return "returns to white noise at another root";
+  if (end == "far_away") return "ends where its coefficients grow without bound";
+  return "is lost by the continuation";
 }
 
-// Where a branch from the exact density turns round, and what becomes of it.
+// The folds of a branch from the exact density, and its end.
 std::string branch_sentence(const OrderRow& row, const Branch& branch) {
   std::vector<std::string> folds;
   for (const auto& point : branch.points) {
@@ -67,40 +67,40 @@ std::string branch_sentence(const OrderRow& row, const Branch& branch) {
   }
   return fmt::format(
       "  {}: the branch of solutions from the exact density of white noise without impact losses "
-      "{}{}, gets as far as {:.1f} % of the way, and {}.",
+      "{}{}, covers {:.1f} % of the way, and {}.",
       name_of(row), folds.empty() ? "has no fold" : "folds at ", fmt::join(folds, ", "),
-      100 * branch.furthest, end_text(branch.end));
+      100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
-// By how much each two orders more bring a formulation nearer, on average: a closure that
-// converges does so geometrically, so that an exponent of n would say nothing.
-std::string fall_sentence(const OrderRow& first, const OrderRow& last) {
+// Mean factor by which the distances fall per step of two orders: a convergent closure converges
+// geometrically, so that a power of n would have no meaning.
+std::string convergence_rate_sentence(const OrderRow& first, const OrderRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1::*of) {
     return std::pow((*first.l1).*of / (*last.l1).*of, 1 / steps);
   };
-  return fmt::format(" On average n + 2 divides it by {:.1f} and {:.1f}.", factor(&MarginalL1::y),
-                     factor(&MarginalL1::ydot));
+  return fmt::format(" On average each n + 2 divides it by {:.1f} and {:.1f}.",
+                     factor(&MarginalL1::y), factor(&MarginalL1::ydot));
 }
 
-// What a formulation's orders are worth.
-// @param good its rows that are ok
+// Summary of a formulation: orders that are ok, and the change of its distances.
+// @param good the rows of the formulation that are ok
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const OrderRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);
   std::vector<std::string> orders;
   for (const OrderRow* row : good) orders.push_back(std::to_string(row->order));
   const OrderRow &first = *good.front(), &last = *good.back();
-  std::string text = fmt::format("{} is ok at n = {}", formulation, listed(orders));
+  std::string text = fmt::format("{} is ok at n = {}", formulation, join_with_and(orders));
   if (good.size() == 1) {
     return text + fmt::format(": L1 {:.2g} in p(y), {:.2g} in p(y').", first.l1->y, first.l1->ydot);
   }
   return text +
          fmt::format(
-             "; from n = {} to {} the L1 distance goes from {:.2g} to {:.2g} in p(y) "
+             "; from n = {} to {} the L1 distance changes from {:.2g} to {:.2g} in p(y) "
              "and from {:.2g} to {:.2g} in p(y').",
              first.order, last.order, first.l1->y, last.l1->y, first.l1->ydot, last.l1->ydot) +
-         fall_sentence(first, last);
+         convergence_rate_sentence(first, last);
 }
 
 std::string convergence(const OrderStudy& study, std::size_t width) {
@@ -111,31 +111,32 @@ std::string convergence(const OrderStudy& study, std::size_t width) {
     for (; row != study.rows.end() && row->formulation == formulation; ++row) {
       if (row->solution.is_ok() && row->l1) good.push_back(&*row);
     }
-    text += wrapped("  " + convergence_sentence(formulation, good), width, 2);
+    text += wrap_text("  " + convergence_sentence(formulation, good), width, 2);
   }
   return text;
 }
 
 constexpr const char* kLegend =
-    "steps: of Newton's method, all orders and attempts together. cond.: condition of Newton's matrix in "
-    "scaled functions. residual: largest equation relative to the damping c. Q_n: falls in every "
-    "direction in the end, or rises in some. edge: largest density on the edge of the support "
-    "relative to the peak. to n-2: L1 distance of both marginals to those of order n-2, together. L1: integral of |p - reference|. tail: mean |log10 p - log10 reference| "
-    "over reference densities 1e-5 .. 1e-4. ms: wall-clock time.";
+    "steps: Newton steps, summed over all orders and attempts. cond.: condition number of Newton's "
+    "matrix in scaled functions. residual: largest residual of the equations relative to the "
+    "damping c. Q_n: falls in every direction at infinity, or rises in some. edge: largest density "
+    "on the edge of the support relative to the peak. to n-2: sum of the L1 distances of both "
+    "marginals to those of order n-2. L1: integral of |p - reference|. tail: mean "
+    "|log10 p - log10 reference| over reference densities 1e-5 .. 1e-4. ms: wall-clock time.";
 
 }  // namespace
 
 std::string table(const OrderStudy& study, const report::TextFormat& format) {
   const std::size_t width = format.width;
-  std::string text = wrapped(report::case_title(study.problem), width, 2) + rows(study, format);
+  std::string text = wrap_text(report::case_title(study.problem), width, 2) + rows(study, format);
   for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, width);
   text +=
       reason_text(fmt::format("The reference {} is", study.reference.id()), study.reference, width);
   for (const auto& row : study.rows) {
-    const auto followed = branch(row.solution.observations);
-    if (followed) text += wrapped(branch_sentence(row, *followed), width, 4);
+    const auto followed = branch(row.solution.metrics);
+    if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);
   }
-  return text + convergence(study, width) + '\n' + wrapped(kLegend, width);
+  return text + convergence(study, width) + '\n' + wrap_text(kLegend, width);
 }
 
 }  // namespace fpkcheck::study

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <variant>
 
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -20,7 +20,7 @@ Value value_at(const Record& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// Words as they are, numbers in the format; nothing for what is absent.
+// Words and integers unchanged, numbers in the format, and "" for absent values.
 std::string text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -40,8 +40,8 @@ void add_outcome(const transform::Solution& solution, const std::optional<Margin
   record.push_back({"l1_ydot", value(l1, &MarginalL1::ydot)});
 }
 
-std::string table_of(const std::vector<Record>& rows, const std::vector<Shown>& columns,
-                     const report::TextFormat& format) {
+std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
+                       const report::TextFormat& format) {
   std::vector<report::Column> filled;
   for (const auto& shown : columns) {
     filled.push_back(shown.path == "status" ? report::status_column()
@@ -55,12 +55,12 @@ std::string table_of(const std::vector<Record>& rows, const std::vector<Shown>& 
   return report::rows(std::move(filled), format);
 }
 
-std::string csv_of(const std::vector<Record>& rows, const std::string& columns) {
+std::string csv_text(const std::vector<Record>& rows, const std::string& columns) {
   std::vector<std::string> headers, paths;
   std::istringstream words(columns);
   for (std::string word; words >> word;) {
     headers.push_back(word.substr(0, word.find('=')));
-    paths.push_back(word.substr(word.find('=') + 1));  // all of it where there is no '='
+    paths.push_back(word.substr(word.find('=') + 1));  // the whole word without '='
   }
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {
@@ -72,11 +72,11 @@ std::string csv_of(const std::vector<Record>& rows, const std::string& columns) 
 }
 
 std::string number_text(const std::optional<double>& number, const char* format) {
-  const std::string found = text(transform::value_of(number), format);
+  const std::string found = text(transform::optional_value(number), format);
   return found.empty() ? report::kAbsent : found;
 }
 
-std::string listed(const std::vector<std::string>& items) {
+std::string join_with_and(const std::vector<std::string>& items) {
   std::string text;
   for (std::size_t k = 0; k < items.size(); ++k) {
     if (k > 0) text += k + 1 == items.size() ? " and " : ", ";
@@ -89,7 +89,7 @@ std::string reason_text(const std::string& name, const transform::Solution& solu
                         std::size_t width) {
   if (solution.is_ok()) return "";
   const auto status = transform::name(solution.status);
-  return report::wrapped(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
+  return report::wrap_text(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
 }
 
 }  // namespace fpkcheck::study

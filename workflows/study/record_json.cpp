@@ -11,16 +11,16 @@ namespace {
 using results::Json;
 
 void add(const Record& record, Json& object) {
-  transform::Observer values;
+  transform::MetricBuilder values;
   for (const auto& [path, value] : record) values.result(path, value);
-  results::add_observations(std::move(values).take(), object);
+  results::add_metrics(std::move(values).take(), object);
 }
 
 }  // namespace
 
-std::string json_of(const std::string& study, const problem::Problem& problem,
-                    const std::string& command, const Record& itself,
-                    const std::vector<std::pair<std::string, std::vector<Record>>>& lists) {
+std::string study_json(const std::string& study, const problem::Problem& problem,
+                       const std::string& command, const Record& itself,
+                       const std::vector<std::pair<std::string, std::vector<Record>>>& lists) {
   Json json{{"schema", results::kSummarySchema},
             {"program", results::program_json(results::this_program(command))},
             {"study", study}};

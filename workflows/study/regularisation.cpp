@@ -12,20 +12,20 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
               .method = "regularisation",
               .fraction = 0});
   };
-  return with_growth(problem, fd_fpk::study_regularisation(problem, {}, progress));
+  return add_growth_rates(problem, fd_fpk::study_regularisation(problem, {}, progress));
 }
 
-RegularisationStudy with_growth(const problem::Problem& problem,
-                                const fd_fpk::RegularisationStudy& found) {
-  RegularisationStudy study{problem, found.default_length, found.shortest_length, {}};
-  for (const auto& row : found.rows) {
-    const bool symbol_grows = row.symbol && grows(*row.symbol, problem.impulses);
+RegularisationStudy add_growth_rates(const problem::Problem& problem,
+                                     const fd_fpk::RegularisationStudy& fd_study) {
+  RegularisationStudy study{problem, fd_study.default_length, fd_study.shortest_length, {}};
+  for (const auto& row : fd_study.rows) {
+    const bool symbol_grows = row.symbol && is_unstable(*row.symbol, problem.impulses);
     study.rows.push_back({row, symbol_grows, row.growth(problem)});
   }
   return study;
 }
 
-bool reached(const RegularisationStudy& study) {
+bool has_converged(const RegularisationStudy& study) {
   const RegularisationRow* finest = nullptr;
   for (const auto& row : study.rows) {
     if (row.scheme == "regularised") finest = &row;

@@ -13,36 +13,36 @@
 
 namespace fpkcheck::study {
 
-/// A way to close the series on one step, and whether anything grows.
+/// A closure of the series on one velocity step, with its growth.
 struct RegularisationRow : fd_fpk::RegularisationRow {
   bool symbol_grows = false;
-  std::optional<double> growth_rate = {};  ///< of what is not in the null vector
+  std::optional<double> growth_rate = {};  ///< of disturbances; empty where none grows
 };
 
-/// What the fourth derivative's regularisations do on finer and finer steps.
+/// Effect of the regularisations of the fourth derivative on a sequence of finer steps.
 struct RegularisationStudy {
   static constexpr const char* kName = "regularisation";
   problem::Problem problem;
-  double default_length, shortest_length;  ///< as fd_fpk::RegularisationStudy has them
+  double default_length, shortest_length;  ///< as in fd_fpk::RegularisationStudy
   std::vector<RegularisationRow> rows;
 };
 
-/// fd_fpk::study_regularisation, with its growth rates.
+/// fd_fpk::study_regularisation with the growth rates of its rows.
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const methods::ProgressListener& listener);
-RegularisationStudy with_growth(const problem::Problem& problem,
-                                const fd_fpk::RegularisationStudy& found);
+RegularisationStudy add_growth_rates(const problem::Problem& problem,
+                                     const fd_fpk::RegularisationStudy& fd_study);
 
-/// True when the default length neither grows nor lacks a density on the finest step.
-bool reached(const RegularisationStudy& study);
+/// True when on the finest step the default length has a density and no growth.
+bool has_converged(const RegularisationStudy& study);
 
-/// The parts of `output`. JSON: the two lengths, and a row per scheme and step; `growth_rate` is
-/// null where nothing grows.
+/// The parts of a StudyOutput. JSON: the two lengths, and a row for each scheme and step;
+/// `growth_rate` is null where nothing grows.
 std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
-/// The rows, remarks on what is missing, and what the numbers say.
+/// The rows, remarks on missing values, and sentences that summarise the numbers.
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);
-/// There is none.
+/// Empty: this study has no figure.
 inline std::string figure(const RegularisationStudy&, const std::string&, report::FigureWidth) {
   return {};
 }

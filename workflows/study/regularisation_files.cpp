@@ -6,8 +6,8 @@ namespace fpkcheck::study {
 
 using base::Value;
 using fd_fpk::Growth;
-using transform::counted;
-using transform::value_of;
+using transform::count_value;
+using transform::optional_value;
 
 namespace {
 
@@ -26,16 +26,16 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 Record record(const RegularisationRow& row) {
   Record record{{"scheme", row.scheme},
                 {"step", row.step},
-                {"length", row.length > 0 ? Value(row.length) : Value()},  // pade has none
-                {"nx", counted(row.nx)},
-                {"nv", counted(row.nv)},
+                {"length", row.length > 0 ? Value(row.length) : Value()},  // none for pade
+                {"nx", count_value(row.nx)},
+                {"nv", count_value(row.nv)},
                 {"symbol_rate", value(row.symbol, &Growth::rate)},
                 {"symbol_wavenumber", value(row.symbol, &Growth::wavenumber)},
                 {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
-                {"growth_rate", value_of(row.growth_rate)},
-                {"l1_y", value_of(row.l1_y)},
-                {"l1_ydot", value_of(row.l1_ydot)},
-                {"min_density", value_of(row.min_density)},
+                {"growth_rate", optional_value(row.growth_rate)},
+                {"l1_y", optional_value(row.l1_y)},
+                {"l1_ydot", optional_value(row.l1_ydot)},
+                {"min_density", optional_value(row.min_density)},
                 {"remark", row.remark}};
   add_eigenvalue("rightmost", row.rightmost, record);
   add_eigenvalue("next", row.next, record);
@@ -43,14 +43,14 @@ Record record(const RegularisationRow& row) {
 }
 
 std::string json(const RegularisationStudy& study, const std::string& command) {
-  return json_of(
+  return study_json(
       RegularisationStudy::kName, study.problem, command,
       {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
       {{"rows", records(study.rows)}});
 }
 
 std::string csv(const RegularisationStudy& study) {
-  return csv_of(
+  return csv_text(
       records(study.rows),
       "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
 }

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "report/table.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 #include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-using report::wrapped;
+using report::wrap_text;
 
-// The symbol's rate tends to 0 for long waves when none grows.
+// Text of the symbol's growth. Without growth the rate is 0: it tends to 0 for long waves.
 std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::Growth::rate ? "0" : "";
@@ -31,7 +31,7 @@ std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
   return std::abs(im) > 1e-7 ? fmt::format("{}+-{:.3g}i", real, im) : real;
 }
 
-std::string fate_text(const RegularisationRow& row) {
+std::string time_behaviour_text(const RegularisationRow& row) {
   if (row.growth_rate) return fmt::format("x10 in {:.2g}", std::numbers::ln10 / *row.growth_rate);
   if (row.rightmost) return "settles";
   return row.symbol ? "no growth" : "";
@@ -54,37 +54,37 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                     {"q", symbol_text(row, &fd_fpk::Growth::wavenumber)},
                     {"rightmost", eigenvalue_text(row.rightmost)},
                     {"next", eigenvalue_text(row.next)},
-                    {"in time", fate_text(row)},
+                    {"in time", time_behaviour_text(row)},
                     {"l1_y", l1_text(row.l1_y)},
                     {"l1_ydot", l1_text(row.l1_ydot)},
-                    {"least", transform::value_of(row.min_density)}});
+                    {"least", transform::optional_value(row.min_density)}});
   }
   constexpr int kAlways = report::kAlwaysShown;
-  return table_of(rows,
-                  {{"", "scheme", "scheme", "", kAlways, true},
-                   {"", "h", "h", "{:.3g}"},
-                   {"", "l", "l", "{:.3g}", 4},
-                   {"", "cells", "cells", "", 1},
-                   {"symbol", "rate", "rate", ""},
-                   {"symbol", "q", "q", ""},
-                   {"matrix", "rightmost", "rightmost", ""},
-                   {"matrix", "next", "next", "", 2},
-                   {"", "in time", "in time", "", kAlways, true},
-                   {"null vector", "L1 p(y)", "l1_y", "", 3},
-                   {"null vector", "L1 p(y')", "l1_ydot", ""},
-                   {"null vector", "least", "least", "{:.0e}"}},
-                  format);
+  return table_text(rows,
+                    {{"", "scheme", "scheme", "", kAlways, true},
+                     {"", "h", "h", "{:.3g}"},
+                     {"", "l", "l", "{:.3g}", 4},
+                     {"", "cells", "cells", "", 1},
+                     {"symbol", "rate", "rate", ""},
+                     {"symbol", "q", "q", ""},
+                     {"matrix", "rightmost", "rightmost", ""},
+                     {"matrix", "next", "next", "", 2},
+                     {"", "in time", "in time", "", kAlways, true},
+                     {"null vector", "L1 p(y)", "l1_y", "", 3},
+                     {"null vector", "L1 p(y')", "l1_ydot", ""},
+                     {"null vector", "least", "least", "{:.0e}"}},
+                    format);
 }
 
-// "h = 0.158, 0.0791 and 0.0395"
-std::string list_of_steps(const std::vector<RegularisationRow>& rows) {
+// List of steps, e.g. "h = 0.158, 0.0791 and 0.0395".
+std::string step_list(const std::vector<RegularisationRow>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
-  return "h = " + listed(steps);
+  return "h = " + join_with_and(steps);
 }
 
-std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
-                                         const std::string& scheme, bool growing) {
+std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
+                                              const std::string& scheme, bool growing) {
   std::vector<RegularisationRow> chosen;
   for (const auto& row : study.rows) {
     const bool known = row.symbol.has_value();
@@ -95,11 +95,12 @@ std::vector<RegularisationRow> of_scheme(const RegularisationStudy& study,
   return chosen;
 }
 
-// The exponent of h in the growth between the two finest steps that grow.
+// States where the literal scheme grows. The exponent of h is that of the growth rate between the
+// two finest steps that grow.
 std::string literal_sentence(const RegularisationStudy& study) {
-  const auto growing = of_scheme(study, "literal", true);
+  const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
-  std::string text = fmt::format("The literal scheme, l = h, grows at {}", list_of_steps(growing));
+  std::string text = fmt::format("The literal scheme, l = h, grows at {}", step_list(growing));
   if (growing.size() > 1) {
     const auto &fine = growing.back(), &coarse = growing[growing.size() - 2];
     const double exponent =
@@ -122,38 +123,40 @@ std::string literal_sentence(const RegularisationStudy& study) {
 }
 
 std::string regularised_sentence(const RegularisationStudy& study) {
-  const auto growing = of_scheme(study, "regularised", true);
-  const auto settled = of_scheme(study, "regularised", false);
+  const auto growing = rows_of_scheme(study, "regularised", true);
+  const auto settled = rows_of_scheme(study, "regularised", false);
   std::string text =
       fmt::format("The fourth difference over the default length l = {:.3g}", study.default_length);
   if (settled.empty()) return text + " grows on every step.";
-  text += growing.empty() ? " grows on no step"
-                          : fmt::format(" grows at {} and not at {}", list_of_steps(growing),
-                                        list_of_steps(settled));
+  text += growing.empty()
+              ? " grows on no step"
+              : fmt::format(" grows at {} and not at {}", step_list(growing), step_list(settled));
   const RegularisationRow& finest = settled.back();
   if (finest.l1_y && finest.l1_ydot) {
     text += fmt::format(
-        "; on the finest of them its density is L1 {:.2g} in p(y) and {:.2g} in p(y') from kf",
+        "; on the finest of these steps its density is L1 {:.2g} in p(y) and {:.2g} in p(y') "
+        "from kf",
         *finest.l1_y, *finest.l1_ydot);
   }
   return text + '.';
 }
 
 std::string threshold_sentence(const RegularisationStudy& study) {
-  const auto below = of_scheme(study, "0.9 l*", true), above = of_scheme(study, "1.1 l*", true);
+  const auto below = rows_of_scheme(study, "0.9 l*", true),
+             above = rows_of_scheme(study, "1.1 l*", true);
   std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
   text += below.empty() ? "10 % below it no matrix grows"
-                        : fmt::format("10 % below it grow {}", list_of_steps(below));
+                        : fmt::format("10 % below it the matrices of {} grow", step_list(below));
   if (below.size() > 1) {
-    text += fmt::format(", at a rate that no longer depends on the step ({:.3g} by the symbol)",
+    text += fmt::format(", at a rate that is independent of the step ({:.3g} by the symbol)",
                         below.back().symbol->rate);
   }
-  text += above.empty() ? "; 10 % above it none grows."
-                        : fmt::format("; 10 % above it grow {}.", list_of_steps(above));
+  text += above.empty() ? "; 10 % above it no matrix grows."
+                        : fmt::format("; 10 % above it the matrices of {} grow.", step_list(above));
   return text;
 }
 
-// Each remark once, with the rows that it is of.
+// Each remark once, with the rows that have it.
 std::string remarks(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;
@@ -164,28 +167,29 @@ std::string remarks(const RegularisationStudy& study, std::size_t width) {
   }
   std::string text;
   for (const auto& remark : order) {
-    text += wrapped(fmt::format("  {}: {}", listed(rows_with[remark]), remark), width, 4);
+    text += wrap_text(fmt::format("  {}: {}", join_with_and(rows_with[remark]), remark), width, 4);
   }
   return text;
 }
 
 constexpr const char* kRegularisationLegend =
-    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth rate "
-    "of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole operator with "
-    "the largest real parts; the stationary density's is 0, the next is the slowest decay. in time: "
-    "what becomes of any disturbance. null vector: distance to the jump equation kf on the same grid, and the "
-    "least value relative to the peak.";
+    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth "
+    "rate of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole "
+    "operator with the largest real parts; the stationary density has the eigenvalue 0, the next "
+    "is the slowest decay. in time: growth or decay of a disturbance. null vector: its distance to "
+    "the density of the jump equation kf on the same grid, and its least value relative to the "
+    "peak.";
 
 }  // namespace
 
 std::string table(const RegularisationStudy& study, const report::TextFormat& format) {
-  std::string text = wrapped(report::case_title(study.problem), format.width, 2) +
+  std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +
                      rows(study, format) + remarks(study, format.width);
   for (const auto& sentence :
        {literal_sentence(study), regularised_sentence(study), threshold_sentence(study)}) {
-    text += wrapped("  " + sentence, format.width, 2);
+    text += wrap_text("  " + sentence, format.width, 2);
   }
-  return text + '\n' + wrapped(kRegularisationLegend, format.width);
+  return text + '\n' + wrap_text(kRegularisationLegend, format.width);
 }
 
 }  // namespace fpkcheck::study

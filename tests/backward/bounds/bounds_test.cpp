@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-#include "backward/bounds/one_grid.hpp"
+#include "backward/bounds/grid_bounds.hpp"
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
@@ -14,33 +14,34 @@
 namespace fpkcheck::backward {
 namespace {
 
-const Functional kMeanSquare = PowerMean{Axis::displacement, 2};
-const Functional kMeanSquareVelocity = PowerMean{Axis::velocity, 2};
+const Functional kMeanSquare = PowerMoment{Axis::displacement, 2};
+const Functional kMeanSquareVelocity = PowerMoment{Axis::velocity, 2};
 
 std::vector<numerics::Enclosure> on_level(const problem::Problem& problem, int level,
                                           const std::vector<Functional>& functionals) {
-  const Grid grid = grids_for(width_limit(functionals[0]))[static_cast<std::size_t>(level)];
+  const SplineGrid grid =
+      grid_sequence(width_limit(functionals[0]))[static_cast<std::size_t>(level)];
   return bounds_on_grid(problem, weight(problem, 12), grid, functionals, 2);
 }
 
-TEST(Bounds, OfCase1HoldTheTruthAndExcludeFaults) {
+TEST(Bounds, OfCase1ContainTheReferenceAndExcludeWrongModels) {
   const std::vector<numerics::Enclosure> b =
       on_level(problem::load_case("case1"), 2, {kMeanSquare, kMeanSquareVelocity});
   EXPECT_TRUE(b[0].contains(0.3945181772));
   EXPECT_TRUE(b[1].contains(0.4415122125));
   EXPECT_LT(b[0].half_width(), 3e-6);
   EXPECT_LT(b[1].half_width(), 3e-6);
-  // White noise for the impulses, an impact to first order, km4-pade, 20 x 40 cells.
+  // Values with white noise, with the impact to first order, with km4-pade and on 20 x 40 cells.
   for (const double fault : {0.39700, 0.39416, 0.394545, 0.394560}) {
     EXPECT_FALSE(b[0].contains(fault)) << fault;
   }
 }
 
-TEST(Bounds, TellDampingAndRateToOneTenThousandth) {
+TEST(Bounds, ResolveDampingAndRateToOneTenThousandth) {
   const numerics::Enclosure right =
       on_level(problem::load_case("case1"), 2, {kMeanSquareVelocity})[0];
   for (const char* wrong : {"system.damping=0.10001", "impulse.rate=1.0001"}) {
-    // The amplitudes' variance stays: lambda E[Y^2] changes with lambda.
+    // The variance of the amplitudes is fixed: lambda E[Y^2] changes with lambda.
     const std::vector<std::string> overrides =
         wrong[0] == 's' ? std::vector<std::string>{wrong}
                         : std::vector<std::string>{wrong, "impulse.intensity=0.10001"};
@@ -50,7 +51,7 @@ TEST(Bounds, TellDampingAndRateToOneTenThousandth) {
   }
 }
 
-TEST(Bounds, HoldExactMomentsWithoutLossesForEveryLaw) {
+TEST(Bounds, ContainExactMomentsWithoutLossesForEveryLaw) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     const problem::Problem linear = problem::load_case(
         "case1", {"system.restitution=1", "system.cubic=0", std::string("impulse.law=") + law});
@@ -67,7 +68,7 @@ TEST(Bounds, HoldExactMomentsWithoutLossesForEveryLaw) {
   }
 }
 
-TEST(Bounds, OfOneProblemByDifferentGridsOverlap) {
+TEST(Bounds, OfDifferentGridsOverlap) {
   for (const std::vector<std::string>& overrides :
        {std::vector<std::string>{"system.restitution=0.5"},
         {"impulse.rate=0.3"},
@@ -86,7 +87,7 @@ TEST(Bounds, OfOneProblemByDifferentGridsOverlap) {
   }
 }
 
-TEST(Bounds, OfSmoothBinsHoldTheExactDensity) {
+TEST(Bounds, OfSmoothBinsContainTheExactDensity) {
   const problem::Problem linear =
       problem::load_case("case1", {"system.restitution=1", "system.cubic=0"});
   const exact::LinearDensity density(linear);
@@ -116,15 +117,15 @@ TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
   const Weight tau = weight(problem, 12);
-  const auto one = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 1);
-  const auto two = bounds_on_grid(problem, tau, grids_for(WidthLimit::origin)[0], both, 2);
+  const auto one = bounds_on_grid(problem, tau, grid_sequence(WidthLimit::origin)[0], both, 1);
+  const auto two = bounds_on_grid(problem, tau, grid_sequence(WidthLimit::origin)[0], both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);
   }
 }
 
-TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
+TEST(Bounds, AreRefinedToTheRequestedWidth) {
   Options options;
   options.functionals = {kMeanSquare};
   options.half_width = 1e-5;
@@ -132,7 +133,7 @@ TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
   EXPECT_EQ(narrow.status, BoundsStatus::ok);
   EXPECT_LE(narrow.each[0].value.half_width(), 1e-5);
   EXPECT_GT(narrow.grids.size(), 1u);
-  EXPECT_LT(narrow.grids.size(), grids_for(WidthLimit::origin).size());
+  EXPECT_LT(narrow.grids.size(), grid_sequence(WidthLimit::origin).size());
 
   options.half_width = 1e-12;
   options.seconds = 0;
@@ -142,24 +143,24 @@ TEST(Bounds, AreRefinedUntilTheWidthAskedForIsMet) {
   EXPECT_NE(wide.reason.find("--seconds"), std::string::npos) << wide.reason;
 }
 
-// Beyond the grids that all powers have in common each goes on where it is limited.
-TEST(FinestBounds, AreOfAMillionthBelowTheFourthPowerOfTheVelocity) {
+// After the common grids each functional continues with the grids of its width limit.
+TEST(FinestBounds, AreAccurateToOneMillionth) {
   Options options;
   options.relative_half_width = 1e-6;
   options.seconds = 1e9;
   const Bounds all = bounds(problem::load_case("case1"), options);
   for (const Bound& bound : all.each) {
-    const auto* const power = std::get_if<PowerMean>(&bound.functional);
+    const auto* const power = std::get_if<PowerMoment>(&bound.functional);
     const bool hardest = power != nullptr && power->axis == Axis::velocity && power->power == 4;
     EXPECT_LT(bound.value.half_width() / bound.value.middle(), hardest ? 6e-6 : 1e-6)
         << name(bound.functional);
   }
   EXPECT_EQ(all.status, BoundsStatus::width_not_met);
-  EXPECT_NE(all.reason.find("grid is offered for E[y'^4]; ask for --width"), std::string::npos)
+  EXPECT_NE(all.reason.find("grid exists for E[y'^4]; request --width"), std::string::npos)
       << all.reason;
 }
 
-TEST(Bounds, AreRefusedForOverdampedMotionAndForWrongOptions) {
+TEST(Bounds, RejectOverdampedMotionAndInvalidOptions) {
   const Bounds refused = bounds(problem::load_case("case1", {"system.damping=2.5"}));
   EXPECT_EQ(refused.status, BoundsStatus::not_offered);
   EXPECT_NE(refused.reason.find("c^2 >= 4k"), std::string::npos);

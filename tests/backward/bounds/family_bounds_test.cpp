@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "backward/bounds/bounds.hpp"
-#include "backward/bounds/outside.hpp"
-#include "backward/bounds/range_check.hpp"
+#include "backward/bounds/outer_residual.hpp"
+#include "backward/bounds/residual_range.hpp"
 #include "backward/generator/velocity_samples.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "exact/closed_forms.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -41,7 +41,7 @@ Bounds first_grid(const problem::Problem& problem) {
   return bounds(problem, options);
 }
 
-TEST(FamilyBounds, WithoutAWallHoldTheCumulants) {
+TEST(FamilyBounds, WithoutAWallContainTheCumulants) {
   for (const char* law : {"laplace", "two_point"}) {
     const auto problem = driven(kLinear, {.none = true}, law, 0.1);
     const auto found = first_grid(problem);
@@ -65,7 +65,7 @@ TEST(FamilyBounds, WithoutAWallHoldTheCumulants) {
   }
 }
 
-TEST(FamilyBounds, WithoutLossesHoldTheMeanSquareVelocityWhereverWallsStand) {
+TEST(FamilyBounds, WithoutLossesContainTheMeanSquareVelocityForAnyWalls) {
   const SystemCoefficients duffing{.damping = 0.1, .stiffness = 1, .cubic = 0.3};
   for (const WallParameters& walls :
        {WallParameters{.left = -0.5, .left_restitution = 1},
@@ -78,12 +78,12 @@ TEST(FamilyBounds, WithoutLossesHoldTheMeanSquareVelocityWhereverWallsStand) {
   }
 }
 
-TEST(FamilyBounds, OfAGapHoldWhatAWrongDensityIsLedTo) {
+TEST(FamilyBounds, OfAGapContainTheCorrectedMoments) {
   const auto problem = driven({.damping = 0.1, .stiffness = 1, .cubic = 0.1},
                               {.left = -0.5, .left_restitution = 0.9});
   const auto bell = [](double x, double v) { return std::exp(-(x - 0.7) * (x - 0.7) - v * v); };
-  const auto known = DensityResiduals(tests::in_frame(problem), {.y = 28, .v = 60})
-                         .of(transform::SmoothDensity{bell, 5, 5})
+  const auto known = DensityResiduals(tests::in_wall_coordinates(problem), {.y = 28, .v = 60})
+                         .estimate_errors(transform::SmoothDensity{bell, 5, 5})
                          .corrected;
   const auto found = first_grid(problem);
   EXPECT_TRUE(bound_of(found, "E[y]").contains(known.y1)) << known.y1;
@@ -107,7 +107,7 @@ TEST(FamilyBounds, OfTheMirroredProblemAreMirrored) {
   EXPECT_EQ(bound_of(left, "E[y]").upper, -bound_of(right, "E[y]").lower);
 }
 
-TEST(FamilyBounds, AreRefusedWithAReasonWhereNoWeightIsKnown) {
+TEST(FamilyBounds, HaveAReasonForUnsupportedProblems) {
   const auto refused = [](const problem::Problem& problem, const char* why) {
     const Bounds found = bounds(problem);
     EXPECT_EQ(found.status, BoundsStatus::not_offered) << why;
@@ -124,17 +124,17 @@ TEST(FamilyBounds, AreRefusedWithAReasonWhereNoWeightIsKnown) {
       "two walls");
 }
 
-// Without a wall: a rough candidate that solves nothing.
+// No wall, and a rough certificate with a large residual.
 struct OpenExample {
   problem::Problem problem =
       driven({.damping = 0.3, .stiffness = 1, .cubic = 0.2}, {.none = true}, "gaussian", 0.05);
   Weight tau = weight(problem, 12);
   numerics::SplineBasis displacement{std::vector<double>{-3.5, -2, -0.5, 0.4, 2, 4}};
   ImpactBasis velocity;
-  DisplacementOperators y =
-      numerics::rounded_upward([&] { return displacement_operators(problem, displacement, {}); });
+  DisplacementOperators y = numerics::with_upward_rounding(
+      [&] { return displacement_operators(problem, displacement, {}); });
   VelocityOperators v =
-      numerics::rounded_upward([&] { return velocity_operators(problem, velocity, {}); });
+      numerics::with_upward_rounding([&] { return velocity_operators(problem, velocity, {}); });
   Eigen::MatrixXd c{displacement.size(), velocity.size()};
 
   explicit OpenExample(double u_end = 4.5)
@@ -144,20 +144,20 @@ struct OpenExample {
         c(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);
     }
   }
-  CheckSetting setting(const Ends& ends) const {
+  CertificateContext context(const BoxEnds& ends) const {
     return {problem, displacement, velocity, y, v, tau, ends};
   }
 };
 
-constexpr Ends kOpen{
+constexpr BoxEnds kOpen{
     .left_wall = false, .right_wall = false, .left_open = true, .right_open = true};
 
-TEST(FamilyBounds, AreRefusedToACandidateThatMissesTheConditionOfAnyWall) {
+TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   OpenExample e;
-  const Functional f = PowerMean{Axis::displacement, 2};
-  const auto finite = [&](const Ends& ends) {
-    const Range range = numerics::rounded_upward([&] {
-      return residual_range(e.setting(ends), f, {e.c, 0.3}, {0, 0}, 0.05);
+  const Functional f = PowerMoment{Axis::displacement, 2};
+  const auto finite = [&](const BoxEnds& ends) {
+    const ResidualRange range = numerics::with_upward_rounding([&] {
+      return residual_range(e.context(ends), f, {e.c, 0.3}, {0, 0}, 0.05);
     });
     return std::isfinite(range.largest - range.least);
   };
@@ -168,18 +168,18 @@ TEST(FamilyBounds, AreRefusedToACandidateThatMissesTheConditionOfAnyWall) {
   EXPECT_TRUE(finite({.left_wall = true, .right_wall = false}));
 }
 
-TEST(FamilyBounds, InsideAndOutsideAreAboveEverySampleOnBothSides) {
+TEST(FamilyBounds, InnerAndOuterResidualsBoundAllSamples) {
   const OpenExample e;
-  const Functional f = PowerMean{Axis::displacement, 4};
-  const auto setting = e.setting(kOpen);
-  const Range range = numerics::rounded_upward([&] {
-    return residual_range(setting, f, {e.c, 0.3}, {0, 0}, 0.02);
+  const Functional f = PowerMoment{Axis::displacement, 4};
+  const auto context = e.context(kOpen);
+  const ResidualRange range = numerics::with_upward_rounding([&] {
+    return residual_range(context, f, {e.c, 0.3}, {0, 0}, 0.02);
   });
-  const double outside = numerics::rounded_upward([&] {
-    return residual_outside(setting, f, {e.c, 0.3});
+  const double outside = numerics::with_upward_rounding([&] {
+    return outer_residual_bound(context, f, {e.c, 0.3});
   });
   const VelocitySamples vs =
-      numerics::rounded_upward([&] { return velocity_samples(e.v, e.velocity, 9); });
+      numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
   const DisplacementSamples ys = displacement_samples(e.displacement, 12);
   double least = 0, largest = 0;
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
@@ -204,18 +204,18 @@ TEST(FamilyBounds, InsideAndOutsideAreAboveEverySampleOnBothSides) {
   EXPECT_LT(range.largest, 1.1 * largest);
 }
 
-TEST(FamilyBounds, OutsideSeesTheEdgeAtTheOpenEndInQuestion) {
-  // V is steep in v at one end alone: f, and all else, is small beside it.
-  const Functional f = PowerMean{Axis::displacement, 1};
+TEST(FamilyBounds, OuterResidualDependsOnTheEdgeAtEachOpenEnd) {
+  // V is steep in v at one end only; f and all other terms are small.
+  const Functional f = PowerMoment{Axis::displacement, 1};
   for (const double y : {-3.5001, 4.0001}) {
     OpenExample e(14);
     const Eigen::Index row = y < 0 ? 0 : e.c.rows() - 1;
     for (int b = 0; b < e.c.cols(); ++b) e.c(row, b) = 1e4 * std::sin(b);
-    const double outside = numerics::rounded_upward([&] {
-      return residual_outside(e.setting(kOpen), f, {e.c, 0.3});
+    const double outside = numerics::with_upward_rounding([&] {
+      return outer_residual_bound(e.context(kOpen), f, {e.c, 0.3});
     });
     const VelocitySamples vs =
-        numerics::rounded_upward([&] { return velocity_samples(e.v, e.velocity, 9); });
+        numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
     const Eigen::VectorXd edge = e.c.row(row);
     const Eigen::VectorXd l = vs.jump * edge + e.problem.system.force()(y) * (vs.force * edge);
     double largest = 0;

@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-TEST(Functional, IntegrandsAreWhatTheNamesSay) {
+TEST(Functional, IntegrandsMatchTheNames) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> all = standard_functionals();
   const std::vector<std::pair<const char*, double>> expected{
@@ -23,7 +23,7 @@ TEST(Functional, IntegrandsAreWhatTheNamesSay) {
   }
 }
 
-TEST(SmoothBin, HasTheIntegralThatItsFactorMakesOne) {
+TEST(SmoothBin, HasUnitIntegralWithItsFactor) {
   const problem::Problem problem = problem::load_case("case1");
   const Functional bin = SmoothBin{Axis::velocity, {-0.7, -0.4, 0.1, 0.2, 0.9}};
   double integral = 0;
@@ -36,8 +36,8 @@ TEST(SmoothBin, HasTheIntegralThatItsFactorMakesOne) {
   EXPECT_EQ(integrand(bin, problem, 0.3, 0.95), 0);
 }
 
-TEST(Functional, RefusesWhatCannotBeBounded) {
-  EXPECT_THROW(validate(PowerMean{Axis::velocity, 5}), InputError);
+TEST(Functional, RejectsInvalidPowersAndKnots) {
+  EXPECT_THROW(validate(PowerMoment{Axis::velocity, 5}), InputError);
   EXPECT_THROW(validate(SmoothBin{Axis::velocity, {0, 1, 1, 2, 3}}), InputError);
   EXPECT_THROW(validate(SmoothBin::cardinal(Axis::displacement, 0.1, 0.1)), InputError);
   EXPECT_NO_THROW(validate(SmoothBin::cardinal(Axis::velocity, 0.1, 0.1)));

@@ -17,7 +17,7 @@ problem::Problem linear(const std::string& law) {
 
 // E[z^p v^q], p + q = 4, from cumulants of a symmetric law.
 double fourth_moment(const problem::Problem& problem, int p) {
-  const auto second = [&](bool a, bool b) {  // of z (true) or v
+  const auto second = [&](bool a, bool b) {  // true for z, false for v
     return exact::linear_cumulant(problem, a + b, 2 - a - b);
   };
   const bool z[4] = {p > 0, p > 1, p > 2, p > 3};
@@ -25,7 +25,7 @@ double fourth_moment(const problem::Problem& problem, int p) {
          second(z[0], z[2]) * second(z[1], z[3]) + second(z[0], z[3]) * second(z[1], z[2]);
 }
 
-TEST(EnergyMomentBounds, HoldTheExactMomentsOfLinearMotion) {
+TEST(EnergyMomentBounds, BoundTheExactMomentsOfLinearMotion) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     const problem::Problem problem = linear(law);
     const std::vector<double> bounds = energy_moment_bounds(problem, 2);
@@ -40,7 +40,7 @@ TEST(EnergyMomentBounds, HoldTheExactMomentsOfLinearMotion) {
                           (b * b + 2 * a * d) * fourth_moment(problem, 2) +
                           2 * b * d * fourth_moment(problem, 3) + d * d * fourth_moment(problem, 4);
     EXPECT_EQ(bounds[0], 1);
-    EXPECT_NEAR(bounds[1], first, 1e-9) << law;  // without losses and mu, G falls at rate c exactly
+    EXPECT_NEAR(bounds[1], first, 1e-9) << law;  // r = 1 and mu = 0: G decays at exactly rate c
     EXPECT_GE(bounds[1], first - 1e-9) << law;
     EXPECT_GE(bounds[2], second) << law;
     EXPECT_LT(bounds[2], 2 * second) << law;
@@ -54,7 +54,7 @@ TEST(EnergyMomentBounds, WithAMeanSolveTheQuadraticInequality) {
   EXPECT_NEAR(0.1 * x, 0.05 + 0.1 * std::sqrt(2 * x), 1e-12);
 }
 
-TEST(Weight, EnergyFallsAlongTheMotionAtItsRateAndAtImpacts) {
+TEST(Weight, EnergyDecaysAlongTheFlowAndAtImpacts) {
   const problem::Problem problem = problem::load_case("case1", {"system.damping=0.9"});
   const Weight tau = weight(problem, 12);
   for (const double y : {0.01, 0.3, 2.0}) {
@@ -69,23 +69,24 @@ TEST(Weight, EnergyFallsAlongTheMotionAtItsRateAndAtImpacts) {
   EXPECT_LE(tau.energy(0, 0.98 * 2), tau.energy(0, -2));
 }
 
-TEST(Weight, HasTheMeanThatItsScaleIsChosenFor) {
+TEST(Weight, HasItsDesignMean) {
   const Weight tau = weight(problem::load_case("case1"), 12);
   EXPECT_NEAR(tau.mean_bound, 1.25, 1e-12);
   EXPECT_NEAR(tau(0, std::sqrt(2 * tau.scale)), 2, 1e-12);
 }
 
-TEST(Weight, IsRefusedForALawWithoutEnclosures) {
-  EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=exponential"})), "");
-  EXPECT_EQ(weight_refused(problem::load_case("case1", {"impulse.law=gamma"})),
-            "no bounds under gamma impulses: their means are not enclosed");
+TEST(Weight, RejectsLawsWithoutEnclosures) {
+  EXPECT_EQ(bounds_unsupported_reason(problem::load_case("case1", {"impulse.law=exponential"})),
+            "");
+  EXPECT_EQ(bounds_unsupported_reason(problem::load_case("case1", {"impulse.law=gamma"})),
+            "gamma impulses are not supported: no enclosures of the law");
 }
 
-TEST(Weight, IsRefusedForOverdampedMotionInOneLine) {
-  EXPECT_EQ(weight_refused(problem::load_case("case1")), "");
-  EXPECT_EQ(weight_refused(problem::load_case("case1", {"system.damping=1.999"})), "");
+TEST(Weight, RejectsOverdampedMotionWithOneLine) {
+  EXPECT_EQ(bounds_unsupported_reason(problem::load_case("case1")), "");
+  EXPECT_EQ(bounds_unsupported_reason(problem::load_case("case1", {"system.damping=1.999"})), "");
   for (const char* damping : {"system.damping=2", "system.damping=3"}) {
-    const std::string reason = weight_refused(problem::load_case("case1", {damping}));
+    const std::string reason = bounds_unsupported_reason(problem::load_case("case1", {damping}));
     EXPECT_NE(reason.find("c^2 >= 4k"), std::string::npos) << reason;
     EXPECT_EQ(reason.find('\n'), std::string::npos);
   }

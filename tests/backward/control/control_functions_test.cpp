@@ -16,17 +16,17 @@ std::function<double(double)> power(int n) {
 
 ControlFunctions fitted(const problem::Problem& problem, int cells, double width,
                         const std::vector<SeparableFunction>& functions) {
-  const numerics::KnotSplines y(numerics::widening_knots(0, 9 * width, 5 * width, cells));
-  const numerics::KnotSplines v(
-      numerics::widening_knots(-10 * width, 10 * width, 6 * width, 2 * cells, 3));
+  const numerics::QuinticBSplines y(numerics::graded_knots(0, 9 * width, 5 * width, cells));
+  const numerics::QuinticBSplines v(
+      numerics::graded_knots(-10 * width, 10 * width, 6 * width, 2 * cells, 3));
   const auto weight = [&](double x) {
     return std::max(std::exp(-x * x / (4 * width * width)), 1e-9);
   };
-  return control_functions({problem, y, v, weight, weight, 4}, functions);
+  return fit_control_functions({problem, y, v, weight, weight, 4}, functions);
 }
 
 TEST(ControlFunctions, FindTheMeansOfTheLinearOscillator) {
-  // The linear oscillator with elastic impacts: folding changes no even moment.
+  // Linear oscillator with r = 1: the transformation y = |z| preserves all even moments.
   for (const char* law : tests::kSymmetricLaws) {
     const auto problem = tests::linear_problem({.law = law});
     const auto exact = exact::linear_moments_at(problem, {}, 1e4);
@@ -39,22 +39,22 @@ TEST(ControlFunctions, FindTheMeansOfTheLinearOscillator) {
 TEST(ControlFunctions, OfTheVelocityAreMinusTheDisplacement) {
   // L y = v, so that h = -y + constant, and E[v] = 0, for any problem.
   const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1});
-  const numerics::KnotSplines y(numerics::widening_knots(0, 6, 4, 14)),
-      v(numerics::widening_knots(-7, 7, 4, 28, 3));
+  const numerics::QuinticBSplines y(numerics::graded_knots(0, 6, 4, 14)),
+      v(numerics::graded_knots(-7, 7, 4, 28, 3));
   const auto one = power(0);
-  const auto h = control_functions({problem, y, v, one, one, 4}, {{one, power(1)}});
+  const auto h = fit_control_functions({problem, y, v, one, one, 4}, {{one, power(1)}});
   EXPECT_NEAR(h.means[0], 0, 1e-8);
   const auto in_y = y.power(1);
   const double constant = h.coefficients(0, 0) + in_y[0];
   for (int i = 0; i < y.size(); ++i) {
     for (int j = 0; j < v.size(); ++j) {
-      EXPECT_NEAR(h.coefficients(i * v.size() + j, 0), constant - in_y[i], 1e-3);  // the ridge
+      EXPECT_NEAR(h.coefficients(i * v.size() + j, 0), constant - in_y[i], 1e-3);  // ridge error
     }
   }
 }
 
-TEST(ControlFunctions, ConvergeToAValueThatManyRunsAgreeOn) {
-  // Case 1: E[y^2] = 0.3945181772. Two-sided: the coarse grid is not as good as the fine one.
+TEST(ControlFunctions, ConvergeToTheReferenceValue) {
+  // Case 1: E[y^2] = 0.3945181772. The coarse grid must also be less accurate than the fine grid.
   const auto problem = tests::paper_case(1);
   const auto error = [&](int cells) {
     return std::abs(fitted(problem, cells, 0.65, {{power(2), power(0)}}).means[0] - 0.3945181772);

@@ -10,16 +10,16 @@
 namespace fpkcheck::backward {
 namespace {
 
-const numerics::KnotSplines& wide_splines() {
-  static const numerics::KnotSplines s(numerics::widening_knots(-30, 30, 3, 60, 3));
+const numerics::QuinticBSplines& wide_splines() {
+  static const numerics::QuinticBSplines s(numerics::graded_knots(-30, 30, 3, 60, 3));
   return s;
 }
 
 TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
   const double v[] = {-1.3, 0, 0.05, 2.0};
-  for (const std::string& name : tests::laws_by_name()) {
+  for (const std::string& name : tests::law_names_without_table()) {
     for (const double mean : {0.0, 0.2}) {
-      const auto law = problem::ImpulseLaw::named(name, mean, 0.4);
+      const auto law = problem::ImpulseLaw::from_name(name, mean, 0.4);
       const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
       for (int p = 0; p <= 5; ++p) {
         const auto c = wide_splines().power(p);
@@ -31,7 +31,7 @@ TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
             expected += choose * std::pow(v[i], p - n) * law.moment(n);
             choose = choose * (p - n) / (n + 1);
           }
-          // (Of the Laplace law 1e-18 is beyond its pieces, times 30^5 here.)
+          // The pieces of the Laplace law omit a probability of 1e-18, here times 30^5.
           EXPECT_NEAR(got(i), expected, 1e-10) << name << ' ' << mean << ' ' << p;
         }
       }
@@ -41,8 +41,8 @@ TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
 
 TEST(ImpulseMeans, SumToOneEverywhere) {
   const double v[] = {-40, -30, -29.9, 0, 30, 33};
-  for (const std::string& name : tests::laws_by_name()) {
-    const auto law = problem::ImpulseLaw::named(name, 0.1, 2.0);
+  for (const std::string& name : tests::law_names_without_table()) {
+    const auto law = problem::ImpulseLaw::from_name(name, 0.1, 2.0);
     const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
     for (int i = 0; i < 6; ++i) EXPECT_NEAR(k.row(i).sum(), 1, 1e-13) << name << ' ' << v[i];
   }
@@ -51,7 +51,7 @@ TEST(ImpulseMeans, SumToOneEverywhere) {
 TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
   const double v[] = {0.37};
   const Eigen::MatrixXd k =
-      impulse_means(wide_splines(), problem::ImpulseLaw::named("two_point", 0, 0.5), v);
+      impulse_means(wide_splines(), problem::ImpulseLaw::from_name("two_point", 0, 0.5), v);
   for (int j = 0; j < wide_splines().size(); ++j) {
     double expected = 0;
     for (const double at : {0.37 - 0.5, 0.37 + 0.5}) {
@@ -63,9 +63,10 @@ TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
 }
 
 TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
-  // The triple knot at 0 lies inside; a fine midpoint rule is the other way.
+  // The triple knot at 0 lies inside the support; the expected values are from a fine midpoint
+  // rule.
   const double v[] = {0.2};
-  const auto law = problem::ImpulseLaw::named("uniform", 0, 0.5);
+  const auto law = problem::ImpulseLaw::from_name("uniform", 0, 0.5);
   const double half = 0.5 * std::sqrt(3.0);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(wide_splines().size());
   constexpr int kPoints = 20000;

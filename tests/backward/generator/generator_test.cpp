@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Splines for case 1 with a mean, made so wide that near the origin no jump sees the ends.
+// Splines for case 1 with a mean, so wide that jumps from near the origin do not reach the ends.
 struct Generator {
   problem::Problem problem = problem::load_case(
       "case1",
@@ -18,7 +18,7 @@ struct Generator {
   numerics::SplineBasis displacement{numerics::graded_breaks(2, 6, 0.1, 1)};
   ImpactBasis velocity{numerics::SplineBasis(numerics::graded_breaks(6, 9, 0.2, 2)), 0.8};
   DisplacementSamples y = displacement_samples(displacement, 3);
-  VelocitySamples v = numerics::rounded_upward(
+  VelocitySamples v = numerics::with_upward_rounding(
       [&] { return velocity_samples(velocity_operators(problem, velocity, {}), velocity, 3); });
 
   // L (y^m v^n) at point i of y and j of v.
@@ -32,7 +32,7 @@ struct Generator {
   }
 };
 
-TEST(Generator, IsWhatTheEquationSaysOnPolynomials) {
+TEST(Generator, IsExactOnPolynomials) {
   const Generator g;
   const double c = 0.3, rate = g.problem.impulses.arrival_rate();
   const double mean = g.problem.impulses.law().moment(1),
@@ -55,15 +55,15 @@ TEST(Generator, IsWhatTheEquationSaysOnPolynomials) {
   EXPECT_GT(checked, 200);
 }
 
-TEST(LeastSquares, TiesTheImpactAndFindsAConstantForAConstant) {
+TEST(LeastSquares, SatisfiesTheImpactConditionAndReproducesConstants) {
   const Generator g;
   const BackwardSolutions s =
       solve_backward({g.problem, g.displacement, g.velocity, g.y, g.v,
                       [](double, double) { return 1.0; }, [](double, double) { return 1.0; }},
                      {[](double, double) { return 0.7; }, [](double y, double) { return y * y; }});
   EXPECT_NEAR(s.means[0], 0.7, 1e-9);
-  EXPECT_NEAR(s.extremes[0].first, 0, 1e-6);
-  EXPECT_NEAR(s.extremes[0].second, 0, 1e-6);
+  EXPECT_NEAR(s.residual_extremes[0].first, 0, 1e-6);
+  EXPECT_NEAR(s.residual_extremes[0].second, 0, 1e-6);
   for (int b = 0; b < g.velocity.size(); ++b) {
     EXPECT_EQ(s.coefficients[1](0, b), s.coefficients[1](0, g.velocity.mirrored(b)));
   }

@@ -25,11 +25,11 @@ struct Tabulated {
 };
 
 Tabulated tabulated(const ImpulseLaw& law, double end, int cells, double r) {
-  return numerics::rounded_upward([&] {
+  return numerics::with_upward_rounding([&] {
     const ImpactBasis basis(
         numerics::SplineBasis(numerics::graded_breaks(end, cells, 0.05, end / 3)), r);
     const ImpulseKinks kinks = impulse_kinks(basis, law);
-    std::vector<VelocityPiece> pieces = pieces_of(basis, kinks.cuts, kinks.longest);
+    std::vector<VelocityPiece> pieces = velocity_pieces(basis, kinks.cuts, kinks.longest);
     ImpulseTable table = impulse_table(basis, pieces, law);
     return Tabulated{basis, std::move(pieces), std::move(table)};
   });
@@ -38,11 +38,12 @@ Tabulated tabulated(const ImpulseLaw& law, double end, int cells, double r) {
 // The enclosure of K V at t of a piece.
 numerics::Enclosure jump_mean(const Tabulated& t, const Eigen::VectorXd& c, std::size_t piece,
                               double at) {
-  return numerics::rounded_upward([&] {
-    numerics::Interval sum = numerics::plus_minus(
+  return numerics::with_upward_rounding([&] {
+    numerics::Interval sum = numerics::symmetric_interval(
         (numerics::Interval(t.table.remainder) * c.cwiseAbs().maxCoeff()).upper());
     for (int b = 0; b < t.basis.size(); ++b) {
-      sum += c(b) * value(t.table.of(static_cast<int>(piece), b), numerics::Interval(at));
+      sum +=
+          c(b) * value(t.table.coefficients_of(static_cast<int>(piece), b), numerics::Interval(at));
     }
     return enclosure(sum);
   });
@@ -52,13 +53,13 @@ double point(const VelocityPiece& piece, double t) {
   return piece.from.lower() + t * (piece.to.upper() - piece.from.lower());
 }
 
-// E[V(v + Y)] by Gauss quadrature between all kinks of the integrand, and sums over atoms.
+// E[V(v + Y)] by Gauss quadrature between all kinks of the integrand, plus the sum over atoms.
 double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw& law, double v) {
   double sum = 0;
   for (const problem::Atom& atom : law.atoms()) {
     sum += atom.probability * spline_value(t.basis, c, v + atom.amplitude);
   }
-  std::vector<double> ends = law.smooth_pieces();
+  std::vector<double> ends = law.density_breakpoints();
   if (ends.empty()) return sum;
   const double first = ends.front(), last = ends.back();
   for (const double u : velocity_breaks(t.basis)) ends.push_back(std::clamp(u - v, first, last));
@@ -75,15 +76,15 @@ double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw
 
 class ImpulseTables : public ::testing::TestWithParam<std::tuple<const char*, double>> {
  protected:
-  /// "mirrored": exponential, with its tail below.
+  /// "mirrored": the exponential law with a lower tail.
   ImpulseLaw law() const {
     const auto [name, mean] = GetParam();
-    if (std::string_view(name) != "mirrored") return ImpulseLaw::named(name, mean, kDeviation);
-    return ImpulseLaw::named("exponential", mean, kDeviation, {.skewness = -2});
+    if (std::string_view(name) != "mirrored") return ImpulseLaw::from_name(name, mean, kDeviation);
+    return ImpulseLaw::from_name("exponential", mean, kDeviation, {.skewness = -2});
   }
 };
 
-TEST_P(ImpulseTables, GiveTheMomentsOfTheLawOnPowers) {
+TEST_P(ImpulseTables, ReproduceTheMomentsOfTheLawOnPowers) {
   // E[(v + Y)^n] = sum C(n, i) v^(n-i) E[Y^i], far from the ends of the basis.
   const Tabulated t = tabulated(law(), 13, 12, 0.9);
   for (const int n : {0, 1, 2, 3, 6}) {
@@ -107,7 +108,7 @@ TEST_P(ImpulseTables, GiveTheMomentsOfTheLawOnPowers) {
   }
 }
 
-TEST_P(ImpulseTables, EncloseQuadratureOfARoughSplineEverywhere) {
+TEST_P(ImpulseTables, EncloseTheQuadratureOfARoughSpline) {
   const Tabulated t = tabulated(law(), 2.5, 7, 0.6);
   Eigen::VectorXd c(t.basis.size());
   for (int b = 0; b < c.size(); ++b) c(b) = std::cos(2.3 * b * b);
@@ -124,7 +125,7 @@ TEST_P(ImpulseTables, EncloseQuadratureOfARoughSplineEverywhere) {
 TEST_P(ImpulseTables, MomentsAreThoseOfTheLaw) {
   for (int n = 0; n <= 24; ++n) {
     const numerics::Interval m =
-        numerics::rounded_upward([&] { return moment_enclosure(law(), n); });
+        numerics::with_upward_rounding([&] { return moment_enclosure(law(), n); });
     const double expected = law().moment(n);
     EXPECT_NEAR(m.lower(), expected, 1e-12 * std::abs(expected)) << n;
     EXPECT_NEAR(m.upper(), expected, 1e-12 * std::abs(expected)) << n;
@@ -137,8 +138,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, ImpulseTables,
                                             ::testing::Values(0.0, 0.17, -0.4)));
 
 TEST(Enclosures, AreThoseOfLawsWithATable) {
-  EXPECT_TRUE(has_enclosures(ImpulseLaw::named("laplace", 0, 1)));
-  const ImpulseLaw gamma = ImpulseLaw::named("gamma", 0, 1);
+  EXPECT_TRUE(has_enclosures(ImpulseLaw::from_name("laplace", 0, 1)));
+  const ImpulseLaw gamma = ImpulseLaw::from_name("gamma", 0, 1);
   EXPECT_FALSE(has_enclosures(gamma));
   EXPECT_THROW(moment_enclosure(gamma, 2), std::logic_error);
 }

@@ -15,8 +15,8 @@ ImpactBasis example(double r = 0.7) {
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
   const ImpactBasis basis = example();
-  const std::vector<VelocityPiece> pieces = numerics::rounded_upward([&] {
-    return pieces_of(basis, std::array{-1.234, 0.5}, 0.3);
+  const std::vector<VelocityPiece> pieces = numerics::with_upward_rounding([&] {
+    return velocity_pieces(basis, std::array{-1.234, 0.5}, 0.3);
   });
   EXPECT_EQ(pieces.front().from.lower(), -3);
   EXPECT_NEAR(pieces.back().to.upper(), 0.7 * 3, 1e-15);
@@ -38,9 +38,9 @@ TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
 
 TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
   const ImpactBasis basis = example();
-  numerics::rounded_upward([&] {
-    for (const VelocityPiece& piece : pieces_of(basis, std::array{-0.9, 0.4}, 0.25)) {
-      const PieceFunctions functions = functions_on(basis, piece);
+  numerics::with_upward_rounding([&] {
+    for (const VelocityPiece& piece : velocity_pieces(basis, std::array{-0.9, 0.4}, 0.25)) {
+      const PieceFunctions functions = piece_functions(basis, piece);
       for (std::size_t l = 0; l < functions.index.size(); ++l) {
         Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
         c(functions.index[l]) = 1;
@@ -55,15 +55,15 @@ TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
   });
 }
 
-TEST(VelocityPieces, MirroredFunctionsTakeTheSameValueBeforeAndAfterAnImpact) {
-  // The impact condition in exact arithmetic: their Bernstein coefficients on mirrored spans are
-  // enclosed by overlapping intervals, whatever the rounding of r u.
+TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
+  // The impact condition in exact arithmetic: the enclosures of the Bernstein coefficients on
+  // mirrored spans overlap, whatever the rounding of r u.
   const ImpactBasis basis = example(0.98);
-  numerics::rounded_upward([&] {
-    const std::vector<VelocityPiece> spans = pieces_of(basis, {}, 100);
+  numerics::with_upward_rounding([&] {
+    const std::vector<VelocityPiece> spans = velocity_pieces(basis, {}, 100);
     for (std::size_t i = 0; i < spans.size() / 2; ++i) {
-      const PieceFunctions in = functions_on(basis, spans[i]);
-      const PieceFunctions out = functions_on(basis, spans[spans.size() - 1 - i]);
+      const PieceFunctions in = piece_functions(basis, spans[i]);
+      const PieceFunctions out = piece_functions(basis, spans[spans.size() - 1 - i]);
       for (std::size_t l = 0; l < in.index.size(); ++l) {
         EXPECT_EQ(out.index[l], basis.mirrored(in.index[l]));
         for (std::size_t j = 0; j < in.value[l].size(); ++j) {
@@ -78,9 +78,9 @@ TEST(VelocityPieces, MirroredFunctionsTakeTheSameValueBeforeAndAfterAnImpact) {
 TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
   const ImpactBasis basis = example();
   const Eigen::VectorXd c = power_coefficients(basis, 3);
-  numerics::rounded_upward([&] {
-    for (const VelocityPiece& piece : pieces_of(basis, {}, 0.5)) {
-      const PieceFunctions functions = functions_on(basis, piece);
+  numerics::with_upward_rounding([&] {
+    for (const VelocityPiece& piece : velocity_pieces(basis, {}, 0.5)) {
+      const PieceFunctions functions = piece_functions(basis, piece);
       const std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(basis, piece);
       numerics::Interval slope = 0;
       for (std::size_t l = 1; l < functions.index.size(); ++l) {
@@ -95,14 +95,15 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
   });
 }
 
-TEST(VelocityPieces, AnEndOutsideItsSpanIsPaidFor) {
+TEST(VelocityPieces, OverhangIsPartOfTheError) {
   const ImpactBasis basis = example();
-  numerics::rounded_upward([&] {
-    const VelocityPiece across = located(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
-    EXPECT_EQ(across.side, Side::incoming);
+  numerics::with_upward_rounding([&] {
+    const VelocityPiece across =
+        locate_piece(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
+    EXPECT_EQ(across.side, VelocitySide::incoming);
     EXPECT_GE(across.overhang, 1e-3);
-    const PieceFunctions functions = functions_on(basis, across);
-    // The centre function continues from 1 on, but its true value falls.
+    const PieceFunctions functions = piece_functions(basis, across);
+    // The polynomial of the centre function continues above 1, but its true value decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
     c(basis.centre()) = 1;
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
@@ -113,8 +114,8 @@ TEST(VelocityPieces, AnEndOutsideItsSpanIsPaidFor) {
       EXPECT_LE(error, functions.overhang_error);
     }
     const VelocityPiece inside =
-        located(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
-    EXPECT_EQ(functions_on(basis, inside).overhang_error, 0);
+        locate_piece(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
+    EXPECT_EQ(piece_functions(basis, inside).overhang_error, 0);
     return 0;
   });
 }

@@ -7,15 +7,16 @@
 
 namespace fpkcheck::tests {
 
-inline constexpr double kSy = 0.6, kSv = 0.7;  // deviations of no density of any case here
+inline constexpr double kSigmaY = 0.6,
+                        kSigmaV = 0.7;  // deviations, different from those of all cases
 
-/// Half a Gaussian of y times one of v.
-inline transform::SmoothDensity bell() {
+/// A half-Gaussian of y times a Gaussian of v.
+inline transform::SmoothDensity gaussian_density() {
   return {[](double y, double v) {
-            const double a = y / kSy, b = v / kSv;
-            return std::exp(-(a * a + b * b) / 2) / (std::numbers::pi * kSy * kSv);
+            const double a = y / kSigmaY, b = v / kSigmaV;
+            return std::exp(-(a * a + b * b) / 2) / (std::numbers::pi * kSigmaY * kSigmaV);
           },
-          8 * kSy, 8 * kSv};
+          8 * kSigmaY, 8 * kSigmaV};
 }
 
 }  // namespace fpkcheck::tests

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "backward/bounds/one_grid.hpp"
+#include "backward/bounds/grid_bounds.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_moments.hpp"
 #include "exact/linear_problem.hpp"
@@ -17,20 +17,21 @@
 namespace fpkcheck::backward {
 namespace {
 
-using tests::bell;
-using tests::kSv;
-using tests::kSy;
+using tests::gaussian_density;
+using tests::kSigmaV;
+using tests::kSigmaY;
 
-/// Known, and wrong by some per cent.
-const transform::Moments kOfBell{.y1 = kSy * std::sqrt(2 / std::numbers::pi),
-                                 .y2 = kSy * kSy,
-                                 .y4 = 3 * std::pow(kSy, 4),
-                                 .v1 = 0,
-                                 .v2 = kSv * kSv,
-                                 .v4 = 3 * std::pow(kSv, 4)};
+/// Exact moments of the Gaussian; they differ from those of the cases by some per cent.
+const transform::Moments kBellMoments{.y1 = kSigmaY * std::sqrt(2 / std::numbers::pi),
+                                      .y2 = kSigmaY * kSigmaY,
+                                      .y4 = 3 * std::pow(kSigmaY, 4),
+                                      .v1 = 0,
+                                      .v2 = kSigmaV * kSigmaV,
+                                      .v4 = 3 * std::pow(kSigmaV, 4)};
 
-/// Its averages over cells, exactly.
-transform::GridDensity bell_on(const std::vector<double>& y, const std::vector<double>& v) {
+/// Exact averages of the Gaussian over cells.
+transform::GridDensity gaussian_averages(const std::vector<double>& y,
+                                         const std::vector<double>& v) {
   const auto part = [](const std::vector<double>& edges, std::size_t k, double s) {
     const double unit = s * std::numbers::sqrt2;
     return (std::erf(edges[k + 1] / unit) - std::erf(edges[k] / unit)) / (edges[k + 1] - edges[k]);
@@ -38,32 +39,33 @@ transform::GridDensity bell_on(const std::vector<double>& y, const std::vector<d
   transform::GridDensity grid{y, v, {}};
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {
-      grid.averages.push_back(part(y, i, kSy) * part(v, j, kSv) / 2);
+      grid.averages.push_back(part(y, i, kSigmaY) * part(v, j, kSigmaV) / 2);
     }
   }
   return grid;
 }
 
-const DensityResiduals& of_case_1() {
+const DensityResiduals& case_1_residuals() {
   static const DensityResiduals residuals(tests::paper_case(1));
   return residuals;
 }
 
-TEST(DensityResiduals, KnowTheErrorsOfAWrongDensity) {
-  const auto found = of_case_1().of(bell());
+TEST(DensityResiduals, EstimateTheErrorsOfAWrongDensity) {
+  const auto found = case_1_residuals().estimate_errors(gaussian_density());
   EXPECT_NEAR(found.mass, 1, 1e-12);
-  // Errors of 0.03 and 0.05 to 3e-9 (what many runs agree on).
+  // Errors of 0.03 and 0.05 are found to 3e-9 (reference: many simulations).
   EXPECT_NEAR(found.corrected.y2, 0.3945181772, 3e-9);
   EXPECT_NEAR(found.corrected.v2, 0.4415122125, 3e-9);
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    EXPECT_NEAR(found.error.*moment + found.corrected.*moment, kOfBell.*moment, 1e-10) << name;
+    EXPECT_NEAR(found.error.*moment + found.corrected.*moment, kBellMoments.*moment, 1e-10) << name;
   }
 }
 
-TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
+TEST(DensityResiduals, CorrectAnyDensityIntoTheGuaranteedBounds) {
   const std::vector<Functional> functionals{
-      PowerMean{Axis::displacement, 1}, PowerMean{Axis::displacement, 2},
-      PowerMean{Axis::displacement, 4}, PowerMean{Axis::velocity, 2}, PowerMean{Axis::velocity, 4}};
+      PowerMoment{Axis::displacement, 1}, PowerMoment{Axis::displacement, 2},
+      PowerMoment{Axis::displacement, 4}, PowerMoment{Axis::velocity, 2},
+      PowerMoment{Axis::velocity, 4}};
   double transform::Moments::*const moments[] = {&transform::Moments::y1, &transform::Moments::y2,
                                                  &transform::Moments::y4, &transform::Moments::v2,
                                                  &transform::Moments::v4};
@@ -71,13 +73,13 @@ TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
        {tests::paper_case(1),
         tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
     const auto bounds = bounds_on_grid(problem, weight(problem, 12),
-                                       grids_for(WidthLimit::origin)[0], functionals, 1);
-    const auto found = DensityResiduals(problem).of(bell());
+                                       grid_sequence(WidthLimit::origin)[0], functionals, 1);
+    const auto found = DensityResiduals(problem).estimate_errors(gaussian_density());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       const double value = found.corrected.*moments[k];
       EXPECT_TRUE(bounds[k].contains(value)) << name(functionals[k]) << ' ' << value << " in "
                                              << bounds[k].lower << ' ' << bounds[k].upper;
-      // A fourth of the error would not do.
+      // The bounds are narrow: half-width below a fourth of the error.
       EXPECT_GT(std::abs(found.error.*moments[k]), 4 * bounds[k].half_width());
     }
     EXPECT_NEAR(found.corrected.v1, 0, 1e-9);
@@ -85,12 +87,12 @@ TEST(DensityResiduals, LeadAnyDensityIntoTheGuaranteedBounds) {
 }
 
 TEST(DensityResiduals, OfCellAveragesConvergeToThoseOfTheFunction) {
-  const auto exact = of_case_1().of(bell()).error;
+  const auto exact = case_1_residuals().estimate_errors(gaussian_density()).error;
   std::vector<double> worst;
   for (const int cells : {24, 36, 54}) {
-    const auto grid = bell_on(tests::uniform_edges(0, 8 * kSy, cells),
-                              tests::uniform_edges(-8 * kSv, 8 * kSv, 2 * cells));
-    const auto found = of_case_1().of(grid).error;
+    const auto grid = gaussian_averages(tests::uniform_edges(0, 8 * kSigmaY, cells),
+                                        tests::uniform_edges(-8 * kSigmaV, 8 * kSigmaV, 2 * cells));
+    const auto found = case_1_residuals().estimate_errors(grid).error;
     worst.push_back(0);
     for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       worst.back() = std::max(worst.back(), std::abs(found.*moment - exact.*moment));
@@ -102,10 +104,11 @@ TEST(DensityResiduals, OfCellAveragesConvergeToThoseOfTheFunction) {
     EXPECT_GT(order, 6.2) << worst[k] << ' ' << worst[k + 1];
     EXPECT_LT(order, 9.5) << worst[k] << ' ' << worst[k + 1];
   }
-  // The averages by three points are of sixth order.
-  const auto on_cells = transform::on_cells(bell(), tests::uniform_edges(0, 8 * kSy, 72),
-                                            tests::uniform_edges(-8 * kSv, 8 * kSv, 144));
-  const auto found = of_case_1().of(on_cells).error;
+  // Averages by three Gauss points are of sixth order.
+  const auto average_over_cells =
+      transform::average_over_cells(gaussian_density(), tests::uniform_edges(0, 8 * kSigmaY, 72),
+                                    tests::uniform_edges(-8 * kSigmaV, 8 * kSigmaV, 144));
+  const auto found = case_1_residuals().estimate_errors(average_over_cells).error;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     EXPECT_NEAR(found.*moment, exact.*moment, 1e-7) << name;
   }
@@ -115,8 +118,8 @@ TEST(DensityResiduals, FindNoErrorInTheExactSolution) {
   const auto problem = tests::linear_problem({.law = "laplace"});
   const exact::LinearDensity exact(problem);
   const auto y = tests::uniform_edges(0, 8, 80), v = tests::uniform_edges(-8, 8, 160);
-  const auto found =
-      DensityResiduals(problem).of(transform::GridDensity{y, v, exact.joint_averages(y, v)});
+  const auto found = DensityResiduals(problem).estimate_errors(
+      transform::GridDensity{y, v, exact.joint_averages(y, v)});
   const auto known = exact::linear_moments_at(problem, {}, 1e4);
   EXPECT_NEAR(found.corrected.y2, known.zz, 1e-8);
   EXPECT_NEAR(found.corrected.v2, known.vv, 1e-8);
@@ -134,43 +137,44 @@ double l1(const std::vector<double>& a, const std::vector<double>& b,
   return sum;
 }
 
-TEST(DensityResiduals, KnowHowFarMarginalsAreFromTheExactOnes) {
-  // The bell is off by a quarter or so; its marginals and the exact ones are known.
+TEST(DensityResiduals, EstimateTheL1ErrorsOfMarginals) {
+  // The Gaussian has an error of about a quarter; its marginals and the exact marginals are known.
   for (const char* law : {"gaussian", "uniform", "laplace"}) {
     const auto problem = tests::linear_problem({.law = law});
     const exact::LinearDensity exact(problem);
-    const auto found = DensityResiduals(problem).of(bell());
+    const auto found = DensityResiduals(problem).estimate_errors(gaussian_density());
     const auto y = tests::uniform_edges(0, 8, 400), v = tests::uniform_edges(-8, 8, 800);
     std::vector<double> of_y, of_v;
     for (std::size_t k = 0; k + 1 < y.size(); ++k) {
-      const double unit = kSy * std::numbers::sqrt2;
+      const double unit = kSigmaY * std::numbers::sqrt2;
       of_y.push_back((std::erf(y[k + 1] / unit) - std::erf(y[k] / unit)) / (y[k + 1] - y[k]));
     }
     for (std::size_t k = 0; k + 1 < v.size(); ++k) {
-      const double unit = kSv * std::numbers::sqrt2;
+      const double unit = kSigmaV * std::numbers::sqrt2;
       of_v.push_back((std::erf(v[k + 1] / unit) - std::erf(v[k] / unit)) / (v[k + 1] - v[k]) / 2);
     }
     const double y_true = l1(of_y, exact.displacement_averages(y), y);
     const double v_true = l1(of_v, exact.velocity_averages(v), v);
     EXPECT_GT(y_true, 0.1) << law;
-    // Bins see less where the error changes its sign within one.
+    // Bins underestimate an error that changes sign within a bin.
     EXPECT_NEAR(found.y_l1.found / y_true, 0.94, 0.06) << law;
     EXPECT_NEAR(found.ydot_l1.found / v_true, 0.94, 0.06) << law;
-    const auto stated = found.stated();
-    ASSERT_TRUE(stated) << law;
-    EXPECT_GT(stated->y_l1, y_true) << law;
-    EXPECT_LT(stated->y_l1, 1.8 * y_true) << law;
-    EXPECT_GT(stated->ydot_l1, v_true) << law;
-    EXPECT_LT(stated->ydot_l1, 1.8 * v_true) << law;
-    EXPECT_GE(stated->moments.y2, std::abs(found.error.y2)) << law;
+    const auto error_estimate = found.error_estimate();
+    ASSERT_TRUE(error_estimate) << law;
+    EXPECT_GT(error_estimate->y_l1, y_true) << law;
+    EXPECT_LT(error_estimate->y_l1, 1.8 * y_true) << law;
+    EXPECT_GT(error_estimate->ydot_l1, v_true) << law;
+    EXPECT_LT(error_estimate->ydot_l1, 1.8 * v_true) << law;
+    EXPECT_GE(error_estimate->moments.y2, std::abs(found.error.y2)) << law;
   }
 }
 
-TEST(DensityResiduals, OfWideCellsAreOffByLessThanWhatTheyLeaveUnresolved) {
-  // Losses are strong: few cells do not resolve the backward equation.
+TEST(DensityResiduals, OnWideCellsDifferByLessThanTheUnresolvedResidual) {
+  // Strong losses: few cells do not resolve the backward equation.
   const auto problem = tests::make_problem({.restitution = 0.5, .rate = 0.5});
   const DensityResiduals fine(problem), wide(problem, {.y = 32, .v = 64});
-  const auto known = fine.of(bell()), found = wide.of(bell());
+  const auto known = fine.estimate_errors(gaussian_density()),
+             found = wide.estimate_errors(gaussian_density());
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const auto& [name, symbol, moment, size] = transform::kMoments[k];
     const double off = std::abs(found.error.*moment - known.error.*moment);
@@ -179,27 +183,29 @@ TEST(DensityResiduals, OfWideCellsAreOffByLessThanWhatTheyLeaveUnresolved) {
   }
 }
 
-TEST(StatedError, GrowsByWhatIsUnresolvedInProportionToTheError) {
-  WeightedResiduals residuals{};
-  const auto stated = [&](double found, double unresolved, double contrast = 0) {
+TEST(ErrorEstimate, IncreasesWithTheUnresolvedResidual) {
+  DensityErrors residuals{};
+  const auto error_estimate = [&](double found, double unresolved, double contrast = 0) {
     residuals.y_l1 = {found, unresolved, contrast};
-    const auto error = residuals.stated();
-    return error ? error->y_l1 / WeightedResiduals::kNotSeen : -1;
+    const auto error = residuals.error_estimate();
+    return error ? error->y_l1 / DensityErrors::kSubBinFactor : -1;
   };
-  EXPECT_DOUBLE_EQ(stated(0.01, 0), 0.01);
-  EXPECT_DOUBLE_EQ(stated(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
-  EXPECT_DOUBLE_EQ(stated(0.5, 0.02), 0.54);         // no more than twice what is unresolved
-  EXPECT_DOUBLE_EQ(stated(0, 0.2), 0.4);             // nothing is found where nothing is known
-  EXPECT_DOUBLE_EQ(stated(0.01, 0, 0.5), 0.02);      // half of the error of wells' shares is seen
-  EXPECT_DOUBLE_EQ(stated(0.01, 0.02, 0.3), 0.02);   // t = 0.01 + 10 t 0.02 + 0.3 t
-  EXPECT_EQ(stated(0, 0.7), -1);                     // no two densities are farther apart than 2
-  EXPECT_EQ(stated(0, 0, 0.6), -1);                  // shares of wells are hardly seen
+  EXPECT_DOUBLE_EQ(error_estimate(0.01, 0), 0.01);
+  EXPECT_DOUBLE_EQ(error_estimate(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
+  EXPECT_DOUBLE_EQ(error_estimate(0.5, 0.02), 0.54);         // at most twice the unresolved part
+  EXPECT_DOUBLE_EQ(error_estimate(0, 0.2), 0.4);             // unresolved only
+  EXPECT_DOUBLE_EQ(error_estimate(0.01, 0, 0.5),
+                   0.02);  // residuals contain half of the wells' error
+  EXPECT_DOUBLE_EQ(error_estimate(0.01, 0.02, 0.3), 0.02);  // t = 0.01 + 10 t 0.02 + 0.3 t
+  EXPECT_EQ(error_estimate(0, 0.7), -1);     // would reach 2, the largest L1 distance
+  EXPECT_EQ(error_estimate(0, 0, 0.6), -1);  // contrast above kMaxContrast
 }
 
 TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
-  auto twice = bell();
-  twice.value = [one = bell().value](double y, double v) { return 2 * one(y, v); };
-  const auto once = of_case_1().of(bell()), found = of_case_1().of(twice);
+  auto twice = gaussian_density();
+  twice.value = [one = gaussian_density().value](double y, double v) { return 2 * one(y, v); };
+  const auto once = case_1_residuals().estimate_errors(gaussian_density()),
+             found = case_1_residuals().estimate_errors(twice);
   EXPECT_NEAR(found.mass, 2, 1e-12);
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     EXPECT_NEAR(found.error.*moment, once.error.*moment, 1e-13);
@@ -208,35 +214,39 @@ TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
   EXPECT_LT((found.contributions[1] - once.contributions[1]).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-TEST(DensityResiduals, WeighByTheSolutionLessItsMean) {
-  // Of E[y'] the solution is h = -y + constant: what counts is y - E_p[y].
-  const auto weak = WeakResiduals(tests::paper_case(1), of_case_1().y(), of_case_1().v())(bell());
-  const auto y = of_case_1().y().power(1);
+TEST(DensityResiduals, WeightByTheCentredSolution) {
+  // For E[y'] the solution is h = -y + constant: the weight is y - E_p[y].
+  const auto weak = WeakResiduals(tests::paper_case(1), case_1_residuals().y(),
+                                  case_1_residuals().v())(gaussian_density());
+  const auto y = case_1_residuals().y().power(1);
   Eigen::MatrixXd expected = weak.residuals;
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {
-    expected.row(i) *= y[static_cast<std::size_t>(i)] - kOfBell.y1;
+    expected.row(i) *= y[static_cast<std::size_t>(i)] - kBellMoments.y1;
   }
   const double largest = expected.cwiseAbs().maxCoeff();
-  EXPECT_LT((of_case_1().of(bell()).contributions[3] - expected).cwiseAbs().maxCoeff(),
+  EXPECT_LT((case_1_residuals().estimate_errors(gaussian_density()).contributions[3] - expected)
+                .cwiseAbs()
+                .maxCoeff(),
             1e-4 * largest);
 }
 
 TEST(DensityResiduals, SpreadSumsToTheError) {
-  const auto found = of_case_1().of(bell());
-  const auto &y_splines = of_case_1().y(), &v_splines = of_case_1().v();
+  const auto found = case_1_residuals().estimate_errors(gaussian_density());
+  const auto &y_splines = case_1_residuals().y(), &v_splines = case_1_residuals().v();
   const auto y = tests::uniform_edges(0, y_splines.end(), 23),
              v = tests::uniform_edges(v_splines.begin(), v_splines.end(), 31);
   const double area = (y[1] - y[0]) * (v[1] - v[0]);
   for (std::size_t k = 0; k < kMomentCount; ++k) {
-    const Eigen::MatrixXd map = of_case_1().spread(found.contributions[k], y, v);
+    const Eigen::MatrixXd map =
+        case_1_residuals().spread_contributions(found.contributions[k], y, v);
     EXPECT_EQ(map.rows(), 23);
     EXPECT_EQ(map.cols(), 31);
     EXPECT_NEAR(map.sum() * area, found.error.*transform::kMoments[k].moment, 1e-12);
   }
 }
 
-TEST(DensityResiduals, MapALocalFaultToItsPlace) {
-  // The exact solution and a bump of no mass: pulled apart at (0.9, 0.6).
+TEST(DensityResiduals, LocateALocalError) {
+  // The exact solution plus a perturbation of zero mass, antisymmetric about (0.9, 0.6).
   const auto problem = tests::linear_problem();
   const exact::LinearDensity exact(problem);
   const DensityResiduals residuals(problem);
@@ -251,9 +261,10 @@ TEST(DensityResiduals, MapALocalFaultToItsPlace) {
       grid.averages[i * grid.nv() + j] += kHeight * a * std::exp(-(a * a + b * b) / 2);
     }
   }
-  const auto found = residuals.of(grid);
+  const auto found = residuals.estimate_errors(grid);
   EXPECT_NEAR(found.error.y2, kHeight * 4 * std::numbers::pi * y0 * std::pow(width, 3), 1e-6);
-  const Eigen::MatrixXd map = residuals.spread(found.contributions[1], y, v).cwiseAbs();
+  const Eigen::MatrixXd map =
+      residuals.spread_contributions(found.contributions[1], y, v).cwiseAbs();
   double near = 0, height = 0, speed = 0;
   for (Eigen::Index i = 0; i < map.rows(); ++i) {
     for (Eigen::Index j = 0; j < map.cols(); ++j) {

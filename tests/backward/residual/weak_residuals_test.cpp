@@ -11,31 +11,31 @@
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_problem.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {
 namespace {
 
 WeakResiduals residuals_of(const problem::Problem& problem) {
-  return {problem, numerics::KnotSplines(numerics::widening_knots(0, 6, 4, 14)),
-          numerics::KnotSplines(numerics::widening_knots(-7, 7, 4, 28, 3))};
+  return {problem, numerics::QuinticBSplines(numerics::graded_knots(0, 6, 4, 14)),
+          numerics::QuinticBSplines(numerics::graded_knots(-7, 7, 4, 28, 3))};
 }
 
-/// Of no symmetry, 1e-11 of its peak at the ends.
+/// A density without symmetry; 1e-11 of its peak at the ends.
 double skew_bell(double y, double v) {
   return std::exp(-y * y - 0.8 * (v - 0.3) * (v - 0.3) - 0.4 * y * v) * (1 + 0.5 * y);
 }
 transform::SmoothDensity skew_density() { return {skew_bell, 6, 6.5}; }
 
-double function(const numerics::KnotSplines& splines, int i, double x, bool slope = false) {
+double function(const numerics::QuinticBSplines& splines, int i, double x, bool slope = false) {
   const auto at = splines.at(x);
-  if (i < at.first || i > at.first + numerics::KnotSplines::kDegree) return 0;
+  if (i < at.first || i > at.first + numerics::QuinticBSplines::kDegree) return 0;
   return slope ? at.slope[static_cast<std::size_t>(i - at.first)]
                : at.value[static_cast<std::size_t>(i - at.first)];
 }
 
-/// The integral over [a, b], cut at the breaks of splines, times `factor`.
+/// The integral over [a, b], divided at the breaks of splines times `factor`.
 double integral(const std::function<double(double)>& f, double a, double b,
                 std::vector<double> breaks, double factor = 1) {
   for (double& x : breaks) x = std::clamp(factor * x, a, b);
@@ -51,11 +51,11 @@ double integral(const std::function<double(double)>& f, double a, double b,
   return sum;
 }
 
-/// E[f(Y)], f smooth.
+/// E[f(Y)] for a smooth f.
 double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(double)>& f) {
   double sum = 0;
   for (const auto& atom : law.atoms()) sum += atom.probability * f(atom.amplitude);
-  const auto pieces = law.smooth_pieces();
+  const auto pieces = law.density_breakpoints();
   for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
     sum += numerics::integrate_panels([&](double z) { return law.density(z) * f(z); }, pieces[k],
                                       pieces[k + 1], 12);
@@ -63,10 +63,10 @@ double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(
   return sum;
 }
 
-/// rho_ij by the definition, of the density above before it is normalised; impulses act on p
-/// instead of on B_j: int p K B dv = int B(w) E[p(w - Y)] dw.
+/// rho_ij by its definition, for the unnormalised density above. The jump operator acts on p
+/// instead of B_j: int p K B dv = int B(w) E[p(w - Y)] dw.
 double by_definition(const problem::Problem& problem, const WeakResiduals& splines, int i, int j) {
-  const numerics::KnotSplines &in_y = splines.y(), &in_v = splines.v();
+  const numerics::QuinticBSplines &in_y = splines.y(), &in_v = splines.v();
   const auto& system = problem.system;
   const auto inside = [](double y, double v) { return std::abs(v) < 6.5 ? skew_bell(y, v) : 0; };
   const auto over_v = [&](double y) {
@@ -98,13 +98,13 @@ double by_definition(const problem::Problem& problem, const WeakResiduals& splin
   return local + function(in_y, i, 0) * (out - in);
 }
 
-TEST(WeakResiduals, AreWhatTheirDefinitionSaysForEveryLaw) {
+TEST(WeakResiduals, MatchTheirDefinitionForEveryLaw) {
   for (const char* law : tests::kSymmetricLaws) {
     const auto problem = tests::make_problem(
         {.damping = 0.3, .restitution = 0.7, .rate = 1.7, .mean = 0.1, .law = law});
     const auto residuals = residuals_of(problem);
     const auto weak = residuals(skew_density());
-    // At the wall where particles come, where they go and where both meet; inside; the last in y.
+    // Functions at the wall: incoming, outgoing and at v = 0; inside; the last in y.
     for (const auto& [i, j] : {std::pair{0, 13}, {0, 19}, {0, 16}, {4, 12}, {7, 20}, {1, 18}}) {
       EXPECT_NEAR(weak.mass * weak.residuals(i, j), by_definition(problem, residuals, i, j), 1e-8)
           << law << ' ' << i << ' ' << j;
@@ -114,13 +114,14 @@ TEST(WeakResiduals, AreWhatTheirDefinitionSaysForEveryLaw) {
 }
 
 TEST(WeakResiduals, OfCellAveragesAreThoseOfTheFunction) {
-  // Cells of other widths to the left than to the right of 0.
+  // Different cell widths for v < 0 and v > 0.
   const auto residuals = residuals_of(tests::make_problem({.restitution = 0.7, .mean = 0.1}));
   auto v = tests::uniform_edges(-6.5, 0, 100);
   for (const double edge : tests::uniform_edges(0, 6.5, 80)) {
     if (edge > 0) v.push_back(edge);
   }
-  const auto grid = transform::on_cells(skew_density(), tests::uniform_edges(0, 6, 90), v);
+  const auto grid =
+      transform::average_over_cells(skew_density(), tests::uniform_edges(0, 6, 90), v);
   const auto of_grid = residuals(grid), of_function = residuals(skew_density());
   EXPECT_LT((of_grid.residuals - of_function.residuals).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_LT((of_grid.means - of_function.means).cwiseAbs().maxCoeff(), 1e-7);
@@ -137,7 +138,7 @@ TEST(WeakResiduals, SumToZeroAndMeansToOne) {
   }
 }
 
-TEST(WeakResiduals, OfPowersAreTheirBalances) {
+TEST(WeakResiduals, OfPowersAreTheBalances) {
   // L y = v and L v = -c v - g(y) + lambda E[Y]; impacts change v by (1 + r) u.
   const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1});
   const auto residuals = residuals_of(problem);
@@ -181,7 +182,7 @@ TEST(WeakResiduals, VanishForTheExactSolutionWithTheGridsOrder) {
   }
 }
 
-TEST(WeakResiduals, RefuseWhatIsNoDensity) {
+TEST(WeakResiduals, RejectInvalidDensities) {
   const auto residuals = residuals_of(tests::make_problem());
   const auto refused = [&](const transform::Density& p) { EXPECT_THROW(residuals(p), InputError); };
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In a process of its own that ends at once, as if it were killed there.
-void in_a_process_that_dies(const std::function<void()>& act) {
+// Runs `act` in a child process that exits immediately, as if killed there.
+void in_killed_process(const std::function<void()>& act) {
   const pid_t child = fork();
   if (child == 0) {
     act();
@@ -28,21 +28,21 @@ void in_a_process_that_dies(const std::function<void()>& act) {
   ASSERT_EQ(status, 0);
 }
 
-class JournalOfAKilledRun : public testing::Test {
+class JournalOfKilledRun : public testing::Test {
  protected:
-  JournalOfAKilledRun() {
+  JournalOfKilledRun() {
     for (const char* name : {"a", "b", "gone"}) write_file(path(name), "old");
   }
 
   fs::path path(const char* name) const { return directory.path() / name; }
   std::string text(const char* name) const { return tests::contents(path(name)); }
 
-  // Of a run that has new files for a, b and c, and none for gone.
+  // The journal of a run with new files for a, b and c, and none for gone.
   Journal journal() const {
     Journal made;
     for (const char* name : {"a", "b", "c"}) {
-      const fs::path partial = partial_beside(path(name));
-      write_new(partial, "new");
+      const fs::path partial = partial_path(path(name));
+      write_new_file(partial, "new");
       made.renames.push_back({partial.filename().string(), name});
     }
     made.removals.push_back("gone");
@@ -54,7 +54,7 @@ class JournalOfAKilledRun : public testing::Test {
   }
   std::string refusal() const {
     try {
-      finish_interrupted(directory.path());
+      complete_interrupted_commit(directory.path());
     } catch (const InputError& error) {
       return error.what();
     }
@@ -64,56 +64,58 @@ class JournalOfAKilledRun : public testing::Test {
   tests::TemporaryDirectory directory;
 };
 
-TEST_F(JournalOfAKilledRun, IsCarriedOutByTheNext) {
-  in_a_process_that_dies([&] { journal().announce(directory.path()); });
+TEST_F(JournalOfKilledRun, IsAppliedByNextRun) {
+  in_killed_process([&] { journal().publish(directory.path()); });
   EXPECT_EQ(text("a"), "old");
-  finish_interrupted(directory.path());
+  complete_interrupted_commit(directory.path());
   expect_the_new_files();
 }
 
-TEST_F(JournalOfAKilledRun, IsCarriedOnFromWhereItEnded) {
-  in_a_process_that_dies([&] {
+TEST_F(JournalOfKilledRun, IsAppliedAfterPartialChange) {
+  in_killed_process([&] {
     const Journal all = journal();
-    all.announce(directory.path());
+    all.publish(directory.path());
     fs::rename(directory.path() / all.renames[0].from, path("a"));
   });
   EXPECT_EQ(text("a"), "new");
   EXPECT_EQ(text("b"), "old");
-  finish_interrupted(directory.path());
+  complete_interrupted_commit(directory.path());
   expect_the_new_files();
 }
 
-TEST_F(JournalOfAKilledRun, ThatWasNotAnnouncedChangesNothing) {
-  in_a_process_that_dies([&] { journal(); });
-  finish_interrupted(directory.path());
+TEST_F(JournalOfKilledRun, UnpublishedChangesNothing) {
+  in_killed_process([&] { journal(); });
+  complete_interrupted_commit(directory.path());
   for (const char* name : {"a", "b", "gone"}) EXPECT_EQ(text(name), "old") << name;
-  remove_abandoned(directory.path());
+  remove_abandoned_partials(directory.path());
   EXPECT_EQ(directory.entries().size(), 3u);
 }
 
-TEST_F(JournalOfAKilledRun, IsLeftToAProcessThatRuns) {
-  journal().announce(directory.path());  // of this process
+TEST_F(JournalOfKilledRun, IsLeftToRunningProcess) {
+  journal().publish(directory.path());  // written by this process
   const std::string message = refusal();
-  EXPECT_NE(message.find("is putting files into"), std::string::npos) << message;
+  EXPECT_NE(message.find("is writing files into"), std::string::npos) << message;
   EXPECT_EQ(text("a"), "old");
   Journal other;
-  EXPECT_THROW(other.announce(directory.path()), std::system_error);
+  EXPECT_THROW(other.publish(directory.path()), std::system_error);
 }
 
-TEST_F(JournalOfAKilledRun, ThatNamesPlacesElsewhereIsRefused) {
+TEST_F(JournalOfKilledRun, WithPathsElsewhereIsRejected) {
   for (const char* line : {"remove\n../outside\n", "remove\n/etc/passwd\n",
                            "rename\n../outside\na\n", "rename\na\n", "what\n"}) {
-    write_file(path(Journal::kFile),
-               "fpkcheck commit 1\n" + Writer::this_one().host + "\n4194999\n" + line + "end\n");
-    EXPECT_NE(refusal().find("no journal of yours, or damaged"), std::string::npos) << line;
+    write_file(path(Journal::kFileName), "fpkcheck commit 1\n" +
+                                             WriterProcess::current_process().host + "\n4194999\n" +
+                                             line + "end\n");
+    EXPECT_NE(refusal().find("is not a journal of this user, or damaged"), std::string::npos)
+        << line;
   }
 }
 
-TEST_F(JournalOfAKilledRun, ThatIsCutIsRefused) {
-  in_a_process_that_dies([&] { journal().announce(directory.path()); });
-  const std::string whole = text(Journal::kFile);
+TEST_F(JournalOfKilledRun, TruncatedIsRejected) {
+  in_killed_process([&] { journal().publish(directory.path()); });
+  const std::string whole = text(Journal::kFileName);
   for (std::size_t size = 0; size < whole.size(); size += 7) {
-    write_file(path(Journal::kFile), whole.substr(0, size));
+    write_file(path(Journal::kFileName), whole.substr(0, size));
     EXPECT_FALSE(refusal().empty()) << size;
     EXPECT_EQ(text("a"), "old") << size;
   }

@@ -38,22 +38,22 @@ TEST_F(LineLogFile, GrowsByWholeLines) {
   {
     LineLog log(file_);
     EXPECT_EQ(log.read(), (Lines{"one", ""}));
-    EXPECT_FALSE(log.cut_off());
+    EXPECT_FALSE(log.removed_partial_line());
     log.append("two");
   }
   EXPECT_EQ(tests::contents(file_), "one\n\ntwo\n");
 }
 
-TEST_F(LineLogFile, ALineWithoutItsEndIsCutOff) {
+TEST_F(LineLogFile, RemovesPartialLastLine) {
   std::ofstream(file_) << "one\ntw";
   LineLog log(file_);
   EXPECT_EQ(log.read(), Lines{"one"});
-  EXPECT_TRUE(log.cut_off());
+  EXPECT_TRUE(log.removed_partial_line());
   log.append("three");
   EXPECT_EQ(tests::contents(file_), "one\nthree\n");
 }
 
-TEST_F(LineLogFile, HasOneWriter) {
+TEST_F(LineLogFile, ExcludesSecondWriter) {
   {
     const LineLog first(file_);
     EXPECT_THROW(LineLog{file_}, InputError);
@@ -61,7 +61,7 @@ TEST_F(LineLogFile, HasOneWriter) {
   EXPECT_NO_THROW(LineLog{file_});
 }
 
-TEST_F(LineLogFile, IsARegularFile) {
+TEST_F(LineLogFile, RejectsSpecialFiles) {
   const auto pipe = directory_.path() / "pipe", link = directory_.path() / "link";
   mkfifo(pipe.c_str(), 0600);
   std::filesystem::create_symlink(file_, link);
@@ -71,8 +71,8 @@ TEST_F(LineLogFile, IsARegularFile) {
   EXPECT_THROW(LineLog{directory_.path() / "absent" / "log"}, std::runtime_error);
 }
 
-// As of a full disk: what fits of a line goes again.
-TEST_F(LineLogFile, ALineThatDoesNotFitLeavesItAsItWas) {
+// Simulates a full disk: the part of the line that was written is removed again.
+TEST_F(LineLogFile, IsUnchangedWhenAppendFails) {
   LineLog log(file_);
   log.read();
   log.append("one");

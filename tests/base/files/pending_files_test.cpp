@@ -24,12 +24,13 @@ TEST(ReplaceFile, KeepsTheOldFileWhileTheNewOneIsWritten) {
   replace_file(target, [&](const fs::path& temporary) {
     std::ofstream(temporary) << "new";
     EXPECT_EQ(tests::contents(target), "old");
-    EXPECT_EQ(temporary.parent_path(), target.parent_path());  // a rename cannot cross disks
+    // rename() works within one file system only
+    EXPECT_EQ(temporary.parent_path(), target.parent_path());
   });
   EXPECT_EQ(tests::contents(target), "new");
 }
 
-TEST(ReplaceFile, ThatFailsLeavesTheTargetAndNoHalfFile) {
+TEST(ReplaceFile, KeepsTargetOnFailure) {
   const tests::TemporaryDirectory directory;
   const fs::path target = directory.path() / "f";
   write_file(target, "old");
@@ -57,7 +58,7 @@ TEST(PendingFiles, ReplaceTheirTargetsTogether) {
   EXPECT_EQ(directory.entries().size(), 2u);
 }
 
-TEST(PendingFiles, OfWhichOneFailsLeaveAllAsTheyWere) {
+TEST(PendingFiles, KeepAllTargetsOnFailure) {
   const tests::TemporaryDirectory directory;
   for (const char* name : {"a", "c"}) write_file(directory.path() / name, "old");
   fs::create_directories(directory.path() / "taken" / "inside");
@@ -79,7 +80,7 @@ TEST(PendingFiles, OfWhichOneFailsLeaveAllAsTheyWere) {
   EXPECT_EQ(directory.entries().size(), 3u);
 }
 
-TEST(PendingFiles, AreOfOneDirectory) {
+TEST(PendingFiles, RequireOneDirectory) {
   const tests::TemporaryDirectory directory;
   fs::create_directory(directory.path() / "below");
   PendingFiles files;
@@ -87,7 +88,7 @@ TEST(PendingFiles, AreOfOneDirectory) {
   EXPECT_THROW(files.add(directory.path() / "below" / "b", "new"), std::logic_error);
 }
 
-TEST(ReplaceFile, OfADirectoryOrByNothingIsAnError) {
+TEST(ReplaceFile, FailsOnDirectoryOrMissingOutput) {
   const tests::TemporaryDirectory directory;
   fs::create_directories(directory.path() / "taken" / "inside");
   EXPECT_THROW(write_file(directory.path() / "taken", "text"), std::runtime_error);

@@ -9,8 +9,8 @@
 namespace fpkcheck::base {
 
 enum class Colour { red, green };
-constexpr Named<Colour> kColourNames[] = {{Colour::red, "red"}, {Colour::green, "dark-green"}};
-constexpr std::span<const Named<Colour>> names(Colour) { return kColourNames; }
+constexpr EnumEntry<Colour> kColourNames[] = {{Colour::red, "red"}, {Colour::green, "dark-green"}};
+constexpr std::span<const EnumEntry<Colour>> names(Colour) { return kColourNames; }
 
 namespace {
 
@@ -57,7 +57,7 @@ std::string refusal(const Action& action) {
   return "accepted";
 }
 
-TEST(Description, ValuesComeBackAsTheyWere) {
+TEST(Description, ValuesRoundTrip) {
   const Paint changed{.colour = Colour::green,
                       .coats = 4,
                       .gloss = 0.25,
@@ -68,25 +68,26 @@ TEST(Description, ValuesComeBackAsTheyWere) {
                       .batch = 1ull << 40};
   const Values values = paint().values(changed);
   EXPECT_EQ(paint().values(paint().read(values, "options")), values);
-  const Values usual = paint().values({});
-  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
-  EXPECT_EQ(paint().values(paint().read(usual, "options")), usual);
+  const Values defaults = paint().values({});
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_NE(values[k], defaults[k]) << values[k].name;
+  EXPECT_EQ(paint().values(paint().read(defaults, "options")), defaults);
 }
 
-TEST(Description, AWholeNumberIsANumberButNotTheOtherWayRound) {
-  const Values usual = paint().values({});
-  EXPECT_EQ(paint().read(with(usual, "litres", std::int64_t{3}), "options").litres, 3.0);
+TEST(Description, AcceptsIntegersAsNumbersOnly) {
+  const Values defaults = paint().values({});
+  EXPECT_EQ(paint().read(with(defaults, "litres", std::int64_t{3}), "options").litres, 3.0);
   EXPECT_NE(refusal([&] {
-              paint().read(with(usual, "coats", 4.0), "options");
+              paint().read(with(defaults, "coats", 4.0), "options");
             }).find("options.coats = 4 (must be an even number from 2 to 8)"),
             std::string::npos);
 }
 
-TEST(Description, WhatIsMissingUnknownOrOfAnotherTypeIsNamed) {
-  const Values usual = paint().values({});
-  for (const auto& named : usual) {
+TEST(Description, NamesMissingUnknownAndMistypedValues) {
+  const Values defaults = paint().values({});
+  for (const auto& named : defaults) {
     Values without;
-    for (const auto& other : usual) {
+    for (const auto& other : defaults) {
       if (other.name != named.name) without.push_back(other);
     }
     EXPECT_NE(refusal([&] {
@@ -95,35 +96,35 @@ TEST(Description, WhatIsMissingUnknownOrOfAnotherTypeIsNamed) {
               std::string::npos);
     const Value wrong = std::holds_alternative<bool>(named.value) ? Value(1.5) : Value(true);
     EXPECT_NE(refusal([&] {
-                paint().read(with(usual, named.name, wrong), "options");
+                paint().read(with(defaults, named.name, wrong), "options");
               }).find("options." + named.name + " = "),
               std::string::npos);
   }
-  Values more = usual;
+  Values more = defaults;
   more.push_back({"smell", true});
   EXPECT_NE(refusal([&] { paint().read(more, "options"); }).find("options.smell is unknown"),
             std::string::npos);
   EXPECT_NE(refusal([&] {
-              paint().read(with(usual, "colour", std::string("blue")), "options");
+              paint().read(with(defaults, "colour", std::string("blue")), "options");
             }).find("options.colour = 'blue' (must be one of red, dark-green)"),
             std::string::npos);
   EXPECT_NE(refusal([&] {
-              paint().read(with(usual, "batch", std::int64_t{-1}), "options");
+              paint().read(with(defaults, "batch", std::int64_t{-1}), "options");
             }).find("options.batch = -1"),
             std::string::npos);
 }
 
-// A key that came later than the file.
-TEST(Description, WhatHasAFallbackMayBeMissing) {
+// A key that is newer than the file.
+TEST(Description, DefaultReplacesMissingValue) {
   const auto description = Description<Paint>("paint.")
                                .add("coats", &Paint::coats, {"N", "how many"})
                                .add("wet", &Paint::wet, {"", "not yet dry"})
-                               .with_fallback(true);
+                               .with_default(true);
   EXPECT_TRUE(description.read({{"coats", std::int64_t{3}}}, "options").wet);
   EXPECT_THROW(description.read({{"wet", true}}, "options"), InputError);
 }
 
-TEST(Description, TheRangeIsCheckedByNameAndAutomaticIsInIt) {
+TEST(Description, ValidatesRangesAndAcceptsAutomatic) {
   EXPECT_NO_THROW(paint().validate({}));
   EXPECT_EQ(refusal([] { paint().validate({.coats = 3}); }),
             "paint.coats = 3 (must be an even number from 2 to 8)");
@@ -137,7 +138,7 @@ TEST(Description, TheRangeIsCheckedByNameAndAutomaticIsInIt) {
             std::string::npos);
 }
 
-TEST(Description, TextsOfTheCommandLineBecomeValues) {
+TEST(Description, ParsesCommandLineTexts) {
   Paint p;
   const auto parse = [&](const char* name, const char* text) {
     paint().parse(p, *paint().find(name), text, std::string("--") + name);
@@ -160,7 +161,7 @@ TEST(Description, TextsOfTheCommandLineBecomeValues) {
             "--colour 'auto' (must be one of red, dark-green)");
 }
 
-TEST(Description, FlagsHaveDashesUnlessToldOtherwise) {
+TEST(Description, DerivesFlagsFromNames) {
   EXPECT_EQ(paint().find("gloss_share")->flag, "gloss-share");
   EXPECT_EQ(paint().find("maker")->flag, "");
 }

@@ -21,9 +21,9 @@ class Processors : public ::testing::Test {
   }
 };
 
-TEST_F(Processors, AreThoseThatTheProcessMayRunOn) {
+TEST_F(Processors, RespectAffinityMask) {
   int found = 0;
-  std::thread([&] {  // affinity is a thread's own
+  std::thread([&] {  // affinity is a property of a thread
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(sched_getcpu(), &one);
@@ -35,7 +35,7 @@ TEST_F(Processors, AreThoseThatTheProcessMayRunOn) {
   EXPECT_GE(processors(), 1);
 }
 
-TEST_F(Processors, AreNoMoreThanTheBatchSystemOrOpenMpGives) {
+TEST_F(Processors, RespectEnvironmentLimits) {
   const int own = processors();
   setenv("SLURM_CPUS_PER_TASK", "1", 1);
   EXPECT_EQ(processors(), 1);
@@ -45,7 +45,7 @@ TEST_F(Processors, AreNoMoreThanTheBatchSystemOrOpenMpGives) {
   EXPECT_EQ(processors(), 1);
 }
 
-TEST_F(Processors, WhatIsNoNumberOfProcessorsDoesNotCount) {
+TEST_F(Processors, IgnoreInvalidEnvironmentValues) {
   const int own = processors();
   for (const char* nonsense : {"", "0", "-2", "many", "1.5", "99999999999999999999"}) {
     setenv("OMP_NUM_THREADS", nonsense, 1);

@@ -12,7 +12,7 @@ namespace {
 
 class EachLaw : public testing::TestWithParam<const char*> {
  protected:
-  problem::ImpulseLaw law = problem::ImpulseLaw::named(GetParam(), 0.2, 0.5);
+  problem::ImpulseLaw law = problem::ImpulseLaw::from_name(GetParam(), 0.2, 0.5);
 };
 INSTANTIATE_TEST_SUITE_P(Law, EachLaw,
                          testing::Values("gaussian", "laplace", "two_point", "uniform"));
@@ -33,9 +33,9 @@ TEST_P(EachLaw, TakesTheMeanOfPolynomialsOfTheVelocity) {
   }
 }
 
-// At the wall theta is a step: its mean is pi/2 (P(Y > -v) - P(Y < -v)).
-TEST(GradedImpulseRule, SeesTheStepOfThePhaseAtTheWall) {
-  const auto law = problem::ImpulseLaw::named("gaussian", 0, 0.5);
+// At the wall theta is a step function: its mean is pi/2 (P(Y > -v) - P(Y < -v)).
+TEST(GradedImpulseRule, IntegratesTheStepOfThePhaseAtTheWall) {
+  const auto law = problem::ImpulseLaw::from_name("gaussian", 0, 0.5);
   GradedImpulseRule rule(law);
   for (const double v : {-0.7, -0.01, 0.3}) {
     for (const double width : {1e-10, 1e-8}) {
@@ -49,9 +49,9 @@ TEST(GradedImpulseRule, SeesTheStepOfThePhaseAtTheWall) {
   }
 }
 
-// Where it is steep but no step.
+// A steep but continuous phase.
 TEST(GradedImpulseRule, ResolvesASteepPhase) {
-  const auto law = problem::ImpulseLaw::named("laplace", 0, 0.5);
+  const auto law = problem::ImpulseLaw::from_name("laplace", 0, 0.5);
   GradedImpulseRule rule(law);
   for (const double width : {0.003, 0.05, 0.4}) {
     const auto& [after, probability] = rule(0.2, width);
@@ -60,7 +60,7 @@ TEST(GradedImpulseRule, ResolvesASteepPhase) {
       mean += probability[i] * std::pow(std::atan2(after[i], width), 3);
       amplitude += probability[i] * std::hypot(after[i], width);
     }
-    // v + Y = width sinh(s), in which everything but the law's own kink at Y = 0 is smooth.
+    // v + Y = width sinh(s): the integrand is smooth in s but for the kink of the law at Y = 0.
     const auto integral = [&](const auto& f) {
       const auto integrand = [&](double s) {
         const double u = width * std::sinh(s);

@@ -6,7 +6,7 @@
 
 #include "epc/contact/tail.hpp"
 #include "epc/half_plane/contour.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::contact {
@@ -20,23 +20,26 @@ problem::Problem pressed(const problem::SystemCoefficients& coefficients) {
 
 TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
   const auto impulses = tests::gaussian_impulses(1, 0.1);
-  EXPECT_TRUE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(applies(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(applies(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
-  // Pressed there, but another well is behind the hill.
-  EXPECT_FALSE(applies(
-      tests::in_frame(tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
-                                                  {.left = -0.5, .left_restitution = 0.7}),
-                                           impulses))));
+  EXPECT_TRUE(
+      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(
+      is_pressed_on_one_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
+  EXPECT_FALSE(
+      is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
+  // The force presses at the wall, but there is another well beyond the barrier.
+  EXPECT_FALSE(is_pressed_on_one_wall(tests::in_wall_coordinates(
+      tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
+                                  {.left = -0.5, .left_restitution = 0.7}),
+                           impulses))));
   const auto on_the_right =
       tests::with_impulses(System({.damping = 0.1, .constant = -0.5, .stiffness = 1},
                                   {.right = 0, .right_restitution = 0.7}),
                            impulses);
-  EXPECT_TRUE(applies(on_the_right));
-  EXPECT_TRUE(applies(tests::in_frame(on_the_right)));
+  EXPECT_TRUE(is_pressed_on_one_wall(on_the_right));
+  EXPECT_TRUE(is_pressed_on_one_wall(tests::in_wall_coordinates(on_the_right)));
   auto noisy = pressed({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
   noisy.noise.intensity = 0.1;
-  EXPECT_FALSE(applies(noisy));
+  EXPECT_FALSE(is_pressed_on_one_wall(noisy));
 }
 
 TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
@@ -51,12 +54,12 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
   }
 }
 
-// A ball: rho^2 = v^2 + 2 g y, of which the area below an energy h is (2/3) (2 h)^(3/2) / g.
+// A ball: rho^2 = v^2 + 2 g y, with area (2/3) (2 h)^(3/2) / g below an energy h.
 TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
   const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
   const Coordinates coordinates(p);
-  const auto points = rule(coordinates, rho_max, {24, 24, 24});
+  const auto points = quadrature_points(coordinates, rho_max, {24, 24, 24});
   double area = 0, first_moment = 0;
   for (Eigen::Index i = 0; i + 1 < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i], rho = points.s[i];
@@ -67,7 +70,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
     first_moment += points.weight[i] * rho * rho / 2 * y;
   }
   EXPECT_NEAR(area, 2.0 / 3 * std::pow(rho_max, 3) / g, 1e-12);
-  // int over v of (rho_max^2 - v^2)^2 / (8 g^2)
+  // integral over v of (rho_max^2 - v^2)^2 / (8 g^2)
   EXPECT_NEAR(first_moment, 16.0 / 15 * std::pow(rho_max, 5) / (8 * g * g), 1e-12);
   const Eigen::Index last = points.size() - 1;
   for (const auto* column : {&points.s, &points.t, &points.y, &points.v, &points.energy}) {
@@ -76,7 +79,8 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   EXPECT_NEAR(points.weight[last], 2 * std::log(1 / r) / 0.8, 1e-15);
 }
 
-// exp(-e/T) / e beyond an energy h: dA/de = 2 sqrt(2 e) / g, so about T exp(-h/T) 2 sqrt(2 h) / (g h).
+// exp(-e/T) / e beyond an energy h, with dA/de = 2 sqrt(2 e) / g: about
+// T exp(-h/T) 2 sqrt(2 h) / (g h).
 TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const double g = 1.7, rho = 3, temperature = 0.3;
   const auto p = pressed({.constant = g, .stiffness = 0, .restitution = 0.6});
@@ -88,13 +92,13 @@ TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
 }
 
 TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
-  // -rho^2 + 0.5 v^2 falls everywhere, -rho^2 + 1.2 v^2 at the wall no more.
+  // -rho^2 + 0.5 v^2 falls at every phase, -rho^2 + 1.2 v^2 rises at the wall.
   EXPECT_TRUE(leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1}).negative);
   const LeadingForm rising = leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
-  EXPECT_GT(rising.rising_share, 0);
-  EXPECT_LT(rising.rising_share, 0.5);
+  EXPECT_GT(rising.rising_fraction, 0);
+  EXPECT_LT(rising.rising_fraction, 0.5);
   const LeadingForm turning = leading_form_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
 }

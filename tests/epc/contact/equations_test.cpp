@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "problem/problem.hpp"
 
@@ -16,12 +16,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 
 constexpr int kContactWallPoints = 40;
 constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
 
-// Pressed by 0.5, with damping of every kind.
+// Constant force 0.5 towards the wall, with every kind of damping.
 problem::Problem pressed_mass(const char* law) {
   return tests::with_impulses(
       problem::System({.damping = 0.3,
@@ -37,28 +37,28 @@ problem::Problem pressed_mass(const char* law) {
 Equations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
                                const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
-  const Points points =
-      rule(coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
+  const QuadraturePoints points = quadrature_points(
+      coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
   return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
 }
 
-// Not so far from the other that the corner is empty.
-VectorXd some_contact_density(const Equations& equations) {
+// A small perturbation, such that the corner keeps its mass.
+VectorXd perturbed_contact_coefficients(const Equations& equations) {
   const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
-  return a + 0.1 * (tests::shaken(a) - a);
+  return a + 0.1 * (tests::perturbed(a) - a);
 }
 
-// dE[phi]/dt by hand: along y' = v, v' = -(f + g) by differences of phi, by the jumps of a two-point
-// law, by the impacts u -> r u of a density that has 1/e before it, and by the impulses at rest, which
-// an impact follows when they are towards the wall.
+// Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -(f + g), jumps of a
+// two-point law, impacts u -> r u of a density with the factor 1/e, and impulses at rest. An impact
+// follows an impulse at rest towards the wall.
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const auto p = pressed_mass("two_point");
   const Equations equations = contact_equations_of(p, 4, 40);
   const Coordinates coordinates(p);
   const auto& basis = equations.basis();
   const auto& all = equations.points();
-  const auto density = equations.density(some_contact_density(equations));
+  const auto density = equations.density(perturbed_contact_coefficients(equations));
   const Eigen::Index moving = all.size() - 1;
   const VectorXd y = all.y.head(moving), v = all.v.head(moving), mass = density.mass.head(moving);
   const auto at = [&](const VectorXd& at_y, const VectorXd& at_v) {
@@ -69,7 +69,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const Eigen::ArrayXd damping =
       (0.3 + 0.2 * y.array().square() + 0.1 * v.array().square()) * v.array();
   const VectorXd force = damping + 0.5 + y.array() + 0.7 * y.array().cube();
-  // So short that no point leaves the half-plane.
+  // Short enough that no point leaves the half-plane.
   const VectorXd dt = 1e-4 * y.array() / (y.array() + v.array().abs() + 1e-3);
   const VectorXd dy = dt.cwiseProduct(v), dv = -dt.cwiseProduct(force);
   const MatrixXd flow =
@@ -84,7 +84,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
     expected +=
         2 * probability * density.mass[moving] * (at(here, freed) - at(here, here)).transpose();
   }
-  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
   const VectorXd zero = VectorXd::Zero(wall.at.size());
   const MatrixXd change = at(zero, kRestitution * wall.at) - at(zero, -wall.at);
   expected += change.transpose() * wall.at.cwiseProduct(density.wall_mass);
@@ -93,18 +93,18 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
     EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
   }
-  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // nothing is compared with nothing
+  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
   EXPECT_GT(density.mass[moving], 0.01);
 }
 
-// On the wall the density is C exp(Q) 2/u^2, and C exp(Q(0, 0)) is that of the atom.
+// The density on the wall is C exp(Q) 2/u^2, and C exp(Q(0, 0)) defines the atom.
 TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
   const auto p = pressed_mass("gaussian");
   const Equations equations = contact_equations_of(p, 2, 24);
-  const VectorXd a = some_contact_density(equations);
+  const VectorXd a = perturbed_contact_coefficients(equations);
   const auto density = equations.density(a);
   const double at_rest = density.mass[density.mass.size() - 1];
-  const half_plane::Line wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
   const auto exponent = [&](double rho, double v) {
     return equations.basis()
         .values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
@@ -123,7 +123,7 @@ TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = pressed_mass("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
     const Equations equations = contact_equations_of(p, 4, 24, half_plane::Confinement{level});
-    tests::expect_jacobian_is_derivative(equations, some_contact_density(equations));
+    tests::expect_jacobian_is_derivative(equations, perturbed_contact_coefficients(equations));
   }
 }
 

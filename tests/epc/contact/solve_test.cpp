@@ -9,8 +9,8 @@
 #include "epc/density.hpp"
 #include "epc/form/closed_form.hpp"
 #include "epc/solve.hpp"
-#include "family.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "general_oscillators.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 using transform::GridDensity;
 using transform::Status;
 
-Options contact_of_order(int order) { return tests::closure(Formulation::polar, order); }
+Options contact_options(int order) { return tests::closure(Formulation::polar, order); }
 
 problem::Problem bouncing_ball(double rate, double intensity, double restitution) {
   return tests::with_impulses(
@@ -31,17 +31,17 @@ problem::Problem bouncing_ball(double rate, double intensity, double restitution
 class RestInContact : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, RestInContact, testing::Values(2, 4, 6));
 
-// rho^2/2 and v are members: the balances of power and, as far as E[v] = 0, of momentum are met at
-// every order. The mass is that of cells, the equations' that of a rule in amplitude and phase.
+// rho^2/2 and v are members: every order satisfies the balance of power and, up to E[v], that of
+// momentum. The mass is a sum over cells; the equations use a rule in amplitude and phase.
 TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   for (const double r : {0.5, 0.7}) {
     const auto p = problem::load_case("preload", {"system.restitution=" + std::to_string(r)});
-    const auto [solution, summary] = solve(p, contact_of_order(GetParam()));
+    const auto [solution, summary] = solve(p, contact_options(GetParam()));
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(summary.residual, 1e-10);
     EXPECT_LT(std::abs(solution.energy_residual), 1e-10);
     EXPECT_NEAR(solution.mass, 1, 3e-6);
-    const double drift = 0.1 * solution.moments.v1;  // of c E[v]
+    const double drift = 0.1 * solution.moments.v1;  // c E[v]
     EXPECT_NEAR(*summary.balances.momentum, -drift / (0.5 + solution.moments.y1),
                 1e-9 + 0.5 * std::abs(drift));
     ASSERT_EQ(solution.atoms.size(), 1u);
@@ -50,12 +50,12 @@ TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   }
 }
 
-// The members rho and v make of the equations what the time aloft is: 1 - P0 tends to
-// lambda E|Y| (1 + r) / (g (1 - r)) for rare impulses, whatever the rest of the density.
-TEST(RestInContact, UnderRareImpulsesIsAsLongAsParabolasLeave) {
+// The equations for the members rho and v determine the flight time: for rare impulses 1 - P0 tends
+// to lambda E|Y| (1 + r) / (g (1 - r)), independent of the rest of the density.
+TEST(RestInContact, UnderRareImpulsesHasTheFlightTimeOfParabolas) {
   for (const double r : {0.5, 0.7}) {
     const auto share = [&](double rate) {
-      const auto solution = solve(bouncing_ball(rate, rate, r), contact_of_order(2)).solution;
+      const auto solution = solve(bouncing_ball(rate, rate, r), contact_options(2)).solution;
       if (solution.atoms.empty()) return 0.0;
       const double aloft = rate * std::sqrt(2 / std::numbers::pi) * (1 + r) / (1.3 * (1 - r));
       return (1 - solution.atoms[0].probability) / aloft;
@@ -68,15 +68,15 @@ TEST(RestInContact, UnderRareImpulsesIsAsLongAsParabolasLeave) {
 
 TEST(RestInContact, OrdersConvergeTowardsEachOther) {
   const auto p = problem::load_case("preload");
-  const double four = *solve(p, contact_of_order(4)).summary.distance_to_previous;
-  const double six = *solve(p, contact_of_order(6)).summary.distance_to_previous;
-  const double eight = *solve(p, contact_of_order(8)).summary.distance_to_previous;
+  const double four = *solve(p, contact_options(4)).summary.distance_to_previous;
+  const double six = *solve(p, contact_options(6)).summary.distance_to_previous;
+  const double eight = *solve(p, contact_options(8)).summary.distance_to_previous;
   EXPECT_LT(six, four / 2);
   EXPECT_LT(eight, six / 2);
 }
 
-// What files keep of it is the density on the physical axes, and the solution's cells have its
-// averages. The wall of the second is at 0.3 on the right.
+// The closed form gives the density in physical coordinates, and the cells of the solution have its
+// averages. The second problem has its wall at 0.3 on the right.
 TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
   const auto impulses = tests::gaussian_impulses(1, 0.5);
   const problem::Problem problems[] = {
@@ -85,33 +85,33 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
                                            {.right = 0.3, .right_restitution = 0.7}),
                            impulses)};
   for (const auto& physical : problems) {
-    const auto seen = tests::in_frame(physical);
-    Result result = solve(seen, contact_of_order(4));
+    const auto seen = tests::in_wall_coordinates(physical);
+    Result result = solve(seen, contact_options(4));
     ASSERT_EQ(result.solution.status, Status::ok) << result.solution.reason;
-    const auto form = closed_form_in(result.solution.observations);
+    const auto form = read_closed_form(result.solution.metrics);
     EXPECT_EQ(form.frame.variables, Variables::contact);
     EXPECT_TRUE(is_normalised(form));
     const auto again = density(form, &physical);
     const auto solution =
-        transform::in_physical_coordinates(seen.frame, std::move(result.solution));
+        transform::to_physical_coordinates(seen.frame, std::move(result.solution));
     const auto& cells = std::get<GridDensity>(*solution.density);
     double most = 0;
     for (std::size_t i = 60; i < cells.ny(); i += 25) {
       for (std::size_t j = 5; j < cells.nv(); j += 31) {
         const double average = cells.average(i, j);
-        const double own = numerics::average(
+        const double evaluated_average = numerics::average(
             [&](double y) {
               return numerics::average([&](double v) { return again.value(y, v); },
                                        cells.v_edges[j], cells.v_edges[j + 1]);
             },
             cells.y_edges[i], cells.y_edges[i + 1]);
-        EXPECT_NEAR(own, average, 1e-6 * average) << i << ' ' << j;
+        EXPECT_NEAR(evaluated_average, average, 1e-6 * average) << i << ' ' << j;
         most = std::max(most, average);
       }
     }
     EXPECT_GT(most, 0.1);
     EXPECT_NEAR(solution.atoms[0].y, physical.system.left() ? 0 : 0.3, 1e-15);
-    // Without its constant it is normalised anew, the atom included.
+    // Without its constant the form is normalised again, including the atom.
     auto without = form;
     without.frame.log_constant.reset();
     EXPECT_NEAR(density(without, &physical).value(0.2, 0.1) / again.value(0.2, 0.1), 1, 1e-5);

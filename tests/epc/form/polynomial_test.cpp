@@ -19,7 +19,7 @@ TEST(Polynomial, ValueIsTheSumOfItsTerms) {
 }
 
 TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
-  const auto ray = kPolynomial.along(0.6, -0.8);
+  const auto ray = kPolynomial.restriction_to_ray(0.6, -0.8);
   ASSERT_EQ(ray.size(), 4u);
   for (const double rho : {0.0, 0.5, 2.0}) {
     EXPECT_NEAR(horner(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);

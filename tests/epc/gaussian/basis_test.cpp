@@ -8,8 +8,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-TEST(Basis, CountsTheUnknownsOfThePaper) {
-  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; half of them, roughly, are point-symmetric.
+TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
+  // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; about half of them are point-symmetric.
   const Deviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
        {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
@@ -52,7 +52,7 @@ TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
 TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
   const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
-  EXPECT_LT((basis.scaled(basis.polynomial(a).terms()) - a).norm(), 1e-14);
+  EXPECT_LT((basis.scaled_coefficients(basis.polynomial(a).terms()) - a).norm(), 1e-14);
 }
 
 }  // namespace

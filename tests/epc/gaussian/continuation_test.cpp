@@ -18,8 +18,8 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
     const auto [s1, s2] = deviations(p);
     const Projection projection = projection_of(p, 6);
     const ResidualCoefficients f = residual_coefficients(p, Equation::km4);
-    const auto start =
-        projection.basis().scaled({{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
+    const auto start = projection.basis().scaled_coefficients(
+        {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
     const NewtonResult plain = newton(projection, f, start, {.damped = false});
     const NewtonResult damped = newton(projection, f, start, {});
     const auto [branch, root] = follow_branch(projection, f, 1e-10);
@@ -32,7 +32,7 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
   }
 }
 
-// At n = 8 the branch turns back before the full problem, and does not come again.
+// At n = 8 the branch has a fold before the full problem and returns to fraction 0.
 TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
   const problem::Problem p = tests::paper_case(1);
   const Projection projection = projection_of(p, 8);
@@ -59,15 +59,16 @@ TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
   const Projection four = projection_of(p, 4), six = projection_of(p, 6);
   const auto [branch, before] = follow_branch(four, f, 1e-10);
   ASSERT_TRUE(before.converged);
-  const Eigen::VectorXd start = six.basis().scaled(four.basis().polynomial(before.a).terms());
+  const Eigen::VectorXd start =
+      six.basis().scaled_coefficients(four.basis().polynomial(before.a).terms());
   // The equations of n = 4 are among those of n = 6.
   EXPECT_LT(six.residual(f, start).head(8).norm(), 1e-12);
-  const NewtonResult root = add_equations(six, f, start, 1e-10);
+  const NewtonResult root = follow_newton_homotopy(six, f, start, 1e-10);
   EXPECT_TRUE(root.converged);
   EXPECT_LT(six.residual(f, root.a).norm(), 1e-11);
 }
 
-// The exact density of white noise is a start for springs of other powers too.
+// The exact density under white noise is the start for springs of other powers, too.
 TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   const problem::Problem p = tests::make_problem({.restitution = 1});
   const Projection projection = projection_of(p, 6);
@@ -77,7 +78,7 @@ TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   EXPECT_EQ(branch.end, BranchEnd::full_problem);
   EXPECT_TRUE(root.converged);
   const double beta = f.damping / (f.rate_moment[2] / 2);
-  const Eigen::VectorXd exact = projection.basis().scaled(
+  const Eigen::VectorXd exact = projection.basis().scaled_coefficients(
       {{0, 2, -beta / 2}, {2, 0, -beta / 2}, {4, 0, -beta * 0.1 / 4}, {6, 0, -beta * 0.02 / 6}});
   EXPECT_LT((root.a - exact).norm(), 1e-10);
 }
@@ -96,7 +97,8 @@ TEST(Continuation, StartsNearTheDensityOfASpringOfEvenPowers) {
 TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   const ResidualCoefficients full =
       residual_coefficients(tests::make_problem({.restitution = 0.7, .mean = 0.1}), Equation::km4);
-  const ResidualCoefficients start = partway(full, 0), half = partway(full, 0.5);
+  const ResidualCoefficients start = homotopy_coefficients(full, 0),
+                             half = homotopy_coefficients(full, 0.5);
   EXPECT_EQ(start.impact_loss, 0);
   EXPECT_EQ(start.rate_moment[1], 0);
   EXPECT_EQ(start.rate_moment[2], full.rate_moment[2]);
@@ -105,10 +107,10 @@ TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   EXPECT_DOUBLE_EQ(half.rate_moment[4], full.rate_moment[4] / 2);
   EXPECT_DOUBLE_EQ(half.impact_loss, 0.15);
   const ResidualCoefficients jumps = residual_coefficients(tests::paper_case(1), Equation::kf);
-  EXPECT_EQ(full.jump_share, 0);
-  EXPECT_EQ(jumps.jump_share, 1);
-  EXPECT_EQ(partway(jumps, 0).jump_share, 0);
-  EXPECT_DOUBLE_EQ(partway(jumps, 0.25).jump_share, 0.25);
+  EXPECT_EQ(full.jump_fraction, 0);
+  EXPECT_EQ(jumps.jump_fraction, 1);
+  EXPECT_EQ(homotopy_coefficients(jumps, 0).jump_fraction, 0);
+  EXPECT_DOUBLE_EQ(homotopy_coefficients(jumps, 0.25).jump_fraction, 0.25);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "epc/gaussian/projection.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -19,15 +19,15 @@ Basis basis_of(const problem::Problem& p, int order,
   return Basis(order, set, deviations(p));
 }
 
-// For Q = -(alpha x2^2 + beta x2 ... )/2 the expectation is known: with a Gaussian
-// Q = -a x2^2 and Y of moment generating function M, two atoms m +- s give
-// E[exp(Q(x2 - sY) - Q(x2))] = mean over atoms of exp(2 a x2 Y - a Y^2), by hand.
+// The expectation has a closed form for a quadratic Q: for Q = -a x2^2 and a law with two atoms,
+// E[exp(Q(x2 - Y) - Q(x2))] is the mean over the atoms of exp(2 a x2 Y - a Y^2).
 TEST(JumpRemainder, IsTheJumpIntegralLessItsSeries) {
   const problem::Problem p =
       tests::make_problem({.rate = 0.7, .intensity = 0.3, .mean = 0.2, .law = "two_point"});
   const Basis basis = basis_of(p, 2);
   const double a = 0.8, b = 0.35, radius = 3;  // Q = -a x2^2 + b x1 x2 - x1^2 / 2
-  const Eigen::VectorXd coefficients = basis.scaled({{2, 0, -0.5}, {1, 1, b}, {0, 2, -a}});
+  const Eigen::VectorXd coefficients =
+      basis.scaled_coefficients({{2, 0, -0.5}, {1, 1, b}, {0, 2, -a}});
   const auto [s1, s2] = basis.sigma();
   const auto& impulses = p.impulses;
   const auto remainder = [&](double x1, double x2) {
@@ -65,14 +65,16 @@ TEST(JumpRemainder, IsTheJumpIntegralLessItsSeries) {
   EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm());
 }
 
-TEST(JumpRemainder, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {
+TEST(JumpRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem p = tests::make_problem({.mean = 0.1, .law = "laplace"});
   const Basis half = basis_of(p, 4), whole = basis_of(p, 4, MonomialSet::general);
   const auto [s1, s2] = half.sigma();
   const std::vector<Term> q{
       {2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 1, 0.1}, {0, 4, -0.01}};
-  const Eigen::VectorXd even = JumpRemainder(half, p.impulses).projection(half.scaled(q));
-  const Eigen::VectorXd all = JumpRemainder(whole, p.impulses).projection(whole.scaled(q));
+  const Eigen::VectorXd even =
+      JumpRemainder(half, p.impulses).projection(half.scaled_coefficients(q));
+  const Eigen::VectorXd all =
+      JumpRemainder(whole, p.impulses).projection(whole.scaled_coefficients(q));
   ASSERT_EQ(all.size(), 14);
   EXPECT_LT(all.head(2).norm(), 1e-12);                         // degree 1
   EXPECT_LT((all.segment(2, 3) - even.head(3)).norm(), 1e-12);  // degree 2
@@ -87,7 +89,7 @@ TEST(JumpRemainder, JacobianIsTheDerivativeOfTheProjection) {
     const Projection projection(basis, p.impulses);
     const ResidualCoefficients f = residual_coefficients(p, Equation::kf);
     const auto [s1, s2] = basis.sigma();
-    Eigen::VectorXd a = basis.scaled(
+    Eigen::VectorXd a = basis.scaled_coefficients(
         {{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 3, 0.02}, {0, 6, -0.001}});
     const Eigen::MatrixXd jacobian = projection.jacobian(f, a);
     const double h = 2e-5;
@@ -103,17 +105,17 @@ TEST(JumpRemainder, JacobianIsTheDerivativeOfTheProjection) {
   }
 }
 
-// Rare, small impulses are white noise: the remainder falls as the sixth power of Y.
+// Frequent, small impulses tend to white noise: the remainder is of sixth order in Y.
 TEST(JumpRemainder, IsOfSixthOrderInTheImpulses) {
   const auto size = [](double rate) {
     const problem::Problem p = tests::make_problem({.rate = rate});
     const Basis basis = basis_of(p, 4);
     const auto [s1, s2] = basis.sigma();
     return JumpRemainder(basis, p.impulses)
-        .projection(basis.scaled({{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.3 / (s2 * s2)}}))
+        .projection(basis.scaled_coefficients({{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.3 / (s2 * s2)}}))
         .norm();
   };
-  // lambda E[Y^6] goes as rate^-2 at a given intensity.
+  // At constant intensity lambda E[Y^6] is proportional to rate^-2.
   EXPECT_NEAR(size(2000) / size(4000), 4, 0.1);
 }
 

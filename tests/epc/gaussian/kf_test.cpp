@@ -14,7 +14,7 @@ using transform::Status;
 Options kf(int order) { return {.order = order, .equation = Equation::kf}; }
 
 TEST(KolmogorovFeller, IsNearerToTheJumpEquationThanTheCutSeries) {
-  // Theory: `kf` with r = 1 and lambda = 1, by an independent spectral computation.
+  // Reference: `kf` with r = 1 and lambda = 1, by an independent spectral computation.
   for (const auto& [cubic, y2, y4] : {std::tuple{0.1, 0.44181, 0.58190}, {1.0, 0.28632, 0.21368}}) {
     const problem::Problem p = tests::make_problem({.cubic = cubic, .restitution = 1});
     const auto whole = solve(p, kf(6)).solution, cut = solve(p, {.order = 6}).solution;
@@ -26,7 +26,7 @@ TEST(KolmogorovFeller, IsNearerToTheJumpEquationThanTheCutSeries) {
   }
 }
 
-TEST(KolmogorovFeller, ItsRootsStandOnAPlateauOfTheDisc) {
+TEST(KolmogorovFeller, RootsAreInsensitiveToTheDisc) {
   for (const int order : {4, 6}) {
     const auto [solution, summary] = solve(tests::paper_case(1), kf(order));
     ASSERT_NE(solution.status, Status::not_converged) << solution.reason;
@@ -52,9 +52,11 @@ TEST(KolmogorovFeller, TheGeneralSetGivesThePointSymmetricSolution) {
   ASSERT_EQ(half.solution.status, Status::ok) << half.solution.reason;
   EXPECT_EQ(whole.solution.status, Status::ok) << whole.solution.reason;
   const Basis all(4, MonomialSet::general, deviations(p));
-  EXPECT_LT((all.scaled(half.summary.coefficients) - all.scaled(whole.summary.coefficients)).norm(),
+  EXPECT_LT((all.scaled_coefficients(half.summary.coefficients) -
+             all.scaled_coefficients(whole.summary.coefficients))
+                .norm(),
             1e-10);
-  // Pushed outwards, by impulses whose third moment is not zero either.
+  // The mean, and with it a nonzero third moment, shifts the response outwards.
   EXPECT_GT(half.solution.moments.y2,
             solve(tests::make_problem({.law = "two_point"}), kf(4)).solution.moments.y2 + 0.02);
 }

@@ -21,14 +21,14 @@ TEST(GaussianNewton, StopsAfterTheStepsAllowed) {
   EXPECT_NEAR(one.residual, projection.residual(f, one.a).cwiseAbs().maxCoeff() / 0.1, 1e-12);
 }
 
-// A damped iteration may stall, but never leaves for worse.
+// A damped iteration may stall, but the residual does not grow.
 TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
   const problem::Problem p = tests::paper_case(1);
   const Projection projection = projection_of(p, 8);
   const auto f = residual_coefficients(p, Equation::km4);
   const auto [s1, s2] = projection.basis().sigma();
-  const Eigen::VectorXd start =
-      projection.basis().scaled({{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
+  const Eigen::VectorXd start = projection.basis().scaled_coefficients(
+      {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
   double before = projection.residual(f, start).norm();
   for (int steps = 1; steps <= 6; ++steps) {
     const NewtonResult result = newton(projection, f, start, {.max_iterations = steps});
@@ -38,7 +38,7 @@ TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
   }
 }
 
-TEST(GaussianNewton, SmallDampingIsNoMeasureOfRounding) {
+TEST(GaussianNewton, ResidualUnitHasALowerLimit) {
   const problem::Problem p = tests::make_problem({.damping = 1e-7});
   const Projection projection = projection_of(p, 4);
   const auto f = residual_coefficients(p, Equation::km4);

@@ -7,10 +7,10 @@
 #include "epc/gaussian/residual.hpp"
 #include "epc/solve.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
-// The paper's closure behind a wall that is not at the equilibrium: the plane is folded there, and the
-// force has even powers, the lowest of which is what presses on the wall.
+// The paper's closure with a wall away from the equilibrium: the plane is folded at the wall, and
+// the force has even powers. The lowest is the constant force on the mass at the wall.
 namespace fpkcheck::epc::gaussian {
 namespace {
 
@@ -23,10 +23,10 @@ problem::Problem elastic(const WallParameters& walls, double intensity) {
                            intensity);
 }
 
-// On either side of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
+// On both sides of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
 TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
   for (const double wall : {-0.5, 0.3}) {
-    const auto p = tests::in_frame(elastic({.left = wall, .left_restitution = 1}, 0.4));
+    const auto p = tests::in_wall_coordinates(elastic({.left = wall, .left_restitution = 1}, 0.4));
     const auto f = residual_coefficients(p, problem::Equation::km4);
     const double beta = 0.2 / 0.2;  // c/D
     for (const double x1 : {-1.3, -0.2, 0.1, 0.8}) {
@@ -42,21 +42,21 @@ TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) 
   }
 }
 
-// The exponent has a kink at the fold, so that no order is exact.
-TEST(GaussianClosureBehindAnOffsetWall, NearsTheExactElasticLaw) {
+// The exponent has a kink at the fold: no order is exact.
+TEST(GaussianClosureBehindAnOffsetWall, ApproximatesTheExactElasticLaw) {
   const auto p = elastic({.left = 0.2, .left_restitution = 1}, 0.4);
   const exact::EnergyLaw law(p);
-  const auto off = [&](int order) {
+  const auto relative_error = [&](int order) {
     const auto solution =
-        solve(tests::in_frame(p), tests::closure(Formulation::gaussian, order)).solution;
+        solve(tests::in_wall_coordinates(p), tests::closure(Formulation::gaussian, order)).solution;
     EXPECT_TRUE(solution.density) << solution.reason;
     EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-3 * law.moment(0, 2)) << order;
     return std::abs(solution.moments.y2 / law.moment(2, 0) - 1);
   };
-  const double second = off(2);
-  EXPECT_LT(off(4), second / 3);
-  EXPECT_LT(off(6), second / 3);
-  EXPECT_LT(off(6), 1e-3);
+  const double second = relative_error(2);
+  EXPECT_LT(relative_error(4), second / 3);
+  EXPECT_LT(relative_error(6), second / 3);
+  EXPECT_LT(relative_error(6), 1e-3);
 }
 
 TEST(GaussianClosureBehindAnOffsetWall, IsTheSameInAMirror) {
@@ -65,12 +65,12 @@ TEST(GaussianClosureBehindAnOffsetWall, IsTheSameInAMirror) {
   const problem::SystemCoefficients spring{.damping = 0.2, .constant = 0.1, .stiffness = 1};
   problem::SystemCoefficients reflected = spring;
   reflected.constant = -spring.constant;
-  const auto left = solve(tests::in_frame(tests::with_impulses(
+  const auto left = solve(tests::in_wall_coordinates(tests::with_impulses(
                               System(spring, {.left = -0.05, .left_restitution = 0.95}), impulses)),
                           tests::closure(Formulation::gaussian, 6))
                         .solution;
   const auto right =
-      solve(tests::in_frame(tests::with_impulses(
+      solve(tests::in_wall_coordinates(tests::with_impulses(
                 System(reflected, {.right = 0.05, .right_restitution = 0.95}), turned)),
             tests::closure(Formulation::gaussian, 6))
           .solution;

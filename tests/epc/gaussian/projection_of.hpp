@@ -5,7 +5,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// On the monomials of a point-symmetric closure.
+/// Projection on the point-symmetric monomials.
 inline Projection projection_of(const problem::Problem& problem, int order) {
   return Projection(Basis(order, MonomialSet::point_symmetric, deviations(problem)));
 }

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <random>
 
-#include "numerics/quadrature/panels.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Every coefficient of (22) counts: impact losses, a law with E[Y], E[Y^3] and E[Y^4] of one size.
+// All coefficients of (22) are significant: impact losses, and comparable E[Y], E[Y^3] and E[Y^4].
 problem::Problem skewed_problem() {
   return tests::make_problem({.damping = 0.3,
                               .stiffness = 0.7,
@@ -34,20 +34,19 @@ Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
   return Eigen::VectorXd::NullaryExpr(size, [&](Eigen::Index) { return normal(generator); });
 }
 
-// exp(Q) and its derivatives, straight from the coefficients and Cauchy's integral: nothing of
-// (22).
-class BruteForce {
+// Residual (20) from exp(Q) and its derivatives by Cauchy's integral, independent of (22).
+class DirectEvaluation {
  public:
   using Complex = std::complex<double>;
 
   /// @param force g(y), y >= 0
-  BruteForce(const problem::Problem& problem, const numerics::Polynomial& force, Equation equation,
-             Polynomial q)
+  DirectEvaluation(const problem::Problem& problem, const numerics::Polynomial& force,
+                   Equation equation, Polynomial q)
       : problem_(problem), force_(force), higher_(equation == Equation::km4), q_(std::move(q)) {}
 
-  /// Delta / p~ of (20) but for its delta function.
+  /// Delta / p~ of (20) without the term of the delta function.
   double plain(double x1, double x2) const {
-    // Relative to the density at the point itself, which may be far out.
+    // Relative to the density at the point, which may be very small.
     const Complex here = exponent(x1, x2);
     const auto at_x1 = [&](Complex z) { return std::exp(exponent(z, x2) - here); };
     const auto at_x2 = [&](Complex z) { return std::exp(exponent(x1, z) - here); };
@@ -106,8 +105,8 @@ double weight(double x, double sigma) {
   return std::exp(-x * x / (2 * sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// (23) by panels over the four quadrants and along the wall.
-Eigen::VectorXd brute_force_residual(const BruteForce& brute, const Basis& basis) {
+// Projections (23) by panels over the four quadrants and along the wall.
+Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const Basis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
   const double far = 11;
@@ -150,9 +149,9 @@ TEST_P(ProjectionOf, EquationTwentyTwoEqualsBruteForceFromEquationTwenty) {
   const problem::Problem problem = skewed_problem();
   const Projection projection = make_projection(problem, 4, set);
   Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.05);
-  a += projection.basis().scaled({{2, 0, -0.5}, {0, 2, -0.4}});
-  const Eigen::VectorXd expected = brute_force_residual(
-      BruteForce(problem, problem.system.force(), equation, projection.basis().polynomial(a)),
+  a += projection.basis().scaled_coefficients({{2, 0, -0.5}, {0, 2, -0.4}});
+  const Eigen::VectorXd expected = directly_evaluated_residual(
+      DirectEvaluation(problem, problem.system.force(), equation, projection.basis().polynomial(a)),
       projection.basis());
   const Eigen::VectorXd residual = projection.residual(residual_coefficients(problem, equation), a);
   EXPECT_GT(expected.norm(), 0.1);
@@ -171,7 +170,7 @@ TEST_P(ProjectionOf, JacobianIsTheDerivativeOfTheResidual) {
   const double h = 1e-4;
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     const Eigen::VectorXd e = Eigen::VectorXd::Unit(a.size(), k) * h;
-    // Central differences extrapolated once: the error is of fourth order, where F itself ends.
+    // Central differences with one Richardson step: exact, since F is of fourth degree in a.
     const auto difference = [&](double m) -> Eigen::VectorXd {
       return (projection.residual(f, a + m * e) - projection.residual(f, a - m * e)) / (2 * m * h);
     };
@@ -185,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(AllForms, ProjectionOf,
                                                           MonomialSet::general),
                                           testing::Values(Equation::white, Equation::km4)));
 
-// A spring of every power up to the fifth: the even ones carry sgn(x1) on the plane.
+// A spring with all powers up to the fifth: even powers have the factor sgn(x1) on the plane.
 TEST(Projection, TakesEveryPowerOfTheSpring) {
   const problem::Problem problem = skewed_problem();
   const numerics::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
@@ -197,13 +196,13 @@ TEST(Projection, TakesEveryPowerOfTheSpring) {
     for (const MonomialSet set : {MonomialSet::point_symmetric, MonomialSet::general}) {
       const Projection projection = make_projection(problem, order, set);
       Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.05);
-      a += projection.basis().scaled({{2, 0, -0.5}, {0, 2, -0.4}});
-      const Eigen::VectorXd expected = brute_force_residual(
-          BruteForce(problem, force, Equation::km4, projection.basis().polynomial(a)),
+      a += projection.basis().scaled_coefficients({{2, 0, -0.5}, {0, 2, -0.4}});
+      const Eigen::VectorXd expected = directly_evaluated_residual(
+          DirectEvaluation(problem, force, Equation::km4, projection.basis().polynomial(a)),
           projection.basis());
       const Eigen::VectorXd residual = projection.residual(f, a);
       EXPECT_LT((residual - expected).norm(), 1e-8 * expected.norm()) << "n " << order;
-      // Exact for F, of the fourth degree in a.
+      // Exact for F, which is of fourth degree in a.
       const Eigen::VectorXd e = random_coefficients(a.size(), 1e-2);
       const auto difference = [&](double m) -> Eigen::VectorXd {
         return (projection.residual(f, a + m * e) - projection.residual(f, a - m * e)) / (2 * m);
@@ -221,7 +220,7 @@ TEST(Projection, SplitsTheForceByTheParityOfItsPowers) {
   EXPECT_EQ(f.even_force.coefficients(), numerics::Polynomial::Coefficients{});
 }
 
-TEST(Projection, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {
+TEST(Projection, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem problem = skewed_problem();
   const Projection half = make_projection(problem, 6, MonomialSet::point_symmetric);
   const Projection whole = make_projection(problem, 6, MonomialSet::general);
@@ -229,7 +228,7 @@ TEST(Projection, OddMonomialsSeeNothingOfAPointSymmetricPolynomial) {
   const Eigen::VectorXd a = random_coefficients(half.basis().size(), 0.1);
   const Eigen::VectorXd small = half.residual(f, a);
   const Eigen::VectorXd large =
-      whole.residual(f, whole.basis().scaled(half.basis().polynomial(a).terms()));
+      whole.residual(f, whole.basis().scaled_coefficients(half.basis().polynomial(a).terms()));
   ASSERT_EQ(half.basis().size(), 15);
   ASSERT_EQ(whole.basis().size(), 27);
   EXPECT_NEAR(large.norm(), small.norm(), 1e-12 * small.norm());
@@ -247,8 +246,8 @@ TEST(Projection, VanishesAtTheExactWhiteNoiseDensity) {
   const double beta = 0.1 / (0.1 / 2);
   for (const int order : {4, 6, 8, 12}) {
     const Projection projection = make_projection(problem, order, MonomialSet::general);
-    const Eigen::VectorXd a =
-        projection.basis().scaled({{2, 0, -beta / 2}, {0, 2, -beta / 2}, {4, 0, -beta * 0.5 / 4}});
+    const Eigen::VectorXd a = projection.basis().scaled_coefficients(
+        {{2, 0, -beta / 2}, {0, 2, -beta / 2}, {4, 0, -beta * 0.5 / 4}});
     EXPECT_LT(projection.residual(residual_coefficients(problem, Equation::white), a).norm(),
               1e-13);
   }

@@ -18,7 +18,7 @@ using transform::Status;
 
 tests::Coefficients coefficients(const Result& result) { return tests::by_power(result.summary); }
 
-// The coefficients in the scaled plane, where they are of comparable size.
+// Coefficients in units of the deviations, where their magnitudes are comparable.
 tests::Coefficients scaled_coefficients(const Result& result, const problem::Problem& problem) {
   const auto [s1, s2] = deviations(problem);
   return tests::scaled_by_power(result.summary, s1, s2);
@@ -36,7 +36,7 @@ TEST(GaussianClosure, OrderTwoIsEquivalentLinearisation) {
     EXPECT_NEAR(a.at({1, 1}), 0, 1e-10);
     EXPECT_EQ(result.summary.iterations, 1);  // the start is the root; one step polishes it
     EXPECT_NEAR(result.solution.moments.v2 / std::pow(linear.velocity_deviation, 2), 1, 1e-9);
-    // A Gaussian loses energy at the wall as the linearised damping has it.
+    // The impact loss of a Gaussian equals that of the linearised damping.
     EXPECT_NEAR(result.solution.energy_residual, 0, 1e-9);
   }
 }
@@ -59,7 +59,7 @@ TEST(GaussianClosure, WhiteNoiseWithoutLossGivesTheExactDensityFromOrderFourOn) 
         EXPECT_NEAR(a, expected, 1e-10) << power.first << ' ' << power.second << " n " << order;
       }
       const auto& density = std::get<transform::SmoothDensity>(*result.solution.density);
-      // The physical half-plane carries twice the density of the (z, z') plane.
+      // The density on the physical half-plane is twice that on the (z, z') plane.
       EXPECT_NEAR(density.value(0.4, -0.7), 2 * exact(0.4, -0.7), 1e-10);
       EXPECT_NEAR(result.solution.moments.v2, exact::mean_square_velocity(p), 1e-9);
       EXPECT_NEAR(result.solution.energy_residual, 0, 1e-9);
@@ -80,7 +80,7 @@ TEST(GaussianClosure, PaperCasesAtOrderSixAreDensities) {
     EXPECT_LT(summary.support->edge_density, 1e-6);
     EXPECT_LT(summary.support->cut_off, 1e-8);
     EXPECT_LT(std::abs(solution.energy_residual), 0.01);
-    // Theory notes, section 5: (19) fails along x1 in cases 2 to 4.
+    // docs/theory.md, section 5: (19) is violated along x1 in cases 2 to 4.
     EXPECT_EQ(summary.leading_form->negative, number == 1);
     EXPECT_EQ(coefficients(result).at({6, 0}) > 0, number != 1);
     EXPECT_LT(coefficients(result).at({0, 6}), 0);
@@ -99,13 +99,13 @@ TEST(GaussianClosure, PaperCasesAtOrderFourAreRootsButNoDensities) {
     EXPECT_FALSE(summary.leading_form->negative);
     EXPECT_GT(coefficients(result).at({0, 4}), 0);
     EXPECT_EQ(coefficients(result).at({4, 0}) > 0, number == 1);
-    // It can still be drawn, on the set where it falls.
+    // The density on the set where Q_n falls is still returned.
     ASSERT_TRUE(solution.density.has_value());
     EXPECT_NEAR(solution.mass, 1, 1e-4);
   }
 }
 
-TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotPassedOff) {
+TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotOk) {
   for (int number = 1; number <= 4; ++number) {
     const auto [solution, summary] = solve(tests::paper_case(number), {.order = 8});
     EXPECT_NE(solution.status, Status::ok) << number;
@@ -121,7 +121,7 @@ TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotPassedOff) {
 }
 
 TEST(GaussianClosure, ASpuriousRootThatFallsProperlyIsNamedByItsEnergyBalance) {
-  // Rare impulses: the root at n = 6 is a bell that dissipates twice the power it is given.
+  // Rare impulses: the root at n = 6 is unimodal and dissipates twice the input power.
   const auto [solution, summary] = solve(tests::make_problem({.rate = 0.3}), {.order = 6});
   EXPECT_EQ(solution.status, Status::inadmissible);
   EXPECT_LT(summary.residual, 1e-10);
@@ -131,7 +131,7 @@ TEST(GaussianClosure, ASpuriousRootThatFallsProperlyIsNamedByItsEnergyBalance) {
 }
 
 TEST(GaussianClosure, AgreesWithTheJumpEquationWhereImpulsesAreFrequent) {
-  // Theory notes, section 7: `kf` with r = 1, rate 10, by an independent spectral computation.
+  // Reference: `kf` with r = 1, rate 10, by an independent spectral computation.
   const problem::Problem p = tests::make_problem({.restitution = 1, .rate = 10});
   const auto [solution, summary] = solve(p, {.order = 8});
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
@@ -171,7 +171,7 @@ TEST(GaussianClosure, FollowsTheBranchWherePlainNewtonStepsAreLost) {
   EXPECT_NE(result.solution.status, Status::not_converged) << result.solution.reason;
 }
 
-// z -> a z takes (mu, lambda E[Y^2]) to (mu/a^2, a^2 lambda E[Y^2]), so case 3 is case 2 with
+// z -> a z maps (mu, lambda E[Y^2]) to (mu/a^2, a^2 lambda E[Y^2]): case 3 is case 2 with
 // a^2 = 1/10, and a_pq(case 3) = a_pq(case 2) 10^((p+q)/2).
 TEST(GaussianClosure, CaseThreeIsCaseTwoInOtherUnits) {
   for (const int order : {4, 6}) {
@@ -218,18 +218,18 @@ TEST(GaussianClosure, ReportsAPointWhereTheEquationsAreMetIndependently) {
   const Projection projection(Basis(6, MonomialSet::general, deviations(p)));
   const Eigen::VectorXd residual =
       projection.residual(residual_coefficients(p, Equation::km4),
-                          projection.basis().scaled(result.summary.coefficients));
+                          projection.basis().scaled_coefficients(result.summary.coefficients));
   EXPECT_LT(residual.norm(), 1e-12);
 }
 
-TEST(GaussianClosure, SaysInWordsWhatTheRestrictionOfSupportCutsOff) {
+TEST(GaussianClosure, ReasonStatesTheProbabilityCutOff) {
   const auto [solution, summary] = solve(tests::paper_case(1), {.order = 4});
   EXPECT_NE(solution.reason.find("cuts off about 5.2e-04"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("from radius"), std::string::npos);
 }
 
-TEST(GaussianClosure, NearlyWithoutDampingIsNoMatterOfRounding) {
-  // Impulses as weak as the damping, so that the response is that of case 1.
+TEST(GaussianClosure, ConvergesNearlyWithoutDamping) {
+  // The intensity is proportional to the damping: E[v^2] is 0.5 as for damping 0.1.
   for (const double damping : {1e-5, 1e-7}) {
     const auto solution =
         solve(tests::make_problem(

@@ -25,7 +25,7 @@ TEST(Support, OfAGaussianReachesToWhereItIsNegligible) {
   EXPECT_NEAR(support.x2_max(), radius * kSigma.x2, 1e-9);
   EXPECT_NEAR(support.integral(), 2 * std::numbers::pi * kSigma.x1 * kSigma.x2, 1e-12);
   EXPECT_NEAR(support.edge_ratio() / Support::kNegligible, 1, 1e-6);
-  // The Gaussian's own tail beyond the radius, by the definition of the estimate.
+  // The estimate is exact for the tail of a Gaussian.
   EXPECT_NEAR(support.cut_off() / Support::kNegligible, 1, 1e-6);
   EXPECT_TRUE(support.contains(0, 0.99 * radius * kSigma.x2));
   EXPECT_FALSE(support.contains(0, -1.01 * radius * kSigma.x2));
@@ -43,7 +43,7 @@ TEST(Support, EndsWhereTheExponentBeginsToRise) {
 }
 
 TEST(Support, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater) {
-  // Along w: a minimum of exp(-19) at 6.3, a maximum of exp(-12) at 9.6, and a fall for good.
+  // Along w: a minimum of exp(-19) at 6.3, a maximum of exp(-12) at 9.6, then a monotone fall.
   const Polynomial q =
       scaled({{2, 0, -0.5}, {0, 2, -1.125}, {0, 4, 0.02025}, {0, 6, -1.02515625e-4}});
   const Support support(q, kSigma);
@@ -54,7 +54,7 @@ TEST(Support, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater) {
 }
 
 TEST(Support, KeepsADipInTheMiddle) {
-  // Two peaks at u = +-2, of height exp(8) over the saddle at the origin.
+  // Two peaks at u = +-2, a factor exp(8) above the saddle at the origin.
   const Polynomial q = scaled({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
   const Support support(q, kSigma);
   EXPECT_NEAR(support.peak(), 8, 2e-3);
@@ -69,7 +69,7 @@ TEST(Support, KeepsADipInTheMiddle) {
 }
 
 TEST(Support, KeepsAShoulder) {
-  // In w a minimum above 1e-6, a maximum below the peak, and then a fall for good.
+  // Along w: a minimum above 1e-6, a maximum below the peak, then a monotone fall.
   const Polynomial q = scaled({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
   const Support support(q, kSigma);
   EXPECT_TRUE(support.contains(0, 3 * kSigma.x2));
@@ -77,7 +77,7 @@ TEST(Support, KeepsAShoulder) {
 }
 
 TEST(Support, LeavesOutARiseAboveThePeak) {
-  // Along w the minimum is shallow, and Q is above its peak before it falls in the end.
+  // Along w the minimum is shallow, and Q exceeds its peak before it falls at infinity.
   const Polynomial q = scaled({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
   const Support support(q, kSigma);
   EXPECT_LT(support.least_radius(), 2.3);

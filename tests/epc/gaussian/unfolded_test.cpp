@@ -9,20 +9,20 @@
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
-// The paper's closure where there is no wall, its original home: the plane is (y, y') itself.
+// The paper's closure without a wall: the plane is (y, y') without folding.
 namespace fpkcheck::epc::gaussian {
 namespace {
 
 using problem::System;
 using transform::Status;
 
-Result gaussian_of(const problem::Problem& problem, int order) {
+Result solve_gaussian(const problem::Problem& problem, int order) {
   return solve(problem, tests::closure(Formulation::gaussian, order));
 }
 
-// Duffing's, bistable, and with a force of no symmetry, which takes all monomials.
+// Duffing oscillator, bistable oscillator, and an asymmetric force, which needs all monomials.
 TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
   const struct {
     System system;
@@ -36,7 +36,7 @@ TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
   for (const auto& [system, intensity] : cases) {
     const auto p = tests::with_noise(system, intensity);
     const exact::EnergyLaw law(p);
-    const auto [solution, summary] = gaussian_of(p, 4);
+    const auto [solution, summary] = solve_gaussian(p, 4);
     ASSERT_EQ(solution.status, Status::ok) << parameters_text(p) << ": " << solution.reason;
     EXPECT_NEAR(solution.moments.y1, law.moment(1, 0), 1e-9) << parameters_text(p);
     EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 1e-9) << parameters_text(p);
@@ -47,7 +47,7 @@ TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
 }
 
 // y'' + (R - 1) y' + y, R = y^2 + y'^2, noise of intensity I: Q = (R - R^2/2) / I. The damping has
-// y^2 y', y'^3, and the divergence of both.
+// the terms y^2 y' and y'^3, and both contribute to the divergence.
 TEST(GaussianClosureWithoutWall, TheExactRingMeetsTheEquations) {
   const double intensity = 0.4;
   const auto p = tests::with_noise(
@@ -56,11 +56,11 @@ TEST(GaussianClosureWithoutWall, TheExactRingMeetsTheEquations) {
   for (const auto set : {MonomialSet::point_symmetric, MonomialSet::general}) {
     const Projection projection(Basis(4, set, deviations(p)));
     const auto f = residual_coefficients(p, problem::Equation::km4);
-    const Eigen::VectorXd a = projection.basis().scaled({{2, 0, 1 / intensity},
-                                                         {0, 2, 1 / intensity},
-                                                         {4, 0, -0.5 / intensity},
-                                                         {2, 2, -1 / intensity},
-                                                         {0, 4, -0.5 / intensity}});
+    const Eigen::VectorXd a = projection.basis().scaled_coefficients({{2, 0, 1 / intensity},
+                                                                      {0, 2, 1 / intensity},
+                                                                      {4, 0, -0.5 / intensity},
+                                                                      {2, 2, -1 / intensity},
+                                                                      {0, 4, -0.5 / intensity}});
     EXPECT_LT(projection.residual(f, a).lpNorm<Eigen::Infinity>(), 1e-11);
     EXPECT_GT(projection.residual(f, 1.01 * a).lpNorm<Eigen::Infinity>(), 1e-3);
   }
@@ -92,7 +92,7 @@ TEST(GaussianClosureWithoutWall, JacobianIsTheDerivativeOfTheResidual) {
   }
 }
 
-// Impulses of lambda E[Y] != 0: mean, and the third cumulant, whose sign is that of E[Y^3].
+// Impulses with lambda E[Y] != 0: mean, and third cumulant with the sign of E[Y^3].
 TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
   for (const double mean : {-0.1, 0.1}) {
     auto p = tests::with_impulses(
@@ -100,7 +100,7 @@ TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
         problem::ImpulseTrain(
             {.arrival_rate = 1, .law = "gaussian", .intensity = 0.1, .mean = mean}));
     p.noise = {0.1};
-    const auto solution = gaussian_of(p, 6).solution;
+    const auto solution = solve_gaussian(p, 6).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     const double y1 = exact::linear_cumulant(p, 1, 0), y2 = exact::linear_cumulant(p, 2, 0);
     EXPECT_NEAR(solution.moments.y1, y1, 1e-3 * std::abs(y1));
@@ -112,25 +112,25 @@ TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
   }
 }
 
-// The Gaussian in the middle of a double well meets the weighted equations of order 2.
-TEST(GaussianClosureWithoutWall, IsAccusedByTheVirial) {
+// The Gaussian in the middle of a double well satisfies the weighted equations of order 2.
+TEST(GaussianClosureWithoutWall, IsInadmissibleByTheVirialBalance) {
   const auto p =
       tests::with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
-  const auto [solution, summary] = gaussian_of(p, 2);
+  const auto [solution, summary] = solve_gaussian(p, 2);
   EXPECT_EQ(solution.status, Status::inadmissible);
   EXPECT_NE(solution.reason.find("virial"), std::string::npos) << solution.reason;
 }
 
-TEST(GaussianClosureWithoutWall, IsReadBackAsItWas) {
+TEST(GaussianClosureWithoutWall, SurvivesARoundTripThroughItsClosedForm) {
   const auto p = tests::with_noise(
       System({.damping = 0.2, .constant = 0.1, .stiffness = 1, .cubic = 0.5}, {.none = true}), 0.4);
-  const Result result = gaussian_of(p, 4);
-  const auto& own = std::get<transform::SmoothDensity>(*result.solution.density);
-  const auto again = density(closed_form_in(result.solution.observations), &p);
-  EXPECT_EQ(again.y_min, own.y_min);
+  const Result result = solve_gaussian(p, 4);
+  const auto& solver_density = std::get<transform::SmoothDensity>(*result.solution.density);
+  const auto again = density(read_closed_form(result.solution.metrics), &p);
+  EXPECT_EQ(again.y_min, solver_density.y_min);
   for (const double y : {-1.5, -0.2, 0.9}) {
     for (const double v : {-1.0, 0.4}) {
-      EXPECT_NEAR(again.value(y, v) / own.value(y, v), 1, 1e-12) << y << ' ' << v;
+      EXPECT_NEAR(again.value(y, v) / solver_density.value(y, v), 1, 1e-12) << y << ' ' << v;
     }
   }
 }

@@ -8,36 +8,37 @@
 #include "epc/half_plane/equations.hpp"
 #include "problem/problem.hpp"
 
-/// What the tests of the Galerkin equations share, whatever their coordinates.
+/// Helpers for the tests of Galerkin equations in any coordinates.
 namespace fpkcheck::tests {
 
-/// T = D2/c of the exact density C exp(-h/T) of white noise at an impact without loss.
+/// T = D2/c of the exact density C exp(-h/T) under white noise with elastic impacts.
 inline double temperature_of(const problem::Problem& p) {
   return p.impulses.intensity() / (2 * p.system.damping());
 }
 
-/// That density at points, as masses that sum to 1.
-inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::Points& points, double temperature) {
+/// Density C exp(-h/T) at points, as masses with sum 1.
+inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& points,
+                                      double temperature) {
   const Eigen::VectorXd mass = points.weight.array() * (-points.energy.array() / temperature).exp();
   return mass / mass.sum();
 }
 
-/// Its coefficients.
+/// Coefficients of the density C exp(-h/T).
 inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::Equations& equations,
                                               double temperature) {
   const auto& points = equations.points();
   return equations.fit(-points.energy / temperature, boltzmann_mass(points, temperature));
 }
 
-/// Coefficients of a density nearby that has no symmetry left.
-inline Eigen::VectorXd shaken(Eigen::VectorXd a) {
+/// Coefficients with a random perturbation, which removes all symmetries.
+inline Eigen::VectorXd perturbed(Eigen::VectorXd a) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal(0, 0.05);
   for (double& x : a) x += normal(engine);
   return a;
 }
 
-/// The analytic Jacobian of Galerkin equations against central differences of their residual.
+/// Compares the analytic Jacobian of Galerkin equations with central differences of the residual.
 inline void expect_jacobian_is_derivative(const epc::half_plane::Galerkin& equations,
                                           const Eigen::VectorXd& a) {
   constexpr double kStep = 1e-5;

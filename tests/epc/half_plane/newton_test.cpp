@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "epc/half_plane/metric.hpp"
+#include "epc/half_plane/norms.hpp"
 #include "epc/moment/equations.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"
@@ -16,20 +16,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using tests::make_problem;
 
-// Those of the formulation moment of order 4, confined at six deviations.
+// Equations of the formulation moment of order 4, with the confinement level at six deviations.
 Equations equations_of(const problem::Problem& p) {
   constexpr int kOrder = 4;
   std::vector<double> rate_moment(kOrder + 1);
   for (int j = 1; j <= kOrder; ++j) rate_moment[j] = p.impulses.rate_moment(j);
   const double temperature = tests::temperature_of(p);
   const Confinement confinement{18 * temperature};
-  const moment::EnergyDomain domain(p, confinement.level * Confinement::reach());
-  const Points points = domain.rule(50, 60);
+  const moment::EnergyDomain domain(p, confinement.level * Confinement::support_ratio());
+  const QuadraturePoints points = domain.quadrature_points(50, 60);
   const Basis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
   return moment::equations(p, rate_moment, domain, confinement, basis, points, 60);
 }
 
-// From the density without losses at r = 0.98 to one at r = 0.6.
+// From the density with elastic impacts to the density at r = 0.6.
 TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto p = make_problem({.restitution = 0.6});
   const Equations equations = equations_of(p);
@@ -37,8 +37,8 @@ TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto direct = newton(equations, start, p.system.damping(), {.max_iterations = 60});
   ASSERT_TRUE(direct.converged);
   const auto path = follow_homotopy(equations, start);
-  ASSERT_EQ(path.end, numerics::CurveEnd::arrived);
-  EXPECT_GT(path.points.size(), 4u);  // it is far
+  ASSERT_EQ(path.end, numerics::Termination::end_reached);
+  EXPECT_GT(path.points.size(), 4u);  // the path is long
   EXPECT_EQ(path.points.back().t, 1);
   const auto refined = newton(equations, path.points.back().a, p.system.damping(), {});
   ASSERT_TRUE(refined.converged);
@@ -52,15 +52,16 @@ TEST(HalfPlaneMetric, SizeDoesNotDependOnTheBasis) {
   covariance(0, 1) = covariance(1, 0) = 0.4;
   MatrixXd change(3, 3);  // phi' = change * phi
   change << 2, 0, 1, 0.5, 1, 0, 0, -1, 3;
-  EXPECT_NEAR(size_of(change * residual, change * covariance * change.transpose(), 0.1),
-              size_of(residual, covariance, 0.1), 1e-13);
-  EXPECT_NEAR(size_of(residual, MatrixXd::Identity(3, 3), 0.1), residual.norm() / 0.1, 1e-13);
+  EXPECT_NEAR(residual_norm(change * residual, change * covariance * change.transpose(), 0.1),
+              residual_norm(residual, covariance, 0.1), 1e-13);
+  EXPECT_NEAR(residual_norm(residual, MatrixXd::Identity(3, 3), 0.1), residual.norm() / 0.1, 1e-13);
 }
 
 TEST(HalfPlaneMetric, ResidualsHaveNoSizeWhereTheMembersAreDependent) {
   MatrixXd covariance = MatrixXd::Identity(2, 2);
   covariance(0, 1) = covariance(1, 0) = 1 + 1e-12;
-  EXPECT_EQ(size_of(VectorXd::Ones(2), covariance, 0.1), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(residual_norm(VectorXd::Ones(2), covariance, 0.1),
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(HalfPlaneMetric, LengthIsTheDeviationOfTheChange) {
@@ -68,7 +69,7 @@ TEST(HalfPlaneMetric, LengthIsTheDeviationOfTheChange) {
   covariance << 4, 1, 1, 9;
   VectorXd step(2);
   step << 1, -2;
-  EXPECT_NEAR(length(step, covariance), std::sqrt(4 - 4 + 36.0), 1e-14);
+  EXPECT_NEAR(step_norm(step, covariance), std::sqrt(4 - 4 + 36.0), 1e-14);
 }
 
 TEST(HalfPlaneMetric, ConditionDoesNotDependOnTheBasis) {
@@ -76,9 +77,9 @@ TEST(HalfPlaneMetric, ConditionDoesNotDependOnTheBasis) {
   jacobian << 3, 1, 0, 0.5;
   MatrixXd change(2, 2);  // phi' = change * phi; a = change^T a'
   change << 2, 0, 0.5, 1;
-  EXPECT_NEAR(condition_of(change * jacobian * change.transpose(),
-                           change * covariance * change.transpose()),
-              condition_of(jacobian, covariance), 1e-12);
+  EXPECT_NEAR(condition_number(change * jacobian * change.transpose(),
+                               change * covariance * change.transpose()),
+              condition_number(jacobian, covariance), 1e-12);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A half-Gaussian on [0, 7], which Hermite's polynomials do not fit.
+// A half-Gaussian on [0, 7], under which Hermite polynomials are not orthogonal.
 struct HalfGaussian {
   VectorXd x = VectorXd::LinSpaced(400, 0, 7);
   VectorXd weight = (-x.array().square() / 2).exp();

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -23,26 +23,27 @@ TEST(AveragedExponent, IsTheEnergyWhereDampingIsConstant) {
           << y << ' ' << v;
     }
   }
-  EXPECT_NEAR(exponent.temperature(), 2, 0.01);  // by the bands
-  EXPECT_NEAR(exponent.energy_at(20), 40, 0.5);
-  EXPECT_EQ(exponent.barrier(), 0);
-  EXPECT_GT(exponent.bulk(), 4);
-  EXPECT_LT(exponent.bulk(), 9);  // 95 % of an exponential law of mean T (to 2 T): 3 T, and more
+  EXPECT_NEAR(exponent.temperature(), 2, 0.01);  // a sum over bands
+  EXPECT_NEAR(exponent.energy_at_depth(20), 40, 0.5);
+  EXPECT_EQ(exponent.barrier_energy(), 0);
+  EXPECT_GT(exponent.bulk_energy(), 4);
+  EXPECT_LT(exponent.bulk_energy(),
+            9);  // 95 % of the mass of laws with mean T to 2 T: at least 3 T
 }
 
-// Minima at +-1 with a barrier of 1/4 between them, a well's own energies below it.
-TEST(AveragedExponent, KnowsWells) {
+// Minima at +-1 with a maximum 1/4 higher at 0; below it each well has its own energies.
+TEST(AveragedExponent, HasABranchForEachWell) {
   const auto p =
       with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.02);
   const AveragedExponent exponent(p);
-  EXPECT_NEAR(exponent.barrier(), 0.25, 0.03);
+  EXPECT_NEAR(exponent.barrier_energy(), 0.25, 0.03);
   EXPECT_NEAR(exponent(1, 0) - exponent(0, 0), 0.25 * 0.1 / 0.01, 1e-3);
   EXPECT_NEAR(exponent(-1, 0), exponent(1, 0), 1e-9);
   EXPECT_NEAR(exponent(-1, 0.3) - exponent(1, 0), -0.045 * 0.1 / 0.01, 1e-3);
 }
 
-// A ring: -Phi = (R - R^2/2) / 0.4, largest at R = y^2 + v^2 = 1.
-TEST(AveragedExponent, KnowsRings) {
+// A ring: -Phi = (R - R^2/2) / 0.4 with its maximum at R = y^2 + v^2 = 1.
+TEST(AveragedExponent, HasItsMaximumOnTheRing) {
   const auto p = with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
       0.4);

@@ -9,36 +9,36 @@
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "family.hpp"
-#include "numerics/quadrature/panels.hpp"
+#include "general_oscillators.hpp"
+#include "numerics/quadrature/gauss_panels.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 
-// The formulation moment beyond the paper's class: walls anywhere or none, wells, rings, noise.
+// Formulation moment beyond the paper's class: walls at any position or none, wells, rings, noise.
 namespace fpkcheck::epc {
 namespace {
 
 using problem::System;
 using tests::gaussian_impulses;
-using tests::in_frame;
+using tests::in_wall_coordinates;
 using tests::with_impulses;
 using tests::with_noise;
 using transform::SmoothDensity;
 using transform::Status;
 
-Result moment_of(const problem::Problem& problem, int order) {
-  return solve(in_frame(problem), tests::closure(Formulation::moment, order));
+Result solve_moment(const problem::Problem& problem, int order) {
+  return solve(in_wall_coordinates(problem), tests::closure(Formulation::moment, order));
 }
 
 SmoothDensity physical_density_of(const problem::Problem& problem, const Result& result) {
-  return std::get<SmoothDensity>(transform::in_physical_coordinates(
-      problem::frame_of(problem.system), *result.solution.density));
+  return std::get<SmoothDensity>(transform::to_physical_coordinates(
+      problem::wall_frame(problem.system), *result.solution.density));
 }
 
 struct Distance {
   double y = 0, v = 0;
 };
-// In L1, of p(y) and of p(v), over the box of the first.
+// L1 distances of p(y) and p(v) over the box of the first density.
 Distance distance(const SmoothDensity& p, const std::function<double(double, double)>& q) {
   constexpr int kPanels = 16;
   const auto ys = numerics::panel_points(p.y_min, p.y_max, kPanels);
@@ -63,8 +63,8 @@ System van_der_pol(double epsilon) {
   return System({.damping = -epsilon, .van_der_pol = epsilon, .stiffness = 1}, {.none = true});
 }
 
-// A linear oscillator without a wall closes the equations of its moments: at n = 4 all of order 4
-// are those of its cumulants, under any law, a mean and noise beside.
+// The moment equations of a linear oscillator without a wall are closed: n = 4 gives all moments up
+// to degree 4 exactly, for every law, with a mean of the impulses and additional noise.
 TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
   const System linear({.damping = 0.2, .stiffness = 1.3}, {.none = true});
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform", "exponential", "gamma"}) {
@@ -73,7 +73,7 @@ TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
         problem::ImpulseTrain({.arrival_rate = 1.5, .law = law, .intensity = 0.2, .mean = 0.08}));
     p.noise = {0.15};
     for (const int order : {4, 6}) {
-      const auto result = moment_of(p, order);
+      const auto result = solve_moment(p, order);
       ASSERT_EQ(result.solution.status, Status::ok) << law << ": " << result.solution.reason;
       const auto& moments = result.solution.moments;
       const auto fourth = [&](int a, int b) {  // E[y^4] or E[v^4]
@@ -88,7 +88,7 @@ TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
       EXPECT_NEAR(moments.v1, 0, 1e-9) << law << order;
       EXPECT_NEAR(moments.v2 / exact::linear_cumulant(p, 0, 2), 1, 1e-8) << law << order;
       EXPECT_NEAR(moments.v4 / fourth(0, 1), 1, 1e-8) << law << order;
-      // And a mixed one.
+      // A mixed moment.
       const auto& density = std::get<SmoothDensity>(*result.solution.density);
       const double y2v = transform::expectation(
           density, [y1](double y, double v) { return (y - y1) * (y - y1) * v; });
@@ -97,7 +97,7 @@ TEST(MomentClosureWithoutWall, GivesAllMomentsOfTheLinearProcess) {
   }
 }
 
-// Where the exponent of the exact density is a polynomial of degree 4, or 6, the closure has it.
+// Problems whose exact density has an exponent of degree 4 or 6: the closure is exact.
 struct ExactCase {
   const char* name;
   System system;
@@ -142,13 +142,13 @@ TEST(MomentClosureOnDomains, IsExactWhereTheExponentIsAPolynomial) {
   for (const auto& [name, system, intensity, order] : exact_cases()) {
     const auto p = with_noise(system, intensity);
     const exact::EnergyLaw law(p);
-    const auto result = moment_of(p, order);
+    const auto result = solve_moment(p, order);
     ASSERT_EQ(result.solution.status, Status::ok) << name << ": " << result.solution.reason;
     const SmoothDensity density = physical_density_of(p, result);
     const auto [y, v] = distance(density, law);
     EXPECT_LT(y, 1e-7) << name;
     EXPECT_LT(v, 1e-7) << name;
-    // Moments are physical ones, whatever the frame.
+    // Moments are in physical coordinates for every frame.
     const auto& moments = result.solution.moments;
     EXPECT_NEAR(moments.y1, law.moment(1, 0), 1e-7) << name;
     EXPECT_NEAR(moments.y2, law.moment(2, 0), 1e-7) << name;
@@ -158,8 +158,8 @@ TEST(MomentClosureOnDomains, IsExactWhereTheExponentIsAPolynomial) {
   }
 }
 
-// The balances are of polynomials of degree 2, which the equations at n >= 2 hold exactly; their
-// terms are computed from the density in other ways.
+// The balances are moment equations of degree 2, which orders n >= 2 satisfy exactly. Their terms
+// are computed from the density independently.
 TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
   const problem::WallParameters both{
       .left = -0.5, .left_restitution = 0.7, .right = 1, .right_restitution = 0.9};
@@ -180,7 +180,7 @@ TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
           gaussian_impulses(1, 0.1, -0.03)),
       with_noise(System({.damping = 0.1, .stiffness = 1, .restitution = 0.8}), 0.1)};
   for (const auto& p : problems) {
-    const auto [solution, summary] = moment_of(p, 4);
+    const auto [solution, summary] = solve_moment(p, 4);
     ASSERT_EQ(solution.status, Status::ok) << parameters_text(p) << ": " << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-7) << parameters_text(p);
     EXPECT_LT(std::abs(*summary.balances.virial), 1e-7) << parameters_text(p);
@@ -189,19 +189,19 @@ TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
   }
 }
 
-// Without a wall both sides of the balance of momentum are 0 in a symmetric well.
+// In a symmetric well without a wall both sides of the balance of momentum are 0.
 TEST(MomentClosureOnDomains, HasNoBalanceOfMomentumWhereNothingIsHit) {
-  EXPECT_FALSE(moment_of(with_noise(van_der_pol(0.2), 0.2), 4).summary.balances.momentum);
+  EXPECT_FALSE(solve_moment(with_noise(van_der_pol(0.2), 0.2), 4).summary.balances.momentum);
 }
 
-// The paper's case 1 behind a mirror: the search takes another way to the same root.
-TEST(MomentClosureOnDomains, AMirrorTurnsTheSolutionOver) {
+// Mirror image of the paper's case 1: another search path, the same root.
+TEST(MomentClosureOnDomains, AMirrorImageReflectsTheSolution) {
   const auto original = tests::make_problem({.mean = 0.03});
   const auto mirrored = with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1},
                                              {.right = 0, .right_restitution = 0.98}),
                                       gaussian_impulses(1, 0.1, -0.03));
   const auto here = solve(original, tests::closure(Formulation::moment, 6)).solution;
-  const auto there = moment_of(mirrored, 6).solution;
+  const auto there = solve_moment(mirrored, 6).solution;
   ASSERT_EQ(there.status, Status::ok) << there.reason;
   EXPECT_NEAR(there.moments.y1, -here.moments.y1, 1e-8);
   EXPECT_NEAR(there.moments.y2, here.moments.y2, 1e-8);
@@ -209,13 +209,13 @@ TEST(MomentClosureOnDomains, AMirrorTurnsTheSolutionOver) {
   EXPECT_NEAR(there.moments.v4, here.moments.v4, 1e-8);
 }
 
-// Both walls change places with their restitutions, and y its sign.
-TEST(MomentClosureOnDomains, WallsMayChangePlaces) {
+// Exchanging both walls with their restitution coefficients changes the sign of y.
+TEST(MomentClosureOnDomains, ExchangedWallsReflectTheSolution) {
   const auto between = [](double left, double r_left, double right, double r_right, double mean) {
     const System system(
         {.damping = 0.1, .stiffness = 1},
         {.left = left, .left_restitution = r_left, .right = right, .right_restitution = r_right});
-    return moment_of(with_impulses(system, gaussian_impulses(2, 0.2, mean)), 4).solution;
+    return solve_moment(with_impulses(system, gaussian_impulses(2, 0.2, mean)), 4).solution;
   };
   const auto here = between(-0.5, 0.7, 1, 0.9, 0.05), there = between(-1, 0.9, 0.5, 0.7, -0.05);
   EXPECT_GT(std::abs(here.moments.y1), 0.1);
@@ -224,17 +224,18 @@ TEST(MomentClosureOnDomains, WallsMayChangePlaces) {
   EXPECT_NEAR(there.moments.v2, here.moments.v2, 1e-8);
 }
 
-// By trajectories E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004; the closure is off by its
-// own error besides.
+// Simulation: E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004. The tolerance includes the
+// error of the closure.
 TEST(MomentClosureOnDomains, IsNearTheSimulationAtOrderEight) {
-  const auto well = moment_of(with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 8).solution;
+  const auto well =
+      solve_moment(with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 8).solution;
   ASSERT_EQ(well.status, Status::ok) << well.reason;
   EXPECT_NEAR(well.moments.y2, 0.8384904, 4 * 0.0002 + 2e-4);
   EXPECT_NEAR(well.moments.v4, 0.204132, 4 * 0.0004);
-  EXPECT_NEAR(well.moments.v2, 0.25, 1e-8);  // lambda E[Y^2] / (2c), whatever the spring
+  EXPECT_NEAR(well.moments.v2, 0.25, 1e-8);  // lambda E[Y^2] / (2c) for every spring
 }
 
-// L1 to the order above: about the error at n = 8.
+// L1 distance to order n + 2: about the error at order n.
 TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.98});
   const struct {
@@ -246,7 +247,7 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   for (const auto& [problem, bar_y, bar_v] : cases) {
     std::vector<Distance> to_next;
     for (const int order : {4, 8}) {
-      const auto coarse = moment_of(problem, order), fine = moment_of(problem, order + 2);
+      const auto coarse = solve_moment(problem, order), fine = solve_moment(problem, order + 2);
       ASSERT_EQ(coarse.solution.status, Status::ok) << coarse.solution.reason;
       ASSERT_EQ(fine.solution.status, Status::ok) << fine.solution.reason;
       to_next.push_back(distance(std::get<SmoothDensity>(*fine.solution.density),
@@ -259,22 +260,21 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   }
 }
 
-// Both marginals on the panels of the later one, though the supports begin elsewhere.
+// Marginals on the same panels although the supports differ.
 TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   const auto p = with_impulses(kDoubleWell, gaussian_impulses(1, 0.05));
-  const auto before = moment_of(p, 4), here = moment_of(p, 6);
+  const auto before = solve_moment(p, 4), here = solve_moment(p, 6);
   const auto [y, v] = distance(std::get<SmoothDensity>(*here.solution.density),
                                std::get<SmoothDensity>(*before.solution.density).value);
   ASSERT_TRUE(here.summary.distance_to_previous);
   EXPECT_NEAR(*here.summary.distance_to_previous / (y + v), 1, 0.05);
 }
 
-// epsilon = 1: a Gaussian is no ring, and what there is of it is held by the confinement.
-TEST(MomentClosureOnDomains, SaysWhenTheConfinementAloneHoldsADensity) {
-  const auto [solution, summary] = moment_of(with_noise(van_der_pol(1), 0.2), 2);
+// epsilon = 1: order 2 gives no ring, and its density decays by the confinement alone.
+TEST(MomentClosureOnDomains, IsInadmissibleIfTheConfinementAloneMakesItDecay) {
+  const auto [solution, summary] = solve_moment(with_noise(van_der_pol(1), 0.2), 2);
   EXPECT_EQ(solution.status, Status::inadmissible);
-  EXPECT_NE(solution.reason.find("where its confinement begins"), std::string::npos)
-      << solution.reason;
+  EXPECT_NE(solution.reason.find("at the confinement level"), std::string::npos) << solution.reason;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -14,15 +14,15 @@ namespace {
 using std::numbers::pi;
 using tests::make_problem;
 
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 
-double wall_integral(const half_plane::Line& wall, auto&& f) {
+double wall_integral(const half_plane::QuadratureRule& wall, auto&& f) {
   double sum = 0;
   for (Eigen::Index i = 0; i < wall.at.size(); ++i) sum += wall.weight[i] * f(wall.at[i]);
   return sum;
 }
 
-double integral(const Points& points, auto&& f) {
+double integral(const QuadraturePoints& points, auto&& f) {
   double sum = 0;
   for (Eigen::Index i = 0; i < points.y.size(); ++i) {
     sum += points.weight[i] * f(points.y[i], points.v[i]);
@@ -38,23 +38,25 @@ TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
   EXPECT_NEAR(domain.y_max(), a, 1e-14);
   EXPECT_NEAR(domain.v_max(), b, 1e-14);
   EXPECT_EQ(domain.y_low(), 0);
-  const Points rule = domain.rule(12, 10);
-  EXPECT_NEAR(integral(rule, [](double, double) { return 1.0; }), pi * a * b / 2, 1e-13);
-  EXPECT_NEAR(integral(rule, [](double y, double) { return y; }), 2 * a * a * b / 3, 1e-13);
-  EXPECT_NEAR(integral(rule, [](double, double v) { return v * v; }), pi * a * b * b * b / 8,
-              1e-12);
+  const QuadraturePoints quadrature_points = domain.quadrature_points(12, 10);
+  EXPECT_NEAR(integral(quadrature_points, [](double, double) { return 1.0; }), pi * a * b / 2,
+              1e-13);
+  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return y; }), 2 * a * a * b / 3,
+              1e-13);
+  EXPECT_NEAR(integral(quadrature_points, [](double, double v) { return v * v; }),
+              pi * a * b * b * b / 8, 1e-12);
   EXPECT_NEAR(wall_integral(domain.wall_rule(8), [](double v) { return -v * v * v; }),
               b * b * b * b / 4, 1e-12);
 }
 
-// The area below a level is one integral over y, here by the midpoint rule after y = top sin(phi).
+// Area of the domain as an integral over y, by midpoints after the substitution y = y_max sin(phi).
 TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   const EnergyDomain domain(make_problem({.cubic = 2}), 5);
   const auto bell = [&](double y, double v) {
     return std::exp(-domain.energy(y, v)) * (1 + v * y);
   };
-  const double coarse = integral(domain.rule(14, 14), bell);
-  const double fine = integral(domain.rule(40, 40), bell);
+  const double coarse = integral(domain.quadrature_points(14, 14), bell);
+  const double fine = integral(domain.quadrature_points(40, 40), bell);
   EXPECT_NEAR(coarse, fine, 1e-8);
   double area = 0;
   constexpr int kCells = 2000;
@@ -63,52 +65,56 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
     const double y = domain.y_max() * std::sin(phi);
     area += 2 * domain.half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
   }
-  EXPECT_NEAR(integral(domain.rule(40, 2), [](double, double) { return 1.0; }), area, 1e-6);
+  EXPECT_NEAR(integral(domain.quadrature_points(40, 2), [](double, double) { return 1.0; }), area,
+              1e-6);
 }
 
-// k = 1, mean force 3: the minimum is at y = 3, 4.5 below the wall's energy.
+// k = 1, mean force 3: minimum at y = 3, with an energy 4.5 below that at the wall.
 TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   const auto held = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = 0.03});
   const EnergyDomain oval(held, 2);
   EXPECT_NEAR(oval.y_low(), 1, 1e-12);
   EXPECT_NEAR(oval.y_max(), 5, 1e-12);
   EXPECT_EQ(oval.wall_rule(8).at.size(), 0);
-  EXPECT_NEAR(integral(oval.rule(12, 10), [](double, double) { return 1.0; }), pi * 4, 1e-12);
-  EXPECT_NEAR(integral(oval.rule(12, 10), [](double y, double) { return y; }), pi * 12, 1e-11);
+  EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double, double) { return 1.0; }), pi * 4,
+              1e-12);
+  EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double y, double) { return y; }), pi * 12,
+              1e-11);
 
-  // Beyond, the circle of radius 5 about (3, 0) is cut at y = 0.
+  // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
   const EnergyDomain cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
   EXPECT_NEAR(cut.half_width(0), 4, 1e-12);
-  EXPECT_NEAR(integral(cut.rule(30, 10), [](double, double) { return 1.0; }),
+  EXPECT_NEAR(integral(cut.quadrature_points(30, 10), [](double, double) { return 1.0; }),
               25 * (pi - std::acos(0.6)) + 12, 1e-8);
   EXPECT_NEAR(wall_integral(cut.wall_rule(8), [](double) { return 1.0; }), 4, 1e-12);
 }
 
-TEST(EnergyDomain, OfAnOscillatorPushedToTheWallStandsOnTheWall) {
+TEST(EnergyDomain, OfAnOscillatorPushedToTheWallBeginsAtTheWall) {
   const auto pushed = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = -0.03});
   const EnergyDomain domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
   EXPECT_NEAR(domain.y_max(), 1, 1e-12);
   EXPECT_NEAR(domain.half_width(0), std::sqrt(7.0), 1e-12);
-  const Points rule = domain.rule(40, 10);
-  for (Eigen::Index i = 0; i < rule.y.size(); ++i) {
-    EXPECT_TRUE(domain.contains(rule.y[i], rule.v[i]));
+  const QuadraturePoints quadrature_points = domain.quadrature_points(40, 10);
+  for (Eigen::Index i = 0; i < quadrature_points.y.size(); ++i) {
+    EXPECT_TRUE(domain.contains(quadrature_points.y[i], quadrature_points.v[i]));
   }
 }
 
 TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
   const EnergyDomain domain(make_problem({.cubic = 2}), 5);
-  const Points rule = domain.rule(9, 7);
-  EXPECT_EQ(rule.size(), 63);
-  EXPECT_EQ(rule.s, rule.y);
-  EXPECT_EQ(rule.t, rule.v);
-  for (Eigen::Index i = 0; i < rule.size(); ++i) {
-    const double y = rule.y[i], v = rule.v[i];
-    EXPECT_NEAR(rule.energy[i], v * v / 2 + y * y / 2 + y * y * y * y / 2, 1e-14);
+  const QuadraturePoints quadrature_points = domain.quadrature_points(9, 7);
+  EXPECT_EQ(quadrature_points.size(), 63);
+  EXPECT_EQ(quadrature_points.s, quadrature_points.y);
+  EXPECT_EQ(quadrature_points.t, quadrature_points.v);
+  for (Eigen::Index i = 0; i < quadrature_points.size(); ++i) {
+    const double y = quadrature_points.y[i], v = quadrature_points.v[i];
+    EXPECT_NEAR(quadrature_points.energy[i], v * v / 2 + y * y / 2 + y * y * y * y / 2, 1e-14);
   }
 }
 
-// y^2 + v^2 <= 4 as a whole, right of a wall at -1, and between it and one at 0.5.
+// y^2 + v^2 <= 4: the whole disc, the part right of a wall at -1, and the part between walls at -1
+// and 0.5.
 TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   const double level = 2;
   const auto circle = [&](const problem::WallParameters& walls) {
@@ -116,32 +122,33 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
         tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, walls), 0.1), level);
   };
   const auto one = [](double, double) { return 1.0; };
-  const auto area_from = [](double y) {  // of the part of the circle right of y
+  const auto area_from = [](double y) {  // area of the part of the circle right of y
     return 4 * std::acos(y / 2) - y * std::sqrt(4 - y * y);
   };
   const EnergyDomain whole = circle({.none = true});
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
   EXPECT_NEAR(whole.y_min(), -2, 1e-12);
-  EXPECT_NEAR(integral(whole.rule(12, 10), one), 4 * pi, 1e-12);
+  EXPECT_NEAR(integral(whole.quadrature_points(12, 10), one), 4 * pi, 1e-12);
   EXPECT_EQ(whole.wall_rule(8).at.size(), 0);
   EXPECT_EQ(whole.right_wall_rule(8).at.size(), 0);
   EXPECT_TRUE(whole.contains(-1.9, 0.1));
 
   const EnergyDomain gap = circle({.left = -1, .left_restitution = 1});
-  EXPECT_NEAR(integral(gap.rule(20, 10), one), area_from(-1), 1e-11);
+  EXPECT_NEAR(integral(gap.quadrature_points(20, 10), one), area_from(-1), 1e-11);
   EXPECT_NEAR(wall_integral(gap.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
   EXPECT_FALSE(gap.contains(-1.1, 0));
 
   const EnergyDomain strip =
       circle({.left = -1, .left_restitution = 1, .right = 0.5, .right_restitution = 1});
-  EXPECT_NEAR(integral(strip.rule(20, 10), one), area_from(-1) - area_from(0.5), 1e-11);
+  EXPECT_NEAR(integral(strip.quadrature_points(20, 10), one), area_from(-1) - area_from(0.5),
+              1e-11);
   EXPECT_NEAR(wall_integral(strip.right_wall_rule(8), [](double v) { return v; }), 3.75 / 2, 1e-12);
   EXPECT_NEAR(wall_integral(strip.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
   EXPECT_FALSE(strip.contains(0.6, 0));
   EXPECT_EQ(strip.y_max(), 0.5);
 }
 
-// V = -y^2/2 + y^4/4: at h < 1/4 two parts, (y^2 - 1)^2 <= 4 h.
+// V = -y^2/2 + y^4/4: two parts at h < 1/4, (y^2 - 1)^2 <= 4 h.
 TEST(EnergyDomain, HasAPartInEachWell) {
   const auto p = tests::with_noise(
       problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
@@ -150,12 +157,12 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   EXPECT_NEAR(wells.y_low(), -std::sqrt(1.8), 1e-12);
   EXPECT_NEAR(wells.parts()[0].right, -std::sqrt(0.2), 1e-12);
   EXPECT_NEAR(wells.y_max(), std::sqrt(1.8), 1e-12);
-  const Points rule = wells.rule(30, 8);
-  EXPECT_EQ(rule.size(), 480);
-  EXPECT_NEAR(integral(rule, [](double y, double) { return y; }), 0, 1e-12);
-  // dy y = d(y^2)/2 makes the half-width a semicircle of u = y^2 - 1: the area of one part weighed
-  // by y is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
-  EXPECT_NEAR(integral(rule, [](double y, double) { return std::abs(y); }),
+  const QuadraturePoints quadrature_points = wells.quadrature_points(30, 8);
+  EXPECT_EQ(quadrature_points.size(), 480);
+  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return y; }), 0, 1e-12);
+  // With y dy = d(y^2)/2 the half-width is a semicircle in u = y^2 - 1. The integral of |y| over
+  // one part is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
+  EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return std::abs(y); }),
               2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
   EXPECT_EQ(EnergyDomain(p, 0.26).parts().size(), 1U);
 }

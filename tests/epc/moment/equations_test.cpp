@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"
 
@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Confinement;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 using tests::make_problem;
 
 std::vector<double> rate_moments(const problem::Problem& p, int order, int last) {
@@ -27,15 +27,15 @@ std::vector<double> rate_moments(const problem::Problem& p, int order, int last)
 }
 
 constexpr int kWallPoints = 60;
-Points points_of(const EnergyDomain& domain) { return domain.rule(50, 60); }
+QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
 
-// Equations on a domain far out, in a basis of the white-noise density without impact losses.
+// Equations on a large domain, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int last_moment, double deviations,
                        bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
-  const EnergyDomain domain(p, level * (confined ? Confinement::reach() : 1));
-  const Points points = points_of(domain);
+  const EnergyDomain domain(p, level * (confined ? Confinement::support_ratio() : 1));
+  const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
   return equations(p, rate_moments(p, order, last_moment), domain,
                    confined ? Confinement{level} : Confinement{}, basis, points, kWallPoints);
@@ -54,7 +54,7 @@ TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
   }
 }
 
-// White noise at r < 1: only impacts change the moments of that density, and phi = v^2 loses
+// White noise at r < 1: only impacts change the moments of the elastic density. E[v^2] decreases by
 // (1 - r^2) int_{v<0} |v|^3 p(0,v) dv per unit time. With beta = c/D2, p(0,v) = p0 exp(-beta v^2/2)
 // and the integral is 2 p0 / beta^2.
 TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
@@ -65,13 +65,13 @@ TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
   const double beta = 2 * 0.1 / 0.4;
   // int exp(-beta (v^2 + y^2)/2) over y > 0 is pi / beta.
   const double expected = -(1 - 0.49) * 2 / (beta * beta) * beta / M_PI;
-  // phi = v^2 in the basis: g_2 = (v^2 - sigma^2)/(sqrt(2) sigma^2), sigma^2 = 1/beta, the third of
-  // the second degree's members (y^2, y v, v^2).
+  // v^2 in the basis: g_2 = (v^2 - sigma^2)/(sqrt(2) sigma^2), sigma^2 = 1/beta, which is the third
+  // member of degree 2 (y^2, y v, v^2).
   EXPECT_NEAR(residual[4] * std::sqrt(2.0) / beta, expected, 1e-8);
 }
 
-// d E[phi]/dt of the impulses alone, lambda E[phi(v + Y) - phi(v)], by brute force for a two-point
-// law: all moments of Y enter, the odd ones with a mean.
+// d E[phi]/dt by the impulses alone, lambda E[phi(v + Y) - phi(v)], evaluated directly for a
+// two-point law. All moments of Y contribute; the mean makes the odd ones nonzero.
 TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   const auto p = make_problem({.damping = 1e-9,
                                .stiffness = 1,
@@ -82,7 +82,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
                                .mean = 0.2,
                                .law = "two_point"});
   const EnergyDomain domain(p, 20);
-  const Points points = points_of(domain);
+  const QuadraturePoints points = points_of(domain);
   VectorXd mass = (-points.v.array().square() - (points.y.array() - 0.4).square()).exp();
   mass = mass.cwiseProduct(points.weight);
   mass /= mass.sum();
@@ -92,7 +92,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   const Equations with = equations(p, moments, domain, {}, basis, points, kWallPoints);
   const Equations without =
       equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
-  const VectorXd a = VectorXd::Zero(basis.size());  // constant density: any will do
+  const VectorXd a = VectorXd::Zero(basis.size());  // constant density, an arbitrary choice
   const VectorXd change = with.residual(with.density(a)) - without.residual(without.density(a));
 
   const auto density = with.density(a);
@@ -108,7 +108,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   }
 }
 
-// Up to a constant, which the density does not know.
+// Up to a constant, which normalisation removes.
 TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   const Equations equations = equations_of(p, 4, 2, 6);
@@ -126,7 +126,7 @@ TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
   for (const bool confined : {false, true}) {
     const Equations equations = equations_of(p, 4, 4, 5, confined);
     tests::expect_jacobian_is_derivative(equations,
-                                         tests::shaken(white_noise_exponent(p, equations)));
+                                         tests::perturbed(white_noise_exponent(p, equations)));
   }
 }
 
@@ -135,7 +135,7 @@ TEST(MomentEquations, CovarianceIsThatOfTheMembers) {
   const Equations equations = equations_of(p, 4, 2, 10);
   const auto density = equations.density(white_noise_exponent(p, equations));
   const MatrixXd covariance = equations.covariance(density);
-  // y and v are independent, so that products of orthonormal polynomials are orthonormal.
+  // y and v are independent: products of orthonormal polynomials are orthonormal.
   EXPECT_LT((covariance - MatrixXd::Identity(14, 14)).cwiseAbs().maxCoeff(), 1e-10);
 }
 
@@ -149,14 +149,14 @@ problem::Problem between_walls(double r_left, double r_right) {
 
 Equations equations_between(const problem::Problem& p, int order, double temperature) {
   const EnergyDomain domain(p, temperature * 50);
-  const Points points = points_of(domain);
+  const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
   return equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
 }
 
-// exp(-h/T), T = D/c = 2, between walls: nothing changes where both return all, and phi = v^2 loses
-// (1 - r^2) int u^3 p(wall, u) du = (1 - r^2) 2 T^2 p(wall, 0) at the one that does not.
-TEST(MomentEquations, EitherWallTakesItsOwnShare) {
+// exp(-h/T), T = D/c = 2, between walls: stationary if both walls are elastic. At an inelastic wall
+// E[v^2] decreases by (1 - r^2) int u^3 p(wall, u) du = (1 - r^2) 2 T^2 p(wall, 0) per unit time.
+TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
   const double temperature = 2;
   const auto energy_lost = [&](double r_left, double r_right) {
     const Equations equations = equations_between(between_walls(r_left, r_right), 2, temperature);
@@ -164,7 +164,7 @@ TEST(MomentEquations, EitherWallTakesItsOwnShare) {
     const VectorXd residual = equations.residual(density);
     const bool lossless = r_left == 1 && r_right == 1;
     EXPECT_EQ(residual.cwiseAbs().maxCoeff() < 1e-11, lossless);
-    return -residual[4] * std::sqrt(2.0) * temperature;  // of the basis: see above
+    return -residual[4] * std::sqrt(2.0) * temperature;  // v^2 in the basis, as above
   };
   const double norm = std::sqrt(2 * M_PI * temperature) * std::sqrt(M_PI * temperature / 2) *
                       std::erf(1.5 / std::sqrt(2 * temperature));
@@ -177,8 +177,8 @@ TEST(MomentEquations, EitherWallTakesItsOwnShare) {
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidualBetweenWalls) {
   const auto p = between_walls(0.7, 0.9);
   const Equations equations = equations_between(p, 4, 2);
-  tests::expect_jacobian_is_derivative(equations,
-                                       tests::shaken(tests::boltzmann_coefficients(equations, 2)));
+  tests::expect_jacobian_is_derivative(
+      equations, tests::perturbed(tests::boltzmann_coefficients(equations, 2)));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ using tests::make_problem;
 // k = 1, mu = 0: contours are half-circles of radius sqrt(2 h).
 const problem::Problem kLinear = make_problem({.cubic = 0});
 
-// exp(-(y^2 + v^2) / 2T) over y > 0 integrates to pi T, and beyond an energy to exp(-E/T) of it.
+// The integral of exp(-(y^2 + v^2) / 2T) over y > 0 is pi T; beyond an energy E: pi T exp(-E/T).
 TEST(MomentTail, ProbabilityBeyondIsThatOfAGaussian) {
   const double temperature = 0.7, energy = 4;
   const Polynomial q({{2, 0, -1 / (2 * temperature)}, {0, 2, -1 / (2 * temperature)}});
@@ -23,7 +23,7 @@ TEST(MomentTail, ProbabilityBeyondIsThatOfAGaussian) {
               std::exp(-energy / temperature), 1e-4 * std::exp(-energy / temperature));
 }
 
-TEST(MomentTail, LargestOnAContourSeesTheWallAndTheAxis) {
+TEST(MomentTail, LargestOnAContourIncludesTheWallAndTheAxis) {
   const double energy = 2;  // radius 2
   EXPECT_NEAR(largest_on_contour(Polynomial({{1, 0, 1}}), kLinear, energy), 2, 1e-12);
   EXPECT_NEAR(largest_on_contour(Polynomial({{0, 1, 1}}), kLinear, energy), 2, 1e-12);
@@ -32,16 +32,16 @@ TEST(MomentTail, LargestOnAContourSeesTheWallAndTheAxis) {
 
 TEST(MomentTail, AFallIsFollowedToTheDepthAskedFor) {
   const Polynomial q({{2, 0, -1}, {0, 2, -1}});  // -2 h
-  const Fall fall = fall_of(q, kLinear, 3, 100, 30);
-  ASSERT_TRUE(fall.reached.has_value());
-  EXPECT_GE(*fall.reached, 15 - 0.1);  // the peak is looked for from a fortieth of the first energy
-  EXPECT_LT(*fall.reached, 15 * 1.06);
-  EXPECT_FALSE(fall_of(q, kLinear, 3, 10, 30).reached.has_value());  // too near an end
+  const DecayScan fall = scan_decay(q, kLinear, 3, 100, 30);
+  ASSERT_TRUE(fall.crossing.has_value());
+  EXPECT_GE(*fall.crossing, 15 - 0.1);  // the scan for the peak starts at 1/40 of the first energy
+  EXPECT_LT(*fall.crossing, 15 * 1.06);
+  EXPECT_FALSE(scan_decay(q, kLinear, 3, 10, 30).crossing.has_value());  // the scan ends too early
 }
 
-// Falls to -20 at h = 10 and further out after a rise: nothing is reached.
+// Q_n rises between two radii before it falls for good: a scan across the rise finds no energy.
 TEST(MomentTail, ARiseEndsAFall) {
-  // -2h + hump: along every direction q = -rho^2 + a rho^4 - b rho^6 rises between two radii.
+  // Along every direction q = -rho^2 + a rho^4 - b rho^6 rises between two radii.
   const double a = 0.1, b = 0.0031;  // 1 - 2a s + 3b s^2 = 0 at s = rho^2 = 7.4 and 14.1
   std::vector<Term> terms{{2, 0, -1}, {0, 2, -1}};
   for (const auto& [p, q, c] : std::vector<Term>{{4, 0, 1}, {2, 2, 2}, {0, 4, 1}}) {
@@ -50,8 +50,8 @@ TEST(MomentTail, ARiseEndsAFall) {
   for (const auto& [p, q, c] : std::vector<Term>{{6, 0, 1}, {4, 2, 3}, {2, 4, 3}, {0, 6, 1}}) {
     terms.push_back({p, q, -b * c});
   }
-  EXPECT_FALSE(fall_of(Polynomial(terms), kLinear, 2, 200, 30).reached.has_value());
-  EXPECT_TRUE(fall_of(Polynomial(terms), kLinear, 8, 200, 30).reached.has_value());
+  EXPECT_FALSE(scan_decay(Polynomial(terms), kLinear, 2, 200, 30).crossing.has_value());
+  EXPECT_TRUE(scan_decay(Polynomial(terms), kLinear, 8, 200, 30).crossing.has_value());
 }
 
 TEST(MomentTail, RadiiAreThoseOfTheScaledContour) {

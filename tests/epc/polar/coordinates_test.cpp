@@ -22,11 +22,11 @@ TEST(Coordinates, AreInverseToEachOther) {
       EXPECT_NEAR(coordinates.slope(y), (coordinates.w(y + h) - coordinates.w(y - h)) / (2 * h),
                   1e-8);
       if (y > 0) {
-        EXPECT_NEAR(coordinates.force_by_w(y) * coordinates.w(y) / p.system.force()(y), 1, 1e-14);
+        EXPECT_NEAR(coordinates.force_over_w(y) * coordinates.w(y) / p.system.force()(y), 1, 1e-14);
       }
     }
   }
-  // With a stiffness of its own the amplitude is that of the energy.
+  // For K = k, rho^2/2 is the energy.
   const auto p = make_problem({.cubic = 0.7});
   EXPECT_NEAR(std::pow(Coordinates(p).rho(0.6, -0.8), 2) / 2,
               0.32 + 0.18 + 0.7 * std::pow(0.6, 4) / 4, 1e-15);
@@ -35,14 +35,15 @@ TEST(Coordinates, AreInverseToEachOther) {
 TEST(PolarRule, HasTheAreaAndTheMomentsOfTheHalfDisc) {
   const auto p = make_problem({.cubic = 0});
   for (const std::vector<double>& breaks : {std::vector<double>{}, {0.4, 1.1}}) {
-    const half_plane::Points points = rule(Coordinates(p), 2, breaks, {24, 24, 24});
+    const half_plane::QuadraturePoints points =
+        quadrature_points(Coordinates(p), 2, breaks, {24, 24, 24});
     EXPECT_NEAR(points.weight.sum(), M_PI * 2, 1e-12);
     EXPECT_NEAR(points.weight.dot(points.y), 2.0 / 3 * 8, 1e-12);
     EXPECT_NEAR(points.weight.dot(points.v.cwiseAbs2()), M_PI * 16 / 8, 1e-12);
   }
 }
 
-// K y^2 + mu y^4 / 2 = w^2, by hand.
+// Solution of K y^2 + mu y^4 / 2 = w^2 in closed form.
 TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
   for (const double cubic : {0.0, 1e-6, 0.7, 5.0}) {
     const Coordinates coordinates(make_problem({.stiffness = 1.3, .cubic = cubic}));
@@ -56,7 +57,7 @@ TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
 TEST(PolarRule, PointsCarryTheirCoordinatesAndEnergies) {
   const auto p = make_problem({.cubic = 0.7});
   const Coordinates coordinates(p);
-  const auto points = rule(coordinates, 2, {}, {7, 9, 7});
+  const auto points = quadrature_points(coordinates, 2, {}, {7, 9, 7});
   EXPECT_EQ(points.size(), 63);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i];

@@ -16,30 +16,31 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
 using half_plane::Equations;
-using half_plane::Points;
+using half_plane::QuadraturePoints;
 using tests::make_problem;
 
 constexpr int kWallPoints = 40;
 
 double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::temperature_of(p)); }
 
-// Equations out to eight deviations, in a basis of the white-noise density without losses.
+// Equations up to eight deviations, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int points_each_way,
                        const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const double rho_max = rho_max_of(p);
-  const Points points = rule(coordinates, rho_max, breaks_of(p.impulses.law(), rho_max),
-                             {points_each_way, points_each_way, kWallPoints});
+  const QuadraturePoints points =
+      quadrature_points(coordinates, rho_max, amplitude_breaks(p.impulses.law(), rho_max),
+                        {points_each_way, points_each_way, kWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
   return equations(p, coordinates, rho_max, confinement, basis, points, kWallPoints);
 }
 
-VectorXd some_density(const problem::Problem& p, const Equations& equations) {
-  return tests::shaken(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
+VectorXd perturbed_coefficients(const problem::Problem& p, const Equations& equations) {
+  return tests::perturbed(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
 }
 
-// dE[phi]/dt by hand: along y' = v, v' = -c v - k y - mu y^3 by differences of phi, by the jumps of
-// a two-point law, and by the impacts rho -> r rho, theta: -pi/2 -> pi/2.
+// Direct evaluation of dE[phi]/dt: differences of phi along y' = v, v' = -c v - k y - mu y^3, jumps
+// of a two-point law, and impacts rho -> r rho, theta: -pi/2 -> pi/2.
 TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
   for (const double stiffness : {0.0, 1.0}) {
     const auto p = make_problem({.damping = 0.3,
@@ -54,7 +55,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     const Coordinates coordinates(p);
     const auto& basis = equations.basis();
     const auto& points = equations.points();
-    const auto density = equations.density(some_density(p, equations));
+    const auto density = equations.density(perturbed_coefficients(p, equations));
     const auto at = [&](const VectorXd& y, const VectorXd& v) {
       VectorXd rho(y.size()), theta(y.size());
       for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -65,7 +66,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     };
     const VectorXd force =
         0.3 * points.v.array() + stiffness * points.y.array() + 0.7 * points.y.array().cube();
-    // A step that turns the phase by 1e-4 wherever the point lies.
+    // A time step that changes the phase by 1e-4 at every point.
     const VectorXd dt =
         1e-4 * points.s.cwiseQuotient((points.v.cwiseAbs2() + force.cwiseAbs2()).cwiseSqrt());
     const VectorXd dy = dt.cwiseProduct(points.v), dv = -dt.cwiseProduct(force);
@@ -77,7 +78,8 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
       expected += 2 * probability * (at(points.y, kicked) - at(points.y, points.v)).transpose() *
                   density.mass;
     }
-    const half_plane::Line wall = half_plane::legendre_rule(kWallPoints, 0, rho_max_of(p));
+    const half_plane::QuadratureRule wall =
+        half_plane::legendre_rule(kWallPoints, 0, rho_max_of(p));
     const VectorXd zero = VectorXd::Zero(wall.at.size());
     const VectorXd down = VectorXd::Constant(wall.at.size(), -M_PI / 2);
     const MatrixXd change = at(zero, 0.6 * wall.at) - basis.values(wall.at, down);
@@ -87,7 +89,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
       EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
     }
-    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // nothing is compared with nothing
+    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
   }
 }
 
@@ -95,19 +97,19 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
     const Equations equations = equations_of(p, 4, 24, half_plane::Confinement{level});
-    tests::expect_jacobian_is_derivative(equations, some_density(p, equations));
+    tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }
 
-// Where an impulse of the two-point law stops the mass at the wall.
+// Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
-  const auto law = problem::ImpulseLaw::named("two_point", 0.2, 0.5);
-  EXPECT_EQ(breaks_of(law, 10).size(), 2u);
-  EXPECT_NEAR(breaks_of(law, 10)[0], 0.3, 1e-15);
-  EXPECT_NEAR(breaks_of(law, 10)[1], 0.7, 1e-15);
-  EXPECT_EQ(breaks_of(law, 0.5).size(), 1u);
-  EXPECT_EQ(breaks_of(problem::ImpulseLaw::named("two_point", 0, 0.5), 10).size(), 1u);
-  EXPECT_TRUE(breaks_of(problem::ImpulseLaw::named("gaussian", 0.2, 0.5), 10).empty());
+  const auto law = problem::ImpulseLaw::from_name("two_point", 0.2, 0.5);
+  EXPECT_EQ(amplitude_breaks(law, 10).size(), 2u);
+  EXPECT_NEAR(amplitude_breaks(law, 10)[0], 0.3, 1e-15);
+  EXPECT_NEAR(amplitude_breaks(law, 10)[1], 0.7, 1e-15);
+  EXPECT_EQ(amplitude_breaks(law, 0.5).size(), 1u);
+  EXPECT_EQ(amplitude_breaks(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10).size(), 1u);
+  EXPECT_TRUE(amplitude_breaks(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10).empty());
 }
 
 }  // namespace

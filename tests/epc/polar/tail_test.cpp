@@ -14,7 +14,7 @@ using tests::make_problem;
 // k = 1, mu = 0: amplitudes are radii.
 const problem::Problem kLinear = make_problem({.cubic = 0});
 
-// exp(-rho^2 / 2T) over the half-plane integrates to pi T, and beyond an energy to exp(-E/T) of it.
+// The integral of exp(-rho^2 / 2T) over the half-plane is pi T; beyond an energy E: pi T exp(-E/T).
 TEST(PolarTail, ProbabilityBeyondIsThatOfAGaussian) {
   const double temperature = 0.7, rho = 3;
   const Polynomial q({{2, 0, -1 / (2 * temperature)}});
@@ -36,7 +36,7 @@ TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
   const LeadingForm rising =
       leading_form_in_amplitude(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_FALSE(rising.negative);
-  EXPECT_EQ(rising.rising_share, 1);
+  EXPECT_EQ(rising.rising_fraction, 1);
   EXPECT_NEAR(rising.rises_from, 2.5, 0.06);  // in deviations of v
 }
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "family.hpp"
-#include "fd_fpk/characteristics/contact_plane.hpp"
-#include "fd_fpk/characteristics/passage.hpp"
-#include "fd_fpk/offered.hpp"
+#include "fd_fpk/applicability.hpp"
+#include "fd_fpk/characteristics/contact_grid.hpp"
+#include "fd_fpk/characteristics/transport_operator.hpp"
 #include "fd_fpk/solve.hpp"
+#include "general_oscillators.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
 
@@ -20,10 +20,10 @@ using problem::System;
 using transform::Status;
 
 Result solve_contact(const Problem& p, const Options& options = {}) {
-  const Problem seen = tests::in_frame(p);
-  EXPECT_EQ(objection(seen, options), "");
+  const Problem seen = tests::in_wall_coordinates(p);
+  EXPECT_EQ(unsupported_reason(seen, options), "");
   Result result = solve(seen, options);
-  result.solution = transform::in_physical_coordinates(seen.frame, std::move(result.solution));
+  result.solution = transform::to_physical_coordinates(seen.frame, std::move(result.solution));
   return result;
 }
 
@@ -41,9 +41,9 @@ void expect_identities(const Result& result, double bar = 1e-4) {
   EXPECT_LT(std::abs(*result.summary.balances.momentum), bar);
 }
 
-// The time aloft is (2/g) (1 + r + ..) of the first speed, |Y| or r |Y|: 1 - P0 is
-// lambda E|Y| (1+r) / (g (1-r)), less what the next impulse cuts off, of the second order in lambda.
-TEST(Contact, BallUnderRareImpulsesIsAloftAsLongAsItsParabolasTake) {
+// The time in flight is (2/g) (1 + r + ..) times the first speed, |Y| or r |Y|. So 1 - P0 is lambda
+// E|Y| (1+r) / (g (1-r)), less the truncation by the next impulse, of second order in lambda.
+TEST(Contact, TimeInFlightOfABallUnderRareImpulsesIsThatOfItsParabolas) {
   for (const double restitution : {0.3, 0.7}) {
     for (const double mean : {0.0, 0.5}) {
       const double rate = 1e-4;
@@ -63,8 +63,9 @@ TEST(Contact, BallUnderRareImpulsesIsAloftAsLongAsItsParabolasTake) {
   }
 }
 
-// By `fpkcheck mcs NAME --time 1.5e8 --seed 5`, 6 where r is changed: values and standard errors.
-TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
+// By `fpkcheck mcs NAME --time 1.5e8 --seed 5` (seed 6 where r is changed): values and standard
+// errors.
+TEST(Contact, ProbabilitiesOfRestOfShippedCasesAgreeWithTheSimulation) {
   struct Case {
     const char* name;
     std::vector<std::string> changes;
@@ -83,8 +84,8 @@ TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
     ASSERT_EQ(solution.atoms.size(), at_rest.size());
     for (std::size_t k = 0; k < at_rest.size(); ++k) {
       EXPECT_NEAR(solution.atoms[k].probability, at_rest[k], 4 * errors[k] + 2e-3 * at_rest[k]);
-      ASSERT_TRUE(solution.atoms[k].stated_error);
-      EXPECT_LT(*solution.atoms[k].stated_error, 0.01 * at_rest[k]);
+      ASSERT_TRUE(solution.atoms[k].error_estimate);
+      EXPECT_LT(*solution.atoms[k].error_estimate, 0.01 * at_rest[k]);
     }
     expect_identities(result);
     EXPECT_GT(solution.min_density, -1e-4);
@@ -92,11 +93,11 @@ TEST(Contact, ShippedSystemsRestAsLongAsInTheSimulation) {
   }
 }
 
-// Refined by sqrt 2 and 2: the differences of P0 fall.
+// Refined by factors of 2: the differences of P0 decrease.
 TEST(Contact, ProbabilityOfRestConverges) {
   std::vector<double> at_rest;
   for (const double refinement : {0.5, 1.0, 2.0}) {
-    const auto p = tests::in_frame(problem::load_case("preload"));
+    const auto p = tests::in_wall_coordinates(problem::load_case("preload"));
     at_rest.push_back(solve(p, {.refinement = refinement, .error_estimate = false})
                           .solution.atoms.at(0)
                           .probability);
@@ -107,14 +108,15 @@ TEST(Contact, ProbabilityOfRestConverges) {
   EXPECT_LT(before / last, 12);
 }
 
-// Mirrored, everything is mirrored.
+// The solution of the mirrored problem is the mirrored solution.
 TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
   const auto impulses =
       problem::ImpulseTrain({.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = 0.1});
   const auto mirrored = problem::ImpulseTrain(
       {.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = -0.1});
   const Options once{.error_estimate = false};
-  // g = y with the wall at 0.4, mass on its right: pressed by 0.4. And the same seen in a mirror.
+  // g = y with the wall at 0.4 and the mass on its right: a force 0.4 towards the wall. And the
+  // mirror image.
   const auto left = solve_contact(
       tests::with_impulses(
           System({.damping = 0.1, .stiffness = 1}, {.left = 0.4, .left_restitution = 0.6}),
@@ -133,8 +135,8 @@ TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
   expect_identities(left, 5e-4);
 }
 
-// Two walls, one to which nothing presses, and an equilibrium between: with differences, which know
-// nothing of characteristics.
+// Walls without contact and an equilibrium: comparison with upwind differences, an independent
+// discretisation.
 TEST(Contact, WithoutContactAgreesWithDifferences) {
   for (const char* name : {"gap", "two_walls"}) {
     const auto p = problem::load_case(name);
@@ -151,14 +153,14 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
   }
 }
 
-// The passage keeps mass, with what is at rest, and loses the energy that damping and both walls
-// take (docs/characteristics.md).
-TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
-  const auto p = tests::in_frame(problem::load_case("stops"));
+// The transport operator conserves the total mass, and loses the energy dissipated by damping and
+// both walls (docs/characteristics.md).
+TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
+  const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
   const Grid grid = contact_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
   ASSERT_EQ(characteristics.contacts().size(), 2u);
-  const TiltRule tilts(grid, characteristics.rest_places());
+  const SlopeReconstruction slopes(grid, characteristics.rest_points());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(grid.size() + 2);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.nv(); ++j) {
@@ -170,8 +172,8 @@ TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
   q(grid.size()) = 0.2;
   q(grid.size() + 1) = 0.1;
   WallImpacts impacts;
-  const Passage passage(characteristics, p.impulses.law());
-  const Eigen::VectorXd after = passage(q, tilts(q), &impacts);
+  const TransportOperator passage(characteristics, p.impulses.law());
+  const Eigen::VectorXd after = passage(q, slopes(q), &impacts);
   EXPECT_NEAR(after.sum(), 1, 1e-12);
   EXPECT_GT(after.minCoeff(), -1e-12);
   const auto energy = [&](const Eigen::VectorXd& masses, bool squares_alone) {
@@ -186,7 +188,7 @@ TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
     }
     return sum;
   };
-  // Impulses from rest bring E[Y^2] / 2, and both walls hold the mass at the same level.
+  // Impulses from rest add E[Y^2] / 2, and both walls are at the same potential.
   const double at_walls = p.system.potential()(0.0), rate = p.impulses.arrival_rate();
   const double before = energy(q, false) + 0.3 * (at_walls + p.impulses.law().moment(2) / 2);
   const double then = energy(after, false) + after.tail(2).sum() * at_walls;
@@ -196,26 +198,28 @@ TEST(Contact, PassageKeepsMassAndLosesTheEnergyOfBothWalls) {
   EXPECT_NEAR(rate * (before - then) / lost, 1, 2e-3);
 }
 
-TEST(Contact, IsRefusedToWhatHasNoAtoms) {
-  const auto p = tests::in_frame(problem::load_case("preload"));
-  EXPECT_NE(objection(p, {.transport = Transport::upwind}), "");
-  EXPECT_NE(objection(p, {.order = 3}), "");
-  EXPECT_NE(objection(p, {.nx = 40}), "");
-  EXPECT_EQ(objection(p, {.equation = Equation::white}), "");
-  EXPECT_NE(objection(p, {.equation = Equation::white, .transport = Transport::characteristics}),
-            "");
-  const auto van_der_pol = tests::in_frame(tests::with_impulses(System({.damping = -0.1,
-                                                                        .van_der_pol = 0.1,
-                                                                        .constant = 0.5,
-                                                                        .stiffness = 1,
-                                                                        .restitution = 0.7}),
-                                                                tests::gaussian_impulses(1, 0.5)));
-  EXPECT_NE(objection(van_der_pol, {}).find("gives energy"), std::string::npos);
+TEST(Contact, IsRefusedForTransportsWithoutAtoms) {
+  const auto p = tests::in_wall_coordinates(problem::load_case("preload"));
+  EXPECT_NE(unsupported_reason(p, {.transport = Transport::upwind}), "");
+  EXPECT_NE(unsupported_reason(p, {.order = 3}), "");
+  EXPECT_NE(unsupported_reason(p, {.nx = 40}), "");
+  EXPECT_EQ(unsupported_reason(p, {.equation = Equation::white}), "");
+  EXPECT_NE(
+      unsupported_reason(p, {.equation = Equation::white, .transport = Transport::characteristics}),
+      "");
+  const auto van_der_pol =
+      tests::in_wall_coordinates(tests::with_impulses(System({.damping = -0.1,
+                                                              .van_der_pol = 0.1,
+                                                              .constant = 0.5,
+                                                              .stiffness = 1,
+                                                              .restitution = 0.7}),
+                                                      tests::gaussian_impulses(1, 0.5)));
+  EXPECT_NE(unsupported_reason(van_der_pol, {}).find("gives energy"), std::string::npos);
   const auto walls = problem::WallParameters{
       .left = 0, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7};
   const auto box =
       tests::with_impulses(System({.damping = 0}, walls), tests::gaussian_impulses(1, 0.5));
-  EXPECT_NE(characteristics_objection(box).find("no place of rest"), std::string::npos);
+  EXPECT_NE(characteristics_unsupported_reason(box).find("no rest point"), std::string::npos);
 }
 
 }  // namespace

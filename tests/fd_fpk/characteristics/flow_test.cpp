@@ -11,35 +11,36 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // y'' + c y' + k y = 0 from the wall.
-TEST(Flow, WindingOfTheLinearOscillatorIsThatOfItsFormulas) {
+TEST(Flow, HalfCycleOfTheLinearOscillatorAgreesWithItsFormulas) {
   const double c = 0.6, k = 2, v = 1.3;
   const Flow flow(tests::make_problem({.damping = c, .stiffness = k, .cubic = 0}).system);
   const double w = std::sqrt(k - c * c / 4);
-  const auto winding = flow.winding(v);
-  EXPECT_NEAR(winding.duration, std::numbers::pi / w, 3e-6);
-  EXPECT_NEAR(winding.landing, v * std::exp(-c / 2 * std::numbers::pi / w), 3e-6);
+  const auto half_cycle = flow.half_cycle(v);
+  EXPECT_NEAR(half_cycle.duration, std::numbers::pi / w, 3e-6);
+  EXPECT_NEAR(half_cycle.impact_speed, v * std::exp(-c / 2 * std::numbers::pi / w), 3e-6);
   const double top = std::atan(2 * w / c) / w;
-  EXPECT_NEAR(winding.height, v / w * std::exp(-c / 2 * top) * std::sin(w * top), 1e-4);
+  EXPECT_NEAR(half_cycle.height, v / w * std::exp(-c / 2 * top) * std::sin(w * top), 1e-4);
 }
 
-TEST(Flow, OverdampedCreepsAndDoesNotComeBack) {
+TEST(Flow, OverdampedMotionDoesNotReturn) {
   const Flow flow(tests::make_problem({.damping = 5, .cubic = 0}).system);
-  const auto winding = flow.winding(1);
-  EXPECT_TRUE(std::isinf(winding.duration));
-  EXPECT_EQ(winding.landing, 0);
-  EXPECT_GT(winding.height, 0.1);
+  const auto half_cycle = flow.half_cycle(1);
+  EXPECT_TRUE(std::isinf(half_cycle.duration));
+  EXPECT_EQ(half_cycle.impact_speed, 0);
+  EXPECT_GT(half_cycle.height, 0.1);
 }
 
-// Steps become much longer than 1/c, and still are those of the formulas.
-TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
+// Steps become much longer than 1/c, and remain accurate.
+TEST(Flow, OverdampedMotionIsAccurateOverLongTimes) {
   const auto follow = [](const Flow& flow, State state, double until) {
     double time = 0, longest = 0;
     for (int step = 0; time < until; ++step) {
       EXPECT_LT(step, 400);
       if (step >= 400) break;
-      const double span = std::min(flow.longest_step(state, flow.reach(state)), until - time);
+      const double span =
+          std::min(flow.max_step(state, flow.accessible_interval(state)), until - time);
       longest = std::max(longest, span);
-      state = flow.after(state, span);
+      state = flow.advance(state, span);
       time += span;
     }
     EXPECT_GT(longest * flow.contraction(state), 5);
@@ -66,13 +67,13 @@ TEST(Flow, FollowsWhatCreepsToRestForALongTime) {
   }
 }
 
-// mu y^4 / 4 = v^2 / 2 at the top of a flight without losses.
-TEST(Flow, HardSpringTurnsWhereItsEnergySays) {
+// mu y^4 / 4 = v^2 / 2 at the apex of a flight without losses.
+TEST(Flow, TurningPointOfAHardSpringFollowsFromItsEnergy) {
   const double mu = 7, v = 3;
   const Flow flow(tests::make_problem({.damping = 1e-9, .stiffness = 0, .cubic = mu}).system);
-  const auto winding = flow.winding(v);
-  EXPECT_NEAR(winding.height, std::pow(2 * v * v / mu, 0.25), 1e-4);
-  EXPECT_NEAR(winding.landing / v, 1, 3e-5);
+  const auto half_cycle = flow.half_cycle(v);
+  EXPECT_NEAR(half_cycle.height, std::pow(2 * v * v / mu, 0.25), 1e-4);
+  EXPECT_NEAR(half_cycle.impact_speed / v, 1, 3e-5);
 }
 
 TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
@@ -80,58 +81,58 @@ TEST(Flow, StepsKeepTheEnergyOfAnUndampedMotion) {
   State state{0.2, 1.1};
   const double energy = flow.energy(state);
   for (int step = 0; step < 100; ++step) {
-    state = flow.after(state, flow.longest_step(state, flow.reach(state)));
+    state = flow.advance(state, flow.max_step(state, flow.accessible_interval(state)));
     if (state.y < 0) state = {-state.y, -state.v};  // the odd continuation
   }
   EXPECT_NEAR(flow.energy(state) / energy, 1, 3e-5);
 }
 
-TEST(Flow, ImpactTimeIsWhereTheWallIs) {
+TEST(Flow, ImpactTimeGivesThePositionOfTheWall) {
   const Flow flow(tests::paper_case(2).system);
   const State from{0.05, -0.7};
-  ASSERT_LT(flow.after(from, 0.1).y, 0);
+  ASSERT_LT(flow.advance(from, 0.1).y, 0);
   const double time = flow.impact_time(from, 0.1, Side::left);
-  EXPECT_NEAR(flow.after(from, time).y, 0, 1e-14);
+  EXPECT_NEAR(flow.advance(from, time).y, 0, 1e-14);
 }
 
-// Of a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
+// For a constant force g0: heights u^2 / (2 g0), times 2 u / g0.
 TEST(Flow, BallFliesAlongParabolas) {
   const double g0 = 1.7, u = 0.3;
   const Flow flow(problem::System({.constant = g0, .restitution = 0.7}));
-  const auto winding = flow.winding(u);
-  EXPECT_NEAR(winding.duration, 2 * u / g0, 1e-12);
-  EXPECT_NEAR(winding.height, u * u / (2 * g0), 1e-12);
-  EXPECT_NEAR(winding.landing, u, 1e-12);
+  const auto half_cycle = flow.half_cycle(u);
+  EXPECT_NEAR(half_cycle.duration, 2 * u / g0, 1e-12);
+  EXPECT_NEAR(half_cycle.height, u * u / (2 * g0), 1e-12);
+  EXPECT_NEAR(half_cycle.impact_speed, u, 1e-12);
 }
 
 TEST(Flow, MeetsTheWallOnTheRightToo) {
   const Flow flow(
       problem::System({.damping = 0.1, .stiffness = 1}, {.right = 0.5, .right_restitution = 0.7}));
   const State from{0.45, 0.7};
-  ASSERT_EQ(flow.beyond(flow.after(from, 0.1).y), Side::right);
+  ASSERT_EQ(flow.beyond(flow.advance(from, 0.1).y), Side::right);
   const double time = flow.impact_time(from, 0.1, Side::right);
-  EXPECT_NEAR(flow.after(from, time).y, 0.5, 1e-14);
+  EXPECT_NEAR(flow.advance(from, time).y, 0.5, 1e-14);
   EXPECT_FALSE(flow.beyond(0.5));
   EXPECT_FALSE(flow.beyond(-10));
 }
 
 // U = -y^2/2 + y^4/4: wells of depth 1/4 at +-1, g' = 2 there.
-TEST(Flow, ReachesOfTwoWellsBelowTheSaddleTheirOwnAndAboveBoth) {
+TEST(Flow, AccessibleIntervalIsOneWellBelowTheSaddleAndBothAbove) {
   const Flow flow(problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}));
-  const Reach below = flow.reach({1, 0.1});
+  const AccessibleInterval below = flow.accessible_interval({1, 0.1});
   EXPECT_GT(below.low, 0.9);
   EXPECT_LT(below.high, 1.1);
   EXPECT_NEAR(flow.energy({below.low, 0}), flow.energy({1, 0.1}), 1e-8);
   EXPECT_NEAR(flow.energy({below.high, 0}), flow.energy({1, 0.1}), 1e-8);
   EXPECT_DOUBLE_EQ(below.least_potential, -0.25);
   EXPECT_NEAR(below.frequency, std::sqrt(2), 0.15);
-  const Reach above = flow.reach({1, 1});
+  const AccessibleInterval above = flow.accessible_interval({1, 1});
   EXPECT_NEAR(above.low, -above.high, 1e-8);
   EXPECT_NEAR(flow.energy({above.high, 0}), 0.25, 1e-8);
 }
 
-// Areas shrink as the flow's divergence says, and the exponential steps have the tangents of both
-// forces: against differences of the flow.
+// The contraction rate of areas is minus the divergence of the flow; compared with differences of
+// the flow.
 TEST(Flow, ContractionIsMinusTheDivergence) {
   const Flow flow(problem::System(
       {.damping = 0.3, .van_der_pol = 0.7, .rayleigh = 0.2, .stiffness = 1, .cubic = 2},
@@ -143,19 +144,19 @@ TEST(Flow, ContractionIsMinusTheDivergence) {
   EXPECT_NEAR(flow.contraction(at), -slope, 1e-8);
 }
 
-// y'' + c(y) y' + k y = 0 far above critical damping: long steps against short ones.
-TEST(Flow, CreepsWhereDampingDependsOnTheDisplacement) {
+// y'' + c(y) y' + k y = 0 far above critical damping: long steps against short steps.
+TEST(Flow, OverdampedMotionIsAccurateForDampingThatDependsOnDisplacement) {
   const Flow flow(
       problem::System({.damping = 30, .van_der_pol = 40, .stiffness = 1}, {.none = true}));
   State state{1, -1 / 70.0}, fine = state;
   double time = 0;
   for (int step = 0; time < 40 && step < 5000; ++step) {
-    const double span = std::min(flow.longest_step(state, flow.reach(state)), 40 - time);
-    state = flow.after(state, span);
+    const double span = std::min(flow.max_step(state, flow.accessible_interval(state)), 40 - time);
+    state = flow.advance(state, span);
     time += span;
   }
   ASSERT_DOUBLE_EQ(time, 40);
-  for (int step = 0; step < 8000; ++step) fine = flow.after(fine, 40 / 8000.0);
+  for (int step = 0; step < 8000; ++step) fine = flow.advance(fine, 40 / 8000.0);
   EXPECT_NEAR(state.y / fine.y, 1, 1e-3);
   EXPECT_NEAR(state.v / fine.v, 1, 1e-2);
 }

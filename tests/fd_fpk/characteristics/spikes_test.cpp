@@ -37,7 +37,7 @@ double distance(const transform::Marginal& a, const std::vector<double>& exact) 
   return sum;
 }
 
-// The linear oscillator without losses at the wall has a density by a formula.
+// The linear oscillator without losses at the wall has an exact density.
 TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
   const auto p = tests::make_problem({.damping = 0.2, .cubic = 0, .restitution = 1, .rate = 1.3});
   const exact::LinearDensity exact(p);
@@ -56,7 +56,7 @@ TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
     errors.push_back(of_y + of_v);
   }
   EXPECT_LT(errors[2], 1e-3);
-  // Between the first and the second order.
+  // Between first and second order.
   EXPECT_GT(errors[0] / errors[2], 4);
   EXPECT_LT(errors[0] / errors[2], 40);
 }
@@ -65,9 +65,9 @@ TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
 TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareTheImpulses) {
   for (const auto* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double rate : {0.02, 0.2}) {
-      // Rare impulses of one law with a density and of one without.
+      // Rare impulses for one law with a density and one law with atoms.
       const bool is_usual = (rate < 0.1) == (law[0] == 'l' || law[0] == 't');
-      if (!is_usual && !tests::thorough()) continue;
+      if (!is_usual && !tests::is_thorough()) continue;
       const auto p = tests::make_problem(
           {.damping = 0.2, .cubic = 0, .restitution = 1, .rate = rate, .law = law});
       const auto solution = solve(p, on_one_grid()).solution;
@@ -86,11 +86,11 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
   }
 }
 
-// Between rare impulses the motion decays by the same share in each half-cycle, whatever its size: where
-// it is small against the impulses, P(y < b) ~ b^e with e impulses per time in which it falls by e.
-// Innermost cells wider than the bins left 1 and 0.3 of the mass in the first two and less than
-// nothing in the next, and E[y] off by as much as the momentum.
-TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
+// Between rare impulses the motion decays by the same ratio in each half-cycle at any amplitude.
+// For small amplitudes P(y < b) ~ b^e, with e the impulses per time in which the motion decays by a
+// factor e. Innermost cells wider than the bins gave the first two bins 1 and 0.3 of the mass and
+// the next a negative mass, and an error of E[y] equal to the momentum residual.
+TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   const double c = 1e-3, r = 0.9, rate = 1e-4;
   const auto p = tests::make_problem({.damping = c, .cubic = 0, .restitution = r, .rate = rate});
   const auto [solution, summary] = solve(p, {.stepper = Stepper::direct});
@@ -98,7 +98,7 @@ TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
   ASSERT_EQ(summary.transport, Transport::characteristics);
   const double half_cycle = std::numbers::pi / std::sqrt(1 - c * c / 4);
   const double exponent = rate / (c / 2 - std::log(r) / half_cycle);
-  // The bins of compare/axes.cpp: of 0.05 deviations, divided at 1/4, 1/16 and 1/64.
+  // The bins of compare/axes.cpp: 0.05 standard deviations, divided at 1/4, 1/16 and 1/64.
   const double bin = 0.05 * 0.86;
   const auto y =
       transform::marginal(*solution.density, Variable::y,
@@ -117,7 +117,8 @@ TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
     for (const double density : fine.density) EXPECT_GE(density, 0);
   }
   EXPECT_LT(std::abs(*summary.balances.momentum), 5e-4);
-  // Half-cycles take the same time however small they are, and the stated error holds the rest.
+  // The duration of half-cycles is independent of the amplitude, and the stated error covers the
+  // rest.
   ASSERT_TRUE(summary.error);
   EXPECT_NEAR(summary.impact_rate, 1 / half_cycle, 1e-4);
   // Guaranteed bounds of `fpkcheck bounds`.
@@ -127,7 +128,7 @@ TEST(AlongCharacteristics, SpreadWhatIsNearRestAsTheMotionDecays) {
   EXPECT_LT(solution.moments.v2 - 2 * stated.v2, 0.7374409);
 }
 
-// With losses the two discretisations have nothing in common but the problem.
+// With losses: two independent discretisations of one problem.
 TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   const auto y = tests::uniform_edges(0, 2.5, 50);
   for (const double restitution : {0.6, 0.98}) {
@@ -147,7 +148,7 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   }
 }
 
-// Scales by which nothing but the units changes.
+// Scale factors that change the units alone.
 TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
   const auto reference = solve(tests::make_problem({.cubic = 0, .rate = 0.05}), on_one_grid());
   const double t = 1e-5, l = 1e3;
@@ -161,7 +162,8 @@ TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
   EXPECT_NEAR(scaled.solution.moments.v4 * std::pow(t / l, 4), reference.solution.moments.v4, 1e-8);
 }
 
-// Wide cells swing about a steep tail, and where masses of both signs cancel it does not end.
+// Wide cells oscillate about a steep tail; the end of the box must not depend on sums in which
+// masses of both signs cancel.
 TEST(AlongCharacteristics, BoxHoldsTheTailOfImpulsesWithAMean) {
   for (const double mean : {0.0, 0.2, 0.3}) {
     const auto solution = solve(tests::make_problem({.mean = mean}), on_one_grid()).solution;
@@ -178,7 +180,7 @@ TEST(Solve, ChoosesTheTransportByTheProblem) {
   EXPECT_EQ(transport({.restitution = 0.2}), Transport::characteristics);
 }
 
-TEST(Options, CharacteristicsAreForTheExactEquation) {
+TEST(Options, CharacteristicsRequireKfAndImpactMap) {
   const auto refused = [](const Options& options) {
     EXPECT_THROW(validate(options), std::exception);
   };

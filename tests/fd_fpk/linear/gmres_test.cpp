@@ -22,22 +22,22 @@ TEST(Gmres, SolvesToTheTolerance) {
   EXPECT_LE(iterations, 24);
 }
 
-TEST(Gmres, SaysThatItDidNotConverge) {
-  // Nothing of b is in the range of this matrix.
+TEST(Gmres, ReportsAFailureToConverge) {
+  // b has no component in the range of this matrix.
   const auto nothing = [](const Eigen::VectorXd& x) { return Eigen::VectorXd(0 * x); };
   const auto [solution, iterations, failure] = gmres(nothing, nearly, kRight, kWeights, 1e-12);
   EXPECT_FALSE(solution);
   EXPECT_NE(failure.find("did not converge"), std::string::npos) << failure;
 }
 
-// It may stagnate for minutes on a fine grid, and nothing else looks at the clock meanwhile.
-TEST(Gmres, GivesUpAtTheDeadline) {
+// GMRES may stagnate for minutes on a fine grid, and no other code checks the deadline meanwhile.
+TEST(Gmres, StopsAtTheDeadline) {
   int products = 0;
   const auto count_until = [&](int last, const Deadline& deadline) {
     products = 0;
     return gmres(
         [&](const Eigen::VectorXd& x) {
-          while (products == last && !deadline.is_over()) {
+          while (products == last && !deadline.has_passed()) {
           }
           ++products;
           return times(x);
@@ -59,8 +59,8 @@ struct Thrown {
   int number;
 };
 
-// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
-TEST(Gmres, WhatACallbackThrowsComesOutOfIt) {
+// SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
+TEST(Gmres, ExceptionsOfCallbacksPropagate) {
   const LinearMap throwing_map = [](const Eigen::VectorXd&) -> Eigen::VectorXd { throw Thrown{7}; };
   const ApproximateSolve throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw Thrown{8}; };
   const auto number_of = [&](const LinearMap& a, const ApproximateSolve& solve) {

@@ -8,7 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Five points on a square, with wind: large enough that its dissection draws random numbers often.
+// A five-point operator with advection on a square, large enough that its dissection uses many
+// random numbers.
 SparseColumns square(int n) {
   std::vector<Eigen::Triplet<double, SparseColumns::StorageIndex>> entries;
   const auto at = [n](int i, int j) { return SparseColumns::StorageIndex{i} * n + j; };
@@ -40,8 +41,8 @@ Solved solved(int n) {
   return result;
 }
 
-// METIS draws from random numbers of the whole process.
-TEST(Klu, GivesTheSameBitsBesideOthersAsAlone) {
+// METIS uses random numbers that the whole process shares.
+TEST(Klu, GivesTheSameBitsInParallelAsAlone) {
   constexpr int kCells = 90, kRounds = 5;
   const Solved alone = solved(kCells);
   for (int round = 0; round < kRounds; ++round) {
@@ -49,7 +50,7 @@ TEST(Klu, GivesTheSameBitsBesideOthersAsAlone) {
     {
       std::vector<std::jthread> threads;
       for (std::size_t t = 0; t < beside.size(); ++t) {
-        // Every other one is of another size, and ends at another time.
+        // Every second matrix has a different size, and so a different run time.
         threads.emplace_back([&, t] { beside[t] = solved(t % 2 == 0 ? kCells : kCells - 17); });
       }
     }

@@ -7,7 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// dP/dt = -rates P, solved with I + gamma rates exactly.
+// dP/dt = -rates P, with exact solves with I + gamma rates.
 const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
 
 LinearSystem decay() {
@@ -30,7 +30,7 @@ const BdfControl kControl{.max_order = 2,
                           .relative_tolerance = 1e-7,
                           .absolute_tolerance = 1e-9,
                           .linear_tolerance = 1e-3,
-                          .most_steps = 5000};
+                          .max_steps = 5000};
 
 TEST(LinearCvode, FollowsTheExactSolution) {
   LinearCvode cvode(decay(), kStart, kControl);
@@ -46,15 +46,15 @@ TEST(LinearCvode, FollowsTheExactSolution) {
   EXPECT_GT(cvode.factorisations(), 0);
 }
 
-TEST(LinearCvode, StopsWithAMessageWhenItMayTakeNoMoreSteps) {
+TEST(LinearCvode, StopsWithAMessageAtTheMaximumNumberOfSteps) {
   BdfControl control = kControl;
-  control.most_steps = 5;
+  control.max_steps = 5;
   LinearCvode cvode(decay(), kStart, control);
   EXPECT_LT(cvode.advance(2).flag, 0);
   EXPECT_NE(cvode.message().find("mxstep"), std::string::npos) << cvode.message();
 }
 
-TEST(LinearCvode, AFactorisationThatFailsIsAFlagAndNoException) {
+TEST(LinearCvode, AFailedFactorisationReturnsAFlag) {
   LinearSystem system = decay();
   system.factor = [](double) { return false; };
   LinearCvode cvode(system, kStart, kControl);
@@ -65,8 +65,8 @@ struct ThrownByTheSystem {
   int number;
 };
 
-// SUNDIALS is C: the exception must not run through its frames, and must not be lost.
-TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
+// SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
+TEST(LinearCvode, ExceptionsOfCallbacksPropagate) {
   const auto number_of = [](const LinearSystem& system) {
     LinearCvode cvode(system, kStart, kControl);
     try {
@@ -83,7 +83,7 @@ TEST(LinearCvode, WhatACallbackThrowsComesOutOfIt) {
   system = decay();
   system.solve = [](Eigen::Ref<Eigen::VectorXd>) { throw ThrownByTheSystem{2}; };
   EXPECT_EQ(number_of(system), 2);
-  // As right-hand side, at once, and as product in GMRES, some calls later.
+  // As right-hand side, in the first call, and as product in GMRES, some calls later.
   for (int calls = 0; calls < 8; ++calls) {
     system = decay();
     system.times = [times = decay().times, left = calls](const Eigen::VectorXd& p) mutable {

@@ -29,7 +29,7 @@ SparseColumns five_points(int n, double factor = 1, bool with_corner = false) {
   return matrix;
 }
 
-TEST(Ordering, NamesEveryUnknownOnce) {
+TEST(Ordering, IsAPermutation) {
   auto order = ordering(five_points(31));
   ASSERT_EQ(order.size(), 31 * 31);
   std::ranges::sort(order);
@@ -38,8 +38,8 @@ TEST(Ordering, NamesEveryUnknownOnce) {
   EXPECT_EQ(order, all);
 }
 
-// By the pattern alone, whoever asks and however often.
-TEST(Ordering, IsThatOfThePattern) {
+// The ordering depends on the pattern alone, for repeated calls and for several threads.
+TEST(Ordering, DependsOnThePatternAlone) {
   const auto order = ordering(five_points(30));
   EXPECT_EQ(ordering(five_points(30, 7)), order);
   EXPECT_NE(ordering(five_points(30, 1, true)), order);

@@ -23,11 +23,12 @@ class Preconditioners : public testing::Test {
 
   problem::Problem problem_ = tests::paper_case(1);
   Options options_{.nx = 16, .nv = 32};
-  double loss_ = problem::scales(problem_).slowest_decay;
+  double loss_ = problem::scales(problem_).slowest_decay_rate;
   Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
 };
 
-// I - gamma M is -gamma M but for 1/(gamma loss), the most that it makes of any mode.
+// I - gamma M equals -gamma M except for a relative difference of 1/(gamma loss), the maximum over
+// all modes.
 TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   constexpr double kDecayTimes = 200;
   Preconditioner kept = made(), fresh = made();
@@ -40,7 +41,7 @@ TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   EXPECT_GT((near - exact).norm(), 0);
 }
 
-TEST_F(Preconditioners, FactorForShortStepsAndForGoodAfterThem) {
+TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   Preconditioner used = made(), fresh = made();
   ASSERT_TRUE(used.factor_stationary());
   const Eigen::VectorXd stationary = solved(used);
@@ -49,7 +50,7 @@ TEST_F(Preconditioners, FactorForShortStepsAndForGoodAfterThem) {
   ASSERT_TRUE(fresh.factor(0.1 / loss_));
   EXPECT_EQ(used.factorisations(), 2);
   EXPECT_LT((solved(used) - solved(fresh)).norm(), 1e-10 * solved(fresh).norm());
-  // The stationary factors are gone.
+  // The stationary factors have been replaced.
   ASSERT_TRUE(used.factor(100 / loss_));
   EXPECT_EQ(used.factorisations(), 3);
   ASSERT_TRUE(used.factor_stationary());

@@ -22,7 +22,7 @@ struct Discrete {
   Grid grid;
 };
 
-// Cells of this width in y', a box that is small enough for dense matrices.
+// Cells of this width in y', in a box small enough for dense matrices.
 Discrete discrete(const problem::Problem& problem, Options options, double step, int nx = 16,
                   double half_height = 2.5) {
   const auto linear = problem::equivalent_linearisation(problem);
@@ -35,14 +35,14 @@ Discrete discrete(const problem::Problem& problem, Options options, double step,
           std::sqrt(linear.stiffness), on.grid};
 }
 
-TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
+TEST(RightmostEigenvalue, AgreesWithADenseSolverForEveryEquation) {
   const double s = std::sqrt(0.1);
   struct Case {
     const char* name;
     Options options;
     double restitution;
     double step;
-    double guess;  // of the growth, relative to the symbol's
+    double guess;  // guess of the growth rate, relative to that of the symbol
   };
   for (const auto& [name, options, restitution, step, guess] :
        {Case{"white", {.equation = Equation::white}, 0.98, 0.2, 1},
@@ -57,7 +57,7 @@ TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
     const auto p = tests::make_problem({.restitution = restitution});
     const Discrete d = discrete(p, options, step);
     const auto expected = tests::dense_eigenvalues(d.op.assembled());
-    const bool growing = grows(d.symbol, p.impulses);
+    const bool growing = is_unstable(d.symbol, p.impulses);
     const int count = growing ? 1 : 2;
     const auto found =
         rightmost_eigenvalues(d.op, growing ? guess * d.symbol.rate : 0, d.frequency, count);
@@ -72,8 +72,8 @@ TEST(RightmostEigenvalue, IsThatOfTheDenseMatrixForEveryEquation) {
   }
 }
 
-// A matrix whose rightmost eigenvalues, 0.5 +- 30 i, are far from any shift near the real axis,
-// where fifty others lie.
+// A matrix with rightmost eigenvalues 0.5 +- 30 i, far from any shift near the real axis, where
+// fifty other eigenvalues are.
 TEST(RightmostEigenvalue, IsFoundFarUpTheImaginaryAxis) {
   constexpr int kSize = 300;
   SparseColumns matrix(kSize, kSize);
@@ -96,18 +96,18 @@ TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDen
   ASSERT_EQ(found.values.size(), 2u) << found.failure;
   EXPECT_LT(std::abs(found.values[0]), 1e-11);
   const auto stationary =
-      factored_null_vector(d.op, gaussian_start(d.grid, p), d.frequency).averages;
+      null_vector_by_inverse_iteration(d.op, gaussian_start(d.grid, p), d.frequency).averages;
   ASSERT_TRUE(stationary);
   Eigen::VectorXd real = found.vector.real();
   real /= d.op.mass(real);
   EXPECT_LT((real - *stationary).cwiseAbs().maxCoeff(), 1e-9 * stationary->maxCoeff());
   // Densities are even under (z, z') -> (-z, -z'): of the linear oscillator's modes only sums of an
-  // even number survive, and the slowest of them decays twice as fast as a single one.
-  const double single = problem::slowest_decay(problem::equivalent_linearisation(p));
+  // even number remain, and the slowest of them decays twice as fast as a single mode.
+  const double single = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
   EXPECT_NEAR(-found.values[1].real() / (2 * single), 1.0, 0.15);
 }
 
-// The shortest waves grow fastest, and upwind transport damps them a little.
+// The shortest waves have the highest growth rate, which upwind transport reduces slightly.
 TEST(RightmostEigenvalue, OfTheLiteralSchemeApproachesTheSymbolFromBelow) {
   const auto p = tests::make_problem();
   const double s = std::sqrt(0.1);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "family.hpp"
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
+#include "general_oscillators.hpp"
 #include "problem/scales.hpp"
 #include "thorough.hpp"
 
@@ -19,12 +19,12 @@ using problem::System;
 
 struct Rates {
   double stated;  ///< impact_rate()
-  double flux;    ///< of the extrapolation to the walls
+  double flux;    ///< flux of the extrapolation to the walls
 };
 
 Rates rates(const Problem& given, Impact impact, double origin_refinement,
             double refinement = 0.7) {
-  const Problem p = tests::in_frame(given);
+  const Problem p = tests::in_wall_coordinates(given);
   const Options options{
       .impact = impact, .refinement = refinement, .origin_refinement = origin_refinement};
   const auto scales = problem::scales(p);
@@ -39,7 +39,7 @@ Rates rates(const Problem& given, Impact impact, double origin_refinement,
       .flux = flux_into_walls(p.system, on.grid, *found, order)};
 }
 
-// Losses, forces at the walls, skew impulses beside noise, damping by y and y'.
+// Losses, forces at the walls, impulses beside noise, damping dependent on y and y'.
 Problem of_everything() {
   Problem p = tests::with_impulses(
       System({.damping = 0.1,
@@ -54,10 +54,11 @@ Problem of_everything() {
   return p;
 }
 
-// Of mild losses the flux converges quickly enough to be a reference: with the power 2 - beta, 1.8 here.
+// For mild losses the flux converges fast enough for a reference: with the power 2 - beta, 1.8
+// here.
 TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
   for (const Impact impact : {Impact::map, Impact::delta}) {
-    if (impact == Impact::delta && !tests::thorough()) continue;
+    if (impact == Impact::delta && !tests::is_thorough()) continue;
     constexpr double kFine = 1.4;
     const Rates coarse = rates(of_everything(), impact, 12, kFine),
                 fine = rates(of_everything(), impact, 48, kFine);
@@ -67,7 +68,7 @@ TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
   }
 }
 
-// Seen from the other side the walls change places.
+// In mirrored coordinates the walls are exchanged.
 TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
   const System both(
       {.damping = 0.1, .stiffness = 1},
@@ -75,9 +76,9 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
   const System other(
       {.damping = 0.1, .stiffness = 1},
       {.left = -0.5, .left_restitution = 0.8, .right = 0.5, .right_restitution = 0.6});
-  // Any density in motion, and the same seen from the other side.
+  // An arbitrary nonstationary density and its mirror image.
   const auto rate = [](const System& system, bool mirrored) {
-    const Problem p = tests::in_frame(tests::with_noise(system, 0.2));
+    const Problem p = tests::in_wall_coordinates(tests::with_noise(system, 0.2));
     const Options options{.refinement = 0.7, .origin_refinement = 16};
     const auto scales = problem::scales(p);
     const Discretisation on = discretise(p, options, initial_box(p, scales, options));
@@ -95,7 +96,7 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
   EXPECT_NEAR(rate(other, true), one, 1e-8 * one);
 }
 
-// Without losses, or without noise, it is the flux.
+// Without losses, or without noise, the rate is the flux.
 TEST(ImpactRate, IsTheFluxWhereTheDensityIsBounded) {
   const System elastic({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 1});
   const auto under_noise = rates(tests::with_noise(elastic, 0.2), Impact::map, 1);

@@ -50,7 +50,8 @@ TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
               1e-5);
 }
 
-// A linear elastic oscillator under white noise has it as its density where w = sqrt(k) s.
+// The folded Gaussian with w = sqrt(k) s is the density of a linear elastic oscillator under white
+// noise.
 TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   const double k = 1.7, s = 0.7, w = std::sqrt(k) * s;
   const auto p = tests::make_problem({.stiffness = k, .cubic = 0, .restitution = 1});
@@ -61,7 +62,7 @@ TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   };
   EXPECT_NEAR(*of(w).virial, 0, 1e-6);
   EXPECT_NEAR(*of(w).momentum, 0, 1e-5);
-  // E[v^2] and the momentum at the wall both go as the square of the deviation.
+  // E[v^2] and the momentum at the wall are both proportional to the square of the deviation.
   EXPECT_NEAR(*of(1.1 * w).virial, 1 - 1 / 1.21, 1e-5);
   EXPECT_NEAR(*of(1.1 * w).momentum, 1 / 1.21 - 1, 1e-4);
 }

@@ -25,7 +25,7 @@ TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
         for (const Impact impact : {Impact::map, Impact::delta}) {
           const auto op = fokker_planck_operator(p.system, e, impact, grid, order);
           EXPECT_LT(op.leak(), 1e-10) << r << " " << order;
-          // leak() itself, against the assembled matrix.
+          // leak() against the assembled matrix.
           const Eigen::RowVectorXd sums = grid.areas().transpose() * op.assembled();
           EXPECT_LT(sums.cwiseAbs().maxCoeff(), 1e-10 * grid.areas().maxCoeff());
         }
@@ -50,17 +50,17 @@ TEST(Operator, AnnihilatesTheExactWhiteNoiseDensityToItsOrder) {
                  fine = residual(81, order);
     for (const double observed :
          {std::log(coarse / middle) / std::log(1.5), std::log(middle / fine) / std::log(1.5)}) {
-      // The odd orders' weights and centred parts are one order better, so they may show a little
-      // more.
+      // For odd orders the weights and the centred parts are one order more accurate: the observed
+      // order may be slightly higher.
       EXPECT_GT(observed, order - 0.5) << order << ": " << coarse << " " << middle << " " << fine;
       EXPECT_LT(observed, order + 0.9) << order << ": " << coarse << " " << middle << " " << fine;
     }
   }
 }
 
-// d/dt E[v^2/2 + U(x)] of an arbitrary density from the operator against the power
-// that the exact equation gives it: input - damping - losses at the impact. No term can hide: a
-// wrong sign or factor in any of them shows at once.
+// d/dt E[v^2/2 + U(x)] of an arbitrary density by the operator, against the power of the exact
+// equation: input - damping - losses at the impact. Any wrong sign or factor causes a large
+// difference.
 TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const double r : {1.0, 0.8, 0.5}) {
     const auto p = tests::make_problem(
@@ -87,17 +87,17 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   }
 }
 
-// The density on the wall jumps at x2 = 0 by 1/r^2: what leaves must not be mixed with what
-// returns.
-TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
+// The density on the wall jumps at x2 = 0 by 1/r^2: stencils must not mix velocities before and
+// after the impact.
+TEST(Operator, FluxIntoTheWallUsesVelocitiesTowardsItAlone) {
   const Grid grid = make_grid(20, 30, 3.0, 3.0);
-  const LineOperator flux(wall_flux(grid, 5));
+  const AxisOperator flux(wall_flux(grid, 5));
   for (int speed = 0; speed < flux.rows(); ++speed) {
-    for (LineOperator::InnerIterator entry(flux, speed); entry; ++entry) {
+    for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
       EXPECT_LT(entry.col() % grid.nv(), grid.nv() / 2);
     }
   }
-  // Particles at x1 = 0.1 or so with velocity -1.1: a flux u p at speed u = 1.1, none elsewhere.
+  // Particles near x1 = 0.1 with velocity -1.1: a flux u p at speed u = 1.1, none elsewhere.
   Eigen::VectorXd beam = Eigen::VectorXd::Zero(grid.size());
   for (int i = 0; i < grid.nx(); ++i) beam(i * grid.nv() + 9) = 1;  // -1.2 < x2 < -1.0
   const Eigen::VectorXd out = flux * beam;
@@ -105,7 +105,7 @@ TEST(Operator, TakesTheOutgoingFluxFromOutgoingVelocitiesAlone) {
   EXPECT_NEAR(out(5), 1.1, 1e-2);
 }
 
-// Averages over a density that is not normalised.
+// Average over a density that is not normalised.
 template <class Density, class Function>
 double mean(const Grid& grid, const Density& density, const Function& g) {
   return three_point_averages(grid, [&](double x, double v) { return g(x, v) * density(x, v); })

@@ -9,41 +9,41 @@ namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-TEST(Resolution, BarsAreTheStricterTheMoreIsExpected) {
-  EXPECT_GT(kAutomaticGridBars.least_density, kStationaryBars.least_density);
-  EXPECT_GT(kStationaryBars.least_density, kBarsOverTime.least_density);
-  EXPECT_LT(kAutomaticGridBars.power, kStationaryBars.power);
-  EXPECT_LT(kStationaryBars.power, kBarsOverTime.power);
+TEST(Resolution, LimitsAreStricterForAutomaticGridsThanForResults) {
+  EXPECT_GT(kAutomaticGridLimits.min_density, kStationaryLimits.min_density);
+  EXPECT_GT(kStationaryLimits.min_density, kTransientLimits.min_density);
+  EXPECT_LT(kAutomaticGridLimits.power, kStationaryLimits.power);
+  EXPECT_LT(kStationaryLimits.power, kTransientLimits.power);
 }
 
-TEST(Resolution, ADensityMayFallToTheBarAndTheBalanceMayMissByItEitherWay) {
-  EXPECT_TRUE(kStationaryBars.allow_density(0.99 * kStationaryBars.least_density));
-  EXPECT_FALSE(kStationaryBars.allow_density(1.01 * kStationaryBars.least_density));
+TEST(Resolution, AcceptsValuesUpToTheLimitsOfEitherSign) {
+  EXPECT_TRUE(kStationaryLimits.is_density_accepted(0.99 * kStationaryLimits.min_density));
+  EXPECT_FALSE(kStationaryLimits.is_density_accepted(1.01 * kStationaryLimits.min_density));
   for (const double sign : {-1, 1}) {
-    EXPECT_TRUE(kStationaryBars.allow_imbalance(sign * 0.99 * kStationaryBars.power));
-    EXPECT_FALSE(kStationaryBars.allow_imbalance(sign * 1.01 * kStationaryBars.power));
+    EXPECT_TRUE(kStationaryLimits.is_imbalance_accepted(sign * 0.99 * kStationaryLimits.power));
+    EXPECT_FALSE(kStationaryLimits.is_imbalance_accepted(sign * 1.01 * kStationaryLimits.power));
   }
-  EXPECT_FALSE(kStationaryBars.allow_density(kNotANumber));
-  EXPECT_FALSE(kStationaryBars.allow_imbalance(kNotANumber));
+  EXPECT_FALSE(kStationaryLimits.is_density_accepted(kNotANumber));
+  EXPECT_FALSE(kStationaryLimits.is_imbalance_accepted(kNotANumber));
 }
 
 TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
   const Grid grid = make_grid(16, 32, 2.5, 3.5);
-  EXPECT_EQ(box_objection({}, grid, {0.9 * kMostOnWall, 0.9 * kMostOnWall}), "");
-  EXPECT_NE(box_objection({}, grid, {1.1 * kMostOnWall, 0}), "");
-  EXPECT_NE(box_objection({}, grid, {kNotANumber, 0}), "");
-  EXPECT_EQ(box_objection({}, grid, {0, 0.02}, "at t = 1 "),
+  EXPECT_EQ(box_failure_reason({}, grid, {0.9 * kMaxWallDensity, 0.9 * kMaxWallDensity}), "");
+  EXPECT_NE(box_failure_reason({}, grid, {1.1 * kMaxWallDensity, 0}), "");
+  EXPECT_NE(box_failure_reason({}, grid, {kNotANumber, 0}), "");
+  EXPECT_EQ(box_failure_reason({}, grid, {0, 0.02}, "at t = 1 "),
             "the box y <= 2.5, |y'| <= 3.5 is too small: at t = 1 the density on its wall is "
-            "2.0e-02 of the peak (widen it with y-max and v-max)");
+            "2.0e-02 of the peak; increase y-max and v-max");
 }
 
-TEST(Resolution, ABoxIsNamedByTheSidesThatAreNoWallsInPhysicalCoordinates) {
-  const auto said = [](const problem::Frame& frame, Beyond left, Beyond right) {
+TEST(Resolution, AMessageStatesTheFreeSidesInPhysicalCoordinates) {
+  const auto said = [](const problem::Frame& frame, EndCondition left, EndCondition right) {
     const Grid grid = symmetric_grid({0, 1, 2}, {0, 1, 3}, left, right);
-    const std::string objection = box_objection(frame, grid, {0, 0, 0.02});
+    const std::string objection = box_failure_reason(frame, grid, {0, 0, 0.02});
     return objection.substr(0, objection.find(" is too small"));
   };
-  using enum Beyond;
+  using enum EndCondition;
   const problem::Frame shifted{.origin = -0.5}, mirrored{.origin = 0.5, .mirrored = true};
   EXPECT_EQ(said({}, vacuum, vacuum), "the box 0 <= y <= 2, |y'| <= 3");
   EXPECT_EQ(said(shifted, boundary, vacuum), "the box y <= 1.5, |y'| <= 3");

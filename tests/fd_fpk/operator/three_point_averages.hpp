@@ -7,7 +7,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cell averages of a function by 3 x 3 Gauss points a cell, as the operator holds a density.
+/// Cell averages of a function by 3 x 3 Gauss points per cell, the unknowns of the operator.
 template <class Function>
 Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
   const double node = std::sqrt(0.6) / 2, weight[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};

@@ -43,8 +43,8 @@ TEST(WallTestFunction, SolvesItsEquation) {
   }
 }
 
-// Whatever the speed, and by nothing where impacts accumulate.
-TEST(WallTestFunction, IsRaisedByEveryImpactByTheSame) {
+// For any speed, and by zero where impacts accumulate.
+TEST(WallTestFunction, EveryImpactRaisesItByTheSameAmount) {
   constexpr double kNextToWall = 1e-33;
   for (const double r : {0.2, 0.5, 0.9}) {
     const WallTestFunction h(kDiffusion, kForce, r);

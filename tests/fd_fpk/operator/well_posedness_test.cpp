@@ -9,49 +9,51 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kRate = 3.17;  // its length is 0.8 of an automatic cell
+constexpr double kRate = 3.17;  // the default length of two_point is then 0.8 of an automatic cell
 
-Posedness posedness_of(const problem::Problem& problem, Options options) {
+WellPosedness posedness_of(const problem::Problem& problem, Options options) {
   options.equation = Equation::km4;
-  return posedness(problem, options, discretise(problem, options, initial_box(problem, options)));
+  return check_well_posedness(problem, options,
+                              discretise(problem, options, initial_box(problem, options)));
 }
 
-// The number after "at least " in an objection.
-double advised(const std::string& objection) {
+// The number behind "at least " in a reason.
+double advised(const std::string& ill_posed_reason) {
   const std::string before = "at least ";
-  return std::stod(objection.substr(objection.find(before) + before.size()));
+  return std::stod(ill_posed_reason.substr(ill_posed_reason.find(before) + before.size()));
 }
 
-TEST(Posedness, NobodyWhoLeavesTheLengthOutIsRefused) {
+TEST(WellPosedness, DefaultRegularisationLengthIsWellPosed) {
   for (const std::string law : {"two_point", "uniform", "gaussian"}) {
     for (const double rate : {kRate, 1000.0}) {
       const auto p = tests::make_problem({.rate = rate, .law = law});
-      EXPECT_EQ(posedness_of(p, {}).objection, "") << law << ' ' << rate;
+      EXPECT_EQ(posedness_of(p, {}).ill_posed_reason, "") << law << ' ' << rate;
     }
   }
   const auto graded = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
-  EXPECT_EQ(posedness_of(graded, {}).objection, "");
+  EXPECT_EQ(posedness_of(graded, {}).ill_posed_reason, "");
 }
 
-TEST(Posedness, TheLengthThatAnObjectionAdvisesIsEnough) {
+TEST(WellPosedness, AdvisedRegularisationLengthIsWellPosed) {
   for (const std::string law : {"two_point", "gaussian"}) {
     const auto p = tests::make_problem({.law = law});
     const auto literal = posedness_of(p, {.regularisation_length = 0});
-    ASSERT_NE(literal.objection.find("at least "), std::string::npos) << literal.objection;
-    const double length = advised(literal.objection);
-    EXPECT_EQ(posedness_of(p, {.regularisation_length = length}).objection, "") << law;
+    ASSERT_NE(literal.ill_posed_reason.find("at least "), std::string::npos)
+        << literal.ill_posed_reason;
+    const double length = advised(literal.ill_posed_reason);
+    EXPECT_EQ(posedness_of(p, {.regularisation_length = length}).ill_posed_reason, "") << law;
     const auto shorter = posedness_of(p, {.regularisation_length = 0.97 * length});
-    EXPECT_EQ(advised(shorter.objection), length) << law;
+    EXPECT_EQ(advised(shorter.ill_posed_reason), length) << law;
   }
 }
 
-// Cells at the origin are narrower by 16, and the length is long for them.
-TEST(Posedness, CellsThatAreWideFarOutAreLookedAtToo) {
+// Cells at the origin are 16 times narrower, and the length is long compared with them.
+TEST(WellPosedness, WideCellsFarOutAreCheckedToo) {
   const auto p = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
   const double of_law = default_regularisation_length(p.impulses.law());
   const auto found = posedness_of(p, {.regularisation_length = of_law});
   EXPECT_GT(found.growth.rate, 0.1);
-  EXPECT_NE(found.objection.find("leave out"), std::string::npos) << found.objection;
+  EXPECT_NE(found.ill_posed_reason.find("leave out"), std::string::npos) << found.ill_posed_reason;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-TEST(DeadlineOfASolution, ABoxIsNotWidenedAfterIt) {
+TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
   const auto p = tests::make_problem({.rate = 0.3, .law = "laplace"});
   const Box first = initial_box(p, {});
   const Box late = stationary_box(p, {}, Deadline(0));
@@ -22,13 +22,13 @@ TEST(DeadlineOfASolution, ABoxIsNotWidenedAfterIt) {
   EXPECT_GT(stationary_box(p, {}, Deadline(HUGE_VAL)).x2_max, first.x2_max);
 }
 
-TEST(DeadlineOfASolution, AnAnswerIsGivenUpAtItEvenTheFirst) {
+TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
   const auto p = tests::paper_case(1);
-  const Surroundings surroundings{.scales = problem::scales(p)};
+  const ScalesAndBox scales_and_box{.scales = problem::scales(p)};
   const Options direct{.stepper = Stepper::direct};
   const Deadline over(0);
-  for (const auto& late : {solve_on_one_grid(p, surroundings, direct, over).solution,
-                           solve_along_characteristics(p, surroundings.scales, {}, over).solution,
+  for (const auto& late : {solve_on_one_grid(p, scales_and_box, direct, over).solution,
+                           solve_along_characteristics(p, scales_and_box.scales, {}, over).solution,
                            solve(p, {.max_seconds = 1e-6}).solution}) {
     EXPECT_EQ(late.status, transform::Status::failed);
     EXPECT_FALSE(late.density);
@@ -36,7 +36,7 @@ TEST(DeadlineOfASolution, AnAnswerIsGivenUpAtItEvenTheFirst) {
   }
 }
 
-TEST(DeadlineOfASolution, AStepIsGivenUpAtIt) {
+TEST(SolveDeadline, AStepIsAborted) {
   const auto p = tests::paper_case(1);
   const Options options{.equation = Equation::white, .nx = 16, .nv = 32};
   const Discretisation on = discretise(p, options, initial_box(p, options));

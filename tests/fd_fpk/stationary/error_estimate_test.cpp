@@ -19,9 +19,9 @@ namespace {
 using transform::Status;
 using transform::Variable;
 
-const Deadline kNoHurry(HUGE_VAL);
+const Deadline kNoDeadline(HUGE_VAL);
 
-// A density that is uniform but for a wave in y of the given amplitude.
+// A density that is uniform except for a wave in y of the given amplitude.
 transform::Solution wave(double amplitude) {
   transform::Solution solution;
   transform::GridDensity density{{0, 1, 2, 3, 4}, {-1, 0, 1}, {}};
@@ -41,7 +41,7 @@ Result on_grid(double amplitude, double impact_rate = 0) {
   return result;
 }
 
-TEST(ErrorEstimate, IsTheRestOfAGeometricSeries) {
+TEST(ErrorEstimate, IsTheRemainderOfAGeometricSeries) {
   // Errors 16 e, 4 e, e: order 4 at the ratio sqrt 2.
   const double e = 0.001;
   const auto error = estimate_error(on_grid(16 * e), on_grid(4 * e), on_grid(e), 5);
@@ -52,32 +52,34 @@ TEST(ErrorEstimate, IsTheRestOfAGeometricSeries) {
   EXPECT_NEAR(error.ydot_l1, 0, 1e-12);
 }
 
-TEST(ErrorEstimate, DoesNotTakeChanceAgreementForAccuracy) {
-  // The last two agree by chance: the difference before and the order of the scheme bound it.
+TEST(ErrorEstimate, DoesNotMistakeChanceAgreementForAccuracy) {
+  // The last two levels agree by chance: the preceding difference and the order of the scheme bound
+  // the error from below.
   const auto error = estimate_error(on_grid(0.016), on_grid(0.001), on_grid(0.001), 5);
   EXPECT_GT(error.moments.y2, 0.5 * 0.015 / std::pow(2, 2.5) / std::pow(2, 2.5));
-  // Differences that do not fall at all are no convergence.
+  // Constant differences do not indicate convergence.
   const auto stalled = estimate_error(on_grid(0.001), on_grid(0.003), on_grid(0.001), 5);
   EXPECT_GT(stalled.moments.y2, 0.002);
 }
 
-// A coarsest grid that does not resolve the density: 14 is no order of a scheme of the fifth, and no
-// reason to take a fifth of the last difference for the error.
-TEST(ErrorEstimate, IsNotMadeByAnOrderThatTheSchemeCannotHave) {
+// The coarsest grid does not resolve the density. An observed order of 14 is impossible for a
+// scheme of order 5, and must not reduce the estimate to a fifth of the last difference.
+TEST(ErrorEstimate, IgnoresAnImplausibleObservedOrder) {
   const auto error = estimate_error(on_grid(0.129), on_grid(0.002), on_grid(0.001), 5);
   EXPECT_GT(error.observed_order, 13);
-  EXPECT_GE(error.y_l1, 8 * 0.001 / (transform::kLevelRatio - 1) * (1 - 1e-12));
-  EXPECT_GE(error.moments.y2, 0.001 / (transform::kLevelRatio - 1) * (1 - 1e-12));
+  EXPECT_GE(error.y_l1, 8 * 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
+  EXPECT_GE(error.moments.y2, 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
   EXPECT_FALSE(error.has_limit);
-  // Where errors cancel a scheme has somewhat more than its order.
+  // Cancellation of errors may raise the observed order slightly above that of the scheme.
   const auto cancelling = estimate_error(on_grid(0.001 * std::pow(2, 6.5)),
                                          on_grid(0.001 * std::pow(2, 3.25)), on_grid(0.001), 5);
   EXPECT_NEAR(cancelling.observed_order, 6.5, 0.5);
   EXPECT_TRUE(cancelling.has_limit);
 }
 
-// Of a rate whose differences fall with the order 1.4 of a singularity beside marginals of order 4.
-TEST(ErrorEstimate, OfTheImpactRateIsByItsOwnOrderWhereThatIsLower) {
+// A rate whose differences decrease with the order 1.4 of a singularity, beside marginals of order
+// 4.
+TEST(ErrorEstimate, OfTheImpactRateUsesItsOwnLowerOrder) {
   const double e = 0.001, q = std::pow(2, 0.7);
   const auto error = estimate_error(on_grid(16 * e, 1 + e * q * q), on_grid(4 * e, 1 + e * q),
                                     on_grid(e, 1 + e), 5);
@@ -85,7 +87,7 @@ TEST(ErrorEstimate, OfTheImpactRateIsByItsOwnOrderWhereThatIsLower) {
   EXPECT_NEAR(error.moments.y2, e, 1e-12);
 }
 
-TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {
+TEST(ErrorEstimate, HasTheSizeOfTheTrueError) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const exact::LinearDensity exact(p);
   for (const double refinement : {0.8, 1.2}) {
@@ -104,7 +106,7 @@ TEST(ErrorEstimate, IsOfTheSizeOfTheErrorWhereTheSolutionIsKnown) {
   }
 }
 
-TEST(ErrorEstimate, ATolerancePicksAGridThatMeetsItAndNotAMuchFinerOne) {
+TEST(ErrorEstimate, AToleranceSelectsASufficientGridAndNotAMuchFinerOne) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const exact::LinearDensity exact(p);
   int cells_before = 0;
@@ -124,9 +126,9 @@ TEST(ErrorEstimate, ATolerancePicksAGridThatMeetsItAndNotAMuchFinerOne) {
   }
 }
 
-// Impulses that are rare or have long tails throw the oscillator beyond the walls of its box. Three
-// grids in one box say nothing of it: E[y'^4] was stated to 1e-5 and off by 6e-4.
-TEST(ErrorEstimate, CoversWhatTheWallsOfTheBoxDoToTheMoments) {
+// Rare impulses or impulses with long tails move the oscillator out of its box. Three grids in one
+// box do not show this truncation: the stated error of E[y'^4] was 1e-5, its true error 6e-4.
+TEST(ErrorEstimate, IncludesTheTruncationOfMomentsByTheBox) {
   for (const tests::Parameters& parameters :
        {tests::Parameters{.restitution = 0.9, .rate = 0.3}, tests::Parameters{.law = "laplace"}}) {
     const auto p = tests::make_problem(parameters);
@@ -141,12 +143,12 @@ TEST(ErrorEstimate, CoversWhatTheWallsOfTheBoxDoToTheMoments) {
                 1.1 * solution.error->moments.*moment)
           << symbol;
     }
-    // Most of it is the walls', and no more than it has to be.
+    // Truncation dominates the error, and the estimate is not much too large.
     EXPECT_LT(solution.error->moments.v4, 2 * (wide.moments.v4 - solution.moments.v4));
   }
 }
 
-TEST(ErrorEstimate, AToleranceWidensTheBoxAsFarAsTheSecondMomentsTake) {
+TEST(ErrorEstimate, AToleranceWidensTheBoxForTheSecondMoments) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .rate = 0.3, .law = "laplace"});
   const double tolerance = 1e-4;
   const auto [solution, summary] =
@@ -157,11 +159,11 @@ TEST(ErrorEstimate, AToleranceWidensTheBoxAsFarAsTheSecondMomentsTake) {
   EXPECT_LT(std::abs(solution.moments.v2 - v2), tolerance * v2);
 }
 
-// A solver whose error falls with the given order on uniform grids, with the fifth on graded ones,
-// down to cells half as wide as the automatic ones, where it gives up.
-SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked) {
-  return [=, &asked](const Options& options) {
-    asked.push_back(options);
+// A solver whose error decreases with the given order on uniform grids and with order 5 on graded
+// grids. It fails on cells narrower than half of the automatic width.
+SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& requests) {
+  return [=, &requests](const Options& options) {
+    requests.push_back(options);
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (options.refinement > 2.1) {
@@ -178,26 +180,27 @@ SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& asked
 
 TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
   for (const double order : {1.5, 4.5}) {
-    std::vector<Options> asked;
-    const auto result = solve_to_tolerance(
-        solver_of_order(order, asked), {.stepper = Stepper::direct, .tolerance = 5e-3}, kNoHurry);
+    std::vector<Options> requests;
+    const auto result =
+        solve_to_tolerance(solver_of_order(order, requests),
+                           {.stepper = Stepper::direct, .tolerance = 5e-3}, kNoDeadline);
     EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     EXPECT_EQ(result.summary.origin_refinement > 1, order < 2) << order;
     EXPECT_LE(result.summary.error->y_l1, 5e-3);
-    EXPECT_LT(asked.back().wall_density, 1e-4);
+    EXPECT_LT(requests.back().wall_density, 1e-4);
   }
 }
 
-TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
-  // Waves of amplitude 0.01 F^-4 on grids F times finer tend to the uniform density.
+TEST(ErrorEstimate, ExtrapolationGivesTheLimitOfAManufacturedSequence) {
+  // Waves of amplitude 0.01 F^-4 on grids F times finer converge to the uniform density.
   const std::vector<double> edges{0, 1, 2, 3, 4};
-  std::vector<Options> asked;
+  std::vector<Options> requests;
   for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(3e-3)}) {
     for (const auto stepper : {Stepper::direct, Stepper::cvode}) {
       const Options options{
           .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
-      const auto solve_one = solver_of_order(4, asked);
-      const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoHurry).solution
+      const auto solve_one = solver_of_order(4, requests);
+      const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoDeadline).solution
                                       : solve_with_error_estimate(solve_one, options).solution;
       const auto fine = transform::marginal(solution, Variable::y, edges);
       const auto limit = transform::limit_marginal(solution, Variable::y, edges);
@@ -210,20 +213,20 @@ TEST(ErrorEstimate, TheLimitOfAManufacturedSequenceIsWhatItTendsTo) {
   EXPECT_THROW(transform::limit_marginal(wave(0.1), Variable::y, edges), std::logic_error);
 }
 
-// Differences that hardly fall tell how large the error is, but not what the grids tend to.
+// Slowly decreasing differences determine the size of the error, but no limit.
 TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
   for (const double order : {1.3, 1.7}) {
-    std::vector<Options> asked;
+    std::vector<Options> requests;
     const auto solution =
-        solve_with_error_estimate(solver_of_order(order, asked),
+        solve_with_error_estimate(solver_of_order(order, requests),
                                   {.stepper = Stepper::direct, .error_estimate = true})
             .solution;
-    EXPECT_EQ(solution.extrapolation.has_value(), order > transform::kLeastOrderOfALimit) << order;
+    EXPECT_EQ(solution.extrapolation.has_value(), order > transform::kMinOrderForLimit) << order;
   }
 }
 
-TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
-  for (const double amplitude : {0.0008, 0.004}) {  // L1 of p(y): 8 times that
+TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
+  for (const double amplitude : {0.0008, 0.004}) {  // L1 of p(y): 8 times the amplitude
     const auto solve_one = [&](const Options& options) {
       Result result;
       result.solution = wave(amplitude * std::pow(options.refinement, -4));
@@ -237,8 +240,8 @@ TEST(ErrorEstimate, OneLargerThanTheAccuracyAskedForIsInaccurate) {
   }
 }
 
-// By their cells, and not by the time that others took on this machine today: these take none.
-TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
+// The choice depends on the number of cells, not on measured times: these solves take no time.
+TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   constexpr double kSeconds = 10;
   const auto levels_from = [&](int cells, Transport transport) {
     std::vector<double> refinements;
@@ -253,7 +256,8 @@ TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
       result.solution.status = Status::ok;
       return result;
     };
-    const auto result = solve_within(solve_one, {.order = 5}, Deadline(kSeconds), Aim{});
+    const auto result =
+        refine_until_deadline(solve_one, {.order = 5}, Deadline(kSeconds), RefinementGoal{});
     EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
     return std::lround(2 * std::log2(result.summary.refinement));
   };
@@ -262,8 +266,8 @@ TEST(ErrorEstimate, FinerGridsFollowWhereTheirCellsAreFewEnough) {
   EXPECT_EQ(levels_from(5000, Transport::characteristics), 2);
 }
 
-// The first graded grid has no density: what the uniform ones reached is the result.
-TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
+// The first graded grid gives no density: the result of the uniform grids is returned.
+TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
   const auto solve_one = [](const Options& options) {
     Result result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
@@ -277,18 +281,18 @@ TEST(ErrorEstimate, WhatWasReachedBeforeTheGradingIsNotLost) {
     return result;
   };
   const auto result =
-      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4}, kNoHurry);
+      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4}, kNoDeadline);
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
-  EXPECT_NE(result.solution.reason.find("the error estimate is 8"), std::string::npos)
+  EXPECT_NE(result.solution.reason.find("error estimate 8"), std::string::npos)
       << result.solution.reason;
 }
 
-TEST(ErrorEstimate, ATimeThatIsUpEndsTheSearchForATolerance) {
-  std::vector<Options> asked;
+TEST(ErrorEstimate, TheDeadlineEndsTheSearchForATolerance) {
+  std::vector<Options> requests;
   const auto result = solve_to_tolerance(
-      solver_of_order(4, asked), {.stepper = Stepper::direct, .tolerance = 1e-9}, Deadline(0));
-  EXPECT_EQ(asked.size(), 1u);  // one answer in any time
+      solver_of_order(4, requests), {.stepper = Stepper::direct, .tolerance = 1e-9}, Deadline(0));
+  EXPECT_EQ(requests.size(), 1u);  // one solution at any time limit
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
   EXPECT_NE(result.solution.reason.find("max_seconds"), std::string::npos)
@@ -303,23 +307,23 @@ TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
   EXPECT_LT(summary.error->ydot_l1, 1e-4);
 }
 
-TEST(ErrorEstimate, AToleranceOutOfReachIsNotConvergedAndSaysHowFarItGot) {
-  std::vector<Options> asked;
+TEST(ErrorEstimate, AnUnattainableToleranceIsNotConvergedAndStatesItsEstimate) {
+  std::vector<Options> requests;
   const auto [solution, summary] = solve_to_tolerance(
-      solver_of_order(5, asked), {.stepper = Stepper::direct, .tolerance = 1e-12}, kNoHurry);
+      solver_of_order(5, requests), {.stepper = Stepper::direct, .tolerance = 1e-12}, kNoDeadline);
   EXPECT_EQ(solution.status, Status::not_converged);
-  EXPECT_NE(solution.reason.find("1.0e-12 was asked for"), std::string::npos) << solution.reason;
+  EXPECT_NE(solution.reason.find("requested 1.0e-12"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("too many cells"), std::string::npos) << solution.reason;
   ASSERT_TRUE(summary.error.has_value());
 }
 
-TEST(ErrorEstimate, OptionsThatContradictATolerance) {
+TEST(ErrorEstimate, AToleranceExcludesCellNumbers) {
   EXPECT_THROW(solve(tests::paper_case(1), {.nx = 40, .tolerance = 1e-4}), InputError);
   EXPECT_THROW(solve(tests::paper_case(1), {.tolerance = 0.0}), InputError);
 }
 
-// Levels with the same cells would show no error at all.
-TEST(ErrorEstimate, IsNoneOfLevelsThatHaveTheSameCells) {
+// Levels with the same cells would show no error.
+TEST(ErrorEstimate, IsAbsentForLevelsWithTheSameCells) {
   const auto p = tests::paper_case(1);
   const auto coarsest = solve(p, {.stepper = Stepper::direct, .refinement = 0.01});
   EXPECT_NE(coarsest.solution.status, transform::Status::ok);

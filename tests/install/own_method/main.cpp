@@ -1,8 +1,8 @@
-// fpkcheck with one method more: the Gaussian density of equivalent linearisation. It has a command
-// of its own, and stands beside the others in every table.
+// fpkcheck with an additional method: the Gaussian density of equivalent linearisation. The method
+// has a command and appears in all tables.
 #include <cmath>
 #include <fpkcheck/cli/program.hpp>
-#include <fpkcheck/methods/builtin.hpp>
+#include <fpkcheck/methods/builtin_registry.hpp>
 #include <fpkcheck/problem/equivalent_linearisation.hpp>
 #include <fpkcheck/transform/panel_marginals.hpp>
 #include <numbers>
@@ -20,12 +20,12 @@ namespace problem = fpkcheck::problem;
 namespace transform = fpkcheck::transform;
 
 struct Options {
-  double widths = 8;  ///< of the box, in deviations
+  double widths = 8;  ///< half-width of the box in standard deviations
 };
 
 const base::Description<Options>& description() {
   static const auto description = base::Description<Options>("linear ").add(
-      "widths", &Options::widths, {"N", "half-width of the box in deviations"},
+      "widths", &Options::widths, {"N", "half-width of the box in standard deviations"},
       base::between(5, 20));
   return description;
 }
@@ -67,28 +67,29 @@ methods::Solver linear_solver() {
                         .families = {{.name = "linear",
                                       .role = transform::Role::closure,
                                       .meaning = "The Gaussian of equivalent linearisation.",
-                                      .usual = {"linear"},
-                                      .look =
+                                      .default_ids = {"linear"},
+                                      .plot_style =
                                           [](const transform::Identity&) {
-                                            return transform::Look{.colour = "#808000"};
+                                            return transform::PlotStyle{.colour = "#808000"};
                                           }}},
-                        .parameters = nullptr,
-                        .usual_options = {},
+                        .option_descriptions = nullptr,
+                        .default_options = {},
                         .options_of = {},
                         .method = {}};
-  return methods::with_front<Options>(
-      std::move(entry), {.description = description(),
-                         .validate = validate,
-                         .identity = identity,
-                         .options_of = options_of,
-                         .solve = [](const problem::Problem& problem, const Options& options,
-                                     const methods::Setting&) { return solve(problem, options); }});
+  return methods::with_traits<Options>(
+      std::move(entry),
+      {.description = description(),
+       .validate = validate,
+       .identity = identity,
+       .options_of = options_of,
+       .solve = [](const problem::Problem& problem, const Options& options,
+                   const methods::SolveContext&) { return solve(problem, options); }});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  auto registry = methods::builtin();
+  auto registry = methods::builtin_registry();
   registry.add(linear_solver());
   return fpkcheck::cli::run_program(std::vector<std::string>(argv + 1, argv + argc), registry);
 }

@@ -1,4 +1,4 @@
-// Case 1 by the closure of the paper and by finite differences: how far are they apart?
+// The distance between the closure of the paper and finite volumes in case 1.
 #include <cstdio>
 #include <fpkcheck/compare/comparison.hpp>
 #include <fpkcheck/epc/solve.hpp>

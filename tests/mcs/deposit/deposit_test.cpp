@@ -24,7 +24,7 @@ std::vector<double> knots(double from, double to, int cells, int repeated_middle
   std::vector<double> all(5, from);
   for (int k = 0; k <= cells; ++k) {
     const int times = 2 * k == cells ? repeated_middle : 1;
-    // A little uneven, but for the middle and the ends.
+    // Slightly uneven knots, except the middle and the ends.
     const double x = 1.0 * k / cells, t = x + 0.05 * x * (1 - x) * (1 - 2 * x);
     all.insert(all.end(), times, from + (to - from) * t);
   }
@@ -42,12 +42,13 @@ DepositGrid grid() {
           .v_bins = {.first = -6, .spacing = 0.4, .count = 31}};
 }
 
-/// Coefficients of x^power in the splines, by Marsden's identity: the mean over all choices of
-/// `power` of the five inner knots of their product.
+/// Coefficients of x^power in the splines, by Marsden's identity: the mean product of `power` of
+/// the five inner knots, over all choices.
 std::vector<double> power_coefficients(const std::vector<double>& knots, int power) {
   std::vector<double> c;
   for (std::size_t i = 0; i + 6 < knots.size(); ++i) {
-    std::vector<double> e(static_cast<std::size_t>(power) + 1, 0.0);  // elementary symmetric
+    std::vector<double> e(static_cast<std::size_t>(power) + 1,
+                          0.0);  // elementary symmetric polynomials
     e[0] = 1;
     for (std::size_t k = 1; k <= 5; ++k) {
       for (int p = power; p > 0; --p) e[p] += knots[i + k] * e[p - 1];
@@ -58,7 +59,7 @@ std::vector<double> power_coefficients(const std::vector<double>& knots, int pow
   return c;
 }
 
-/// sum c_i c_j of the flow and of the lattice with (K v^q)(v) given on it.
+/// sum c_i c_j of the flow, and of the lattice with the values (K v^q)(v) on it.
 double applied(const DepositGrid& g, const Deposit& d, int p, int q,
                const std::function<double(double)>& after_impulse) {
   const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
@@ -75,7 +76,7 @@ double applied(const DepositGrid& g, const Deposit& d, int p, int q,
   return sum;
 }
 
-/// The same sum straight from the trajectory, h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
+/// The same sum from the scalar trajectory, for h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
 struct Tally {
   int p, q;
   double variance;
@@ -83,7 +84,7 @@ struct Tally {
   void flight(const Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
       const auto [y, v] = flight.at(until_sample);
-      const double a = flight.own_acceleration(until_sample);
+      const double a = flight.polynomial_acceleration(until_sample);
       if (p > 0) sum += v * p * std::pow(y, p - 1) * std::pow(v, q);
       if (q > 0) sum += a * std::pow(y, p) * q * std::pow(v, q - 1);
       if (q >= 2) {  // E[(v + Y)^q] - v^q for q = 2, 3
@@ -104,7 +105,7 @@ struct Setting {
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   DepositPlan plan{grid(), kRate, kInterval};
 
-  Stream advanced(std::uint32_t s, const simd::LaneSet& lanes) const {
+  Stream advanced(std::uint32_t s, const simd::CodeVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
     const Impulse first = source.next();
     Stream stream{.branch = {.y = 0.3,
@@ -134,7 +135,7 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, simd::available_lanes().back());
+    const Stream stream = setting.advanced(s, simd::available_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
@@ -152,12 +153,12 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
 }
 
 TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
-  // Two points: the same moments of the generator on all polynomials of the third degree.
+  // The two-point law has the same moments of the generator on all polynomials up to degree 3.
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
-  const Deposit lattice = setting.advanced(0, simd::available_lanes().back()).record.deposit;
+  const Deposit lattice = setting.advanced(0, simd::available_variants().back()).record.deposit;
   setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
-  const Deposit shifted = setting.advanced(0, simd::available_lanes().back()).record.deposit;
+  const Deposit shifted = setting.advanced(0, simd::available_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
     const auto after = [&, power = q](double v) {
@@ -171,7 +172,7 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
 TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
   const Deposit reference = setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
-  for (const simd::LaneSet& lanes : simd::available_lanes()) {
+  for (const simd::CodeVariant& lanes : simd::available_variants()) {
     SCOPED_TRACE(lanes.width);
     const Deposit deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
@@ -186,24 +187,24 @@ TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
 
 TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_variants().back());
   const Deposit& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
   };
   EXPECT_NEAR(sum(deposit.y_bins), stream.record.samples, 1e-9);
   EXPECT_NEAR(sum(deposit.v_bins), stream.record.samples, 1e-9);
-  // M(t) has the first moment of its centre.
+  // The first moment of M(t) is its centre.
   double first = 0;
   for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
-    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kFrame));
+    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kBinOffset));
   }
   EXPECT_NEAR(first, stream.record.powers[0], 1e-9);
 }
 
-TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
+TEST(Deposit, RecordsImpactsAndImpulses) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_lanes().back());
+  const Stream stream = setting.advanced(0, simd::available_variants().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);
@@ -211,7 +212,7 @@ TEST(Deposit, SeesImpactsAndImpulsesAsTheyWere) {
   EXPECT_EQ(stream.record.deposit.impulses[0], static_cast<double>(stream.record.impulses));
 }
 
-TEST(Deposit, ChangesNothingElse) {
+TEST(Deposit, DoesNotChangeOtherResults) {
   const auto problem = tests::paper_case(1);
   const Options plain{.time = 2e4, .streams = 10};
   Options depositing = plain;

@@ -13,28 +13,29 @@ namespace {
 
 const double kMeanOfAbsolute = std::sqrt(2 / std::numbers::pi);
 
-// One bin, or many that err together: the distance is the modulus of one normal variable.
-TEST(SamplingL1, OfErrorsThatGoTogetherScattersMost) {
+// One bin, or fully correlated bins: the distance is the absolute value of one normal variable.
+TEST(SamplingL1, OfCorrelatedErrorsScattersMost) {
   const std::vector<std::vector<double>> together(50, std::vector<double>(16, 0.01));
   const double deviation = 50 * 0.01 * 4;
   const SamplingL1 distance = sampling_l1(together);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * deviation, 1e-12);
-  EXPECT_NEAR(distance.in_99, 2.576 * deviation, 0.35 * deviation);
+  EXPECT_NEAR(distance.quantile_99, 2.576 * deviation, 0.35 * deviation);
 }
 
-// Each bin errs by itself: the distance is a sum of many, hardly above its mean.
+// Independent bins: the distance is a sum of many terms and close to its mean.
 TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
   std::vector<std::vector<double>> apart(400, std::vector<double>(400, 0.0));
   for (std::size_t b = 0; b < apart.size(); ++b) apart[b][b] = 0.01;
   const SamplingL1 distance = sampling_l1(apart);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * 4, 1e-12);
-  // Deviation of |x| is 0.603 of x's, and 2.33 of them lie below 99 %.
-  EXPECT_NEAR(distance.in_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
+  // The deviation of |x| is 0.603 of that of x; the 99 % quantile is 2.33 deviations above the
+  // mean.
+  EXPECT_NEAR(distance.quantile_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
 }
 
-// What a run says of itself, against other runs: 20 of them, none further from the mean of all than
-// it may be once in a hundred times, but for two of the forty distances at the most.
-TEST(SamplingL1, ForetellsHowFarRunsGoAstray) {
+// The stated quantile against 20 runs: at most two of the forty distances from the mean of all runs
+// exceed the 99 % quantile.
+TEST(SamplingL1, PredictsTheErrorsOfIndependentRuns) {
   std::vector<Result> runs;
   constexpr int kRuns = 20;
   for (int k = 0; k < kRuns; ++k) {
@@ -58,7 +59,7 @@ TEST(SamplingL1, ForetellsHowFarRunsGoAstray) {
       }
       const auto which = run.solution.estimated_marginals[variable].first;
       ratio += distance / *expected(*run.solution.sampling, which) / (2 * kRuns);
-      beyond += distance > *in_99(*run.solution.sampling, which);
+      beyond += distance > *quantile_99(*run.solution.sampling, which);
     }
   }
   EXPECT_LE(beyond, 2);

@@ -30,7 +30,7 @@ TEST(StreamWeights, RecoverAMeanThatDependsLinearlyOnTheExcess) {
   EXPECT_NEAR(estimate.standard_error, 0.0, 1e-14);
 }
 
-TEST(StreamWeights, ArePlainWhenThereIsNothingToTellTheStreamsApart) {
+TEST(StreamWeights, ArePlainForEqualExcessPowers) {
   const StreamWeights weights(std::vector<double>(8, 0.0));
   for (std::size_t s = 0; s < weights.size(); ++s) EXPECT_DOUBLE_EQ(weights[s], 1.0 / 8);
   const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
@@ -38,13 +38,13 @@ TEST(StreamWeights, ArePlainWhenThereIsNothingToTellTheStreamsApart) {
   EXPECT_DOUBLE_EQ(estimate.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.mean, 4.5);
   EXPECT_DOUBLE_EQ(plain.standard_error, std::sqrt(6.0 / 8));
-  // Five degrees of freedom instead of seven: two slopes.
+  // Two slopes leave five degrees of freedom instead of seven.
   EXPECT_DOUBLE_EQ(estimate.standard_error, plain.standard_error * std::sqrt(7.0 / 5));
   EXPECT_NEAR(weights.interval_factor(), 2.570582, 1e-6);  // Student's t
 }
 
-// Many experiments with 16 streams each: x = 2 + 3 b + b^2 + noise, b skewed with mean zero. What
-// the slope leaves, b^2, depends on b: this is where one slope for all streams would be biased.
+// Many experiments with 16 streams each: x = 2 + 3 b + b^2 + noise, b skewed with mean zero. The
+// residual b^2 depends on b, so a single slope for all streams would be biased.
 TEST(StreamWeights, AreUnbiasedAndTheirIntervalsCoverTheTruth) {
   std::mt19937_64 engine(3);
   std::normal_distribution<double> normal;
@@ -66,7 +66,7 @@ TEST(StreamWeights, AreUnbiasedAndTheirIntervalsCoverTheTruth) {
     sum_of_squares += (estimate.mean - 2) * (estimate.mean - 2);
   }
   EXPECT_NEAR(sum / kTrials, 0.0, 4 * std::sqrt(sum_of_squares) / kTrials);
-  // Sixteen streams are few for a skewed law: a per cent or two of the coverage is lost.
+  // For a skewed law 16 streams are few: the coverage may lose one or two per cent.
   EXPECT_NEAR(static_cast<double>(covered) / kTrials, 0.95, 0.02);
 }
 

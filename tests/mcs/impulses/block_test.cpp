@@ -11,17 +11,18 @@
 namespace fpkcheck::mcs {
 namespace {
 
-TEST(Block, HasTheSameBitsForAnyInstructions) {
-  for (const std::string& law : tests::laws_by_name()) {
+TEST(ImpulseBlock, HasTheSameBitsForAnyInstructions) {
+  for (const std::string& law : tests::law_names_without_table()) {
     const auto problem = tests::make_problem({.mean = 0.1, .law = law});
     for (const auto& excitation :
          {poisson_excitation(problem.impulses), white_excitation(problem.impulses, 0.05)}) {
       const Uniforms u = uniforms(1, 2, Purpose::impulses, 32);
-      const Block expected = baseline::make_block(excitation, u);
-      for (const simd::LaneSet& lanes : simd::available_lanes()) {
-        const auto make = simd::compiled_for(lanes.instructions, baseline::make_block,
-                                             avx2::make_block, avx512::make_block);
-        const Block block = make(excitation, u);
+      const ImpulseBlock expected = baseline::make_impulse_block(excitation, u);
+      for (const simd::CodeVariant& lanes : simd::available_variants()) {
+        const auto make =
+            simd::select_variant(lanes.instructions, baseline::make_impulse_block,
+                                 avx2::make_impulse_block, avx512::make_impulse_block);
+        const ImpulseBlock block = make(excitation, u);
         EXPECT_EQ(block.waiting, expected.waiting) << law;
         EXPECT_EQ(block.amplitude, expected.amplitude) << law;
       }

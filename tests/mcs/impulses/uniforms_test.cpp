@@ -5,7 +5,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// The known answers of Philox4x32-10 that come with Random123.
+// Known-answer tests of Philox4x32-10 from Random123.
 TEST(RandomBits, AreThoseOfPhilox) {
   const auto bits = random_bits(0xffffffffffffffffull, 0xffffffffu,
                                 static_cast<Purpose>(0xffffffffu), 0xffffffffffffffffull);
@@ -16,7 +16,7 @@ TEST(RandomBits, AreThoseOfPhilox) {
 
 TEST(Uniforms, LieWithinZeroAndOneAndGoOnFromAnyNumber) {
   const Uniforms all = uniforms(3, 7, Purpose::start, 0), later = uniforms(3, 7, Purpose::start, 4);
-  for (std::size_t k = 0; k < kBlock; ++k) {
+  for (std::size_t k = 0; k < kBlockSize; ++k) {
     for (const double u : {all.first[k], all.second[k], all.third[k]}) {
       EXPECT_GT(u, 0);
       EXPECT_LT(u, 1);

@@ -36,7 +36,7 @@ struct Group {
     }
   }
 
-  void advance(double time, const simd::LaneSet& lanes) {
+  void advance(double time, const simd::CodeVariant& lanes) {
     std::vector<Stream*> pointers;
     for (Stream& stream : streams) pointers.push_back(&stream);
     mcs::advance({.oscillator = oscillator,
@@ -48,14 +48,14 @@ struct Group {
   }
 };
 
-/// 11 streams: full packs and a rest, for every width.
+/// 11 streams: full groups and remaining streams, for every number of lanes.
 std::vector<Group> groups_of_all_kinds() {
   std::vector<Group> groups;
   for (const auto& problem :
        {tests::paper_case(4), tests::make_problem({.restitution = 0.3, .law = "laplace"})}) {
     groups.emplace_back(problem);
   }
-  // A spring that has no formulas of its own.
+  // A spring without closed formulas.
   groups.emplace_back(tests::make_problem({.law = "uniform"}));
   groups.back().oscillator =
       Oscillator(0.1, 0.8, numerics::Polynomial({0, 1, 0.2, 0.3, 0, 0.4, 0}));
@@ -66,7 +66,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   for (const Group& start : groups_of_all_kinds()) {
     Group reference(start);
     reference.advance(300, {simd::InstructionSet::baseline, 1});
-    for (const simd::LaneSet& lanes : simd::available_lanes()) {
+    for (const simd::CodeVariant& lanes : simd::available_variants()) {
       SCOPED_TRACE(lanes.width);
       Group group(start);
       group.advance(300, lanes);
@@ -88,7 +88,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-/// Counts what the record of a stream holds, from the plain trajectory.
+/// Computes the sums of a StreamRecord from the scalar trajectory.
 struct Tally {
   double until_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
@@ -108,7 +108,7 @@ struct Tally {
   void impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
 };
 
-TEST(Advance, DoesWhatTheTrajectoryDoes) {
+TEST(Advance, AgreesWithTheScalarTrajectory) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = 3});
   for (const auto& oscillator :
        {Oscillator(problem.system),
@@ -116,7 +116,7 @@ TEST(Advance, DoesWhatTheTrajectoryDoes) {
     Group group(problem);
     group.oscillator = oscillator;
     constexpr double kTime = 30;
-    group.advance(kTime, simd::available_lanes().back());
+    group.advance(kTime, simd::available_variants().back());
     for (std::size_t s = 0; s < group.streams.size(); ++s) {
       const auto n = static_cast<double>(s);
       Trajectory trajectory(oscillator,
@@ -146,7 +146,7 @@ double total(const std::vector<double>& sums) {
 // Between two impacts there is one maximum more than minima.
 TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
-  group.advance(3000, simd::available_lanes().back());
+  group.advance(3000, simd::available_variants().back());
   for (const Stream& stream : group.streams) {
     EXPECT_GT(total(stream.record.troughs), 10);
     EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
@@ -160,13 +160,13 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
   for (const double r : {0.05, 1e-8}) {
     for (const double mean : {-0.9, 0.0, 0.9}) {
       for (const double rate : {50.0, 1.0, 1e-3}) {
-        // The mean is a share of the root of E[Y^2] = 0.1.
+        // The mean is a fraction of the root of E[Y^2] = 0.1.
         Group group(tests::make_problem({.restitution = r,
                                          .rate = rate,
                                          .intensity = 0.1 * rate,
                                          .mean = mean * std::sqrt(0.1)}));
-        const double time = tests::usually(40, 200) / std::min(rate, 1.0);
-        group.advance(time, simd::available_lanes().back());
+        const double time = tests::part_unless_thorough(40, 200) / std::min(rate, 1.0);
+        group.advance(time, simd::available_variants().back());
         for (const Stream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);
           EXPECT_LE(stream.record.impacts, time * 2 + impulses);

@@ -14,7 +14,7 @@ namespace {
 
 Oscillator paper_oscillator(int number) { return Oscillator(tests::paper_case(number).system); }
 
-/// A spring by its coefficients g_1, g_2, ..
+/// A spring force with the coefficients g_1, g_2, ..
 Oscillator with_spring(std::initializer_list<double> g, double damping = 0.1) {
   numerics::Polynomial::Coefficients coefficients{};
   std::ranges::copy(g, coefficients.begin() + 1);
@@ -46,9 +46,9 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     const Oscillator oscillator = with_spring({2}, damping);
     const State start{1.3, -0.7};
     const Flight flight(oscillator, start);
-    const double t = flight.reach(0.7);
-    // The first term left out, 0.7^13 / 13!, is 2e-12 of the amplitude; of v it is 13/0.7 times
-    // that.
+    const double t = flight.max_step(0.7);
+    // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
+    // times larger.
     for (const double s : {t / 3, t}) {
       EXPECT_NEAR(flight.at(s).y, exact_linear(oscillator, start, s).y, 1e-11);
       EXPECT_NEAR(flight.at(s).v, exact_linear(oscillator, start, s).v, 1e-10);
@@ -61,11 +61,11 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
   const State start{1.2, 1.9};
   const Flight flight(oscillator, start);
   const auto error = [&](double phase) {
-    const double t = flight.reach(phase);
+    const double t = flight.max_step(phase);
     const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
   };
-  // v is a polynomial of degree kOrder - 1, so that its error falls with t^kOrder.
+  // v is a polynomial of degree kOrder - 1: its error is proportional to t^kOrder.
   const double coarse = error(1.0), middle = error(0.5), fine = error(0.25);
   for (const double order : {std::log2(coarse / middle), std::log2(middle / fine)}) {
     EXPECT_GT(order, Flight::kOrder - 1.5) << coarse << " " << middle << " " << fine;
@@ -74,14 +74,14 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
 }
 
 TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
-  // Energies from 1e-2 to 1e4: far beyond what any of the paper's cases visits.
+  // Energies from 1e-2 to 1e4, far above those of the paper's cases.
   const Oscillator oscillator = paper_oscillator(4);
   for (const double v : {0.15, 1.5, 15.0, 150.0}) {
     for (const double angle : {0.0, 1.0, 2.0, 3.0}) {
       const double y = std::sqrt(v) * std::sin(angle);
       const State start{std::abs(y), v * std::cos(angle)};
       const Flight flight(oscillator, start);
-      const double t = flight.reach(0.7);
+      const double t = flight.max_step(0.7);
       const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * std::sqrt(v)) << v << " " << angle;
@@ -93,12 +93,12 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
   const Oscillator oscillator = with_spring({1});
   const double w = std::sqrt(1 - 0.05 * 0.05);
   for (const double before : {0.6, 0.1, 1e-3, 1e-9}) {
-    // A motion that is at the wall `before` from now: y ~ exp(-ct/2) sin(w (before - t)).
+    // A motion with an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
-    const double time = impact_time(flight, flight.reach(0.7));
-    // 0.6 is at the far end, where the series errs by 1e-12.
+    const double time = impact_time(flight, flight.max_step(0.7));
+    // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.at(time).y, 0.0, 1e-15);
   }
@@ -107,7 +107,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
 TEST(Flight, FindsAGrazingImpact) {
   const Oscillator oscillator = paper_oscillator(4);
   const Flight flight(oscillator, {1e-12, -1e-9});
-  const double end = flight.reach(0.7);
+  const double end = flight.max_step(0.7);
   ASSERT_LT(flight.at(end).y, 0.0);
   EXPECT_NEAR(impact_time(flight, end), 1e-3, 1e-6);
 }
@@ -117,7 +117,7 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
   for (const double y : {1e-9, 1e-6, 1e-3, 0.1, 0.5}) {
     for (const double v : {-1e-9, -1e-6, -1e-3, -0.1, -1.0, -5.0, 1e-6, 0.02}) {
       const Flight flight(oscillator, {y, v});
-      const double end = flight.reach(1.2);
+      const double end = flight.max_step(1.2);
       if (flight.at(end).y >= 0) continue;
       const double time = impact_time(flight, end);
       EXPECT_LT(std::abs(flight.at(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
@@ -127,12 +127,12 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
 
 TEST(Flight, FindsTheHighestPoint) {
   const Oscillator oscillator = with_spring({1}, 0.2);
-  // cos and sin of the damped motion from (y, 0) run backwards: the top lies `before` ahead.
+  // The damped motion backwards from the maximum (y, 0), which is then `before` ahead.
   for (const double before : {0.5, 0.1, 1e-3}) {
     const Flight back(oscillator, {0.8, 0});
     const State start = back.at(-before);
     const Flight flight(oscillator, start);
-    const double end = flight.reach(0.9);
+    const double end = flight.max_step(0.9);
     const double top = flight.peak_time(end, flight.at(end));
     EXPECT_NEAR(top, before, 1e-4);
     EXPECT_NEAR(flight.at(top).y, 0.8, 1e-8);
@@ -144,27 +144,27 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
     const Oscillator oscillator = paper_oscillator(number);
     for (double v = 1e-300; v < 1e3; v *= 1e3) {
       const Flight flight(oscillator, {0, v});
-      EXPECT_GE(flight.at(flight.reach(1.0)).y, 0.0) << number << " " << v;
+      EXPECT_GE(flight.at(flight.max_step(1.0)).y, 0.0) << number << " " << v;
     }
   }
 }
 
-// The formulas of k y + mu y^3 against those of any spring.
+// The closed formulas for k y + mu y^3 against the loops for any spring.
 TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
   const Oscillator duffing = with_spring({1, 0, 0.7});
   Oscillator any = duffing;
   any.is_duffing = false;
   for (const State& start : {State{0, 1}, State{1.2, 0.4}, State{20, -300}}) {
     const Flight a(duffing, start), b(any, start);
-    const double t = a.reach(0.9);
-    EXPECT_NEAR(b.reach(0.9), t, 1e-14 * t);
+    const double t = a.max_step(0.9);
+    EXPECT_NEAR(b.max_step(0.9), t, 1e-14 * t);
     EXPECT_NEAR(a.at(t).y, b.at(t).y, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.at(t).v, b.at(t).v, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.acceleration(start), b.acceleration(start), 1e-13 * std::abs(start.v + 1e4));
   }
 }
 
-/// Springs of all degrees, with their motion scaled: from y = 0 with v to about the excursion y.
+/// Springs of all degrees, with a speed v at y = 0 and about the largest displacement y.
 struct KnownMotion {
   Oscillator oscillator;
   double v, y;
@@ -188,7 +188,7 @@ TEST(Flight, OfAnySpringIsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
     for (const double angle : {0.0, 0.7, 1.4, 2.1, 2.8}) {
       const State start{0.9 * y * std::sin(angle), v * std::cos(angle)};
       const Flight flight(oscillator, start);
-      const double t = flight.reach(0.7);
+      const double t = flight.max_step(0.7);
       const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << oscillator.degree << " " << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * y) << oscillator.degree << " " << v << " " << angle;
@@ -203,18 +203,18 @@ TEST(Flight, OfAnySpringReachesNoFurtherThanItsSteepestPartAllows) {
       steepest = std::max(steepest, oscillator.force.derivative()(x));
     }
     const Flight flight(oscillator, {0, v});
-    const double frequency = 1 / flight.reach(1) - oscillator.damping;
+    const double frequency = 1 / flight.max_step(1) - oscillator.damping;
     EXPECT_GE(frequency, std::sqrt(steepest)) << oscillator.degree << " " << v;
-    // Terms of both signs cost most.
+    // The bound is least tight for terms of both signs.
     EXPECT_LE(frequency, 2.5 * std::sqrt(steepest)) << oscillator.degree << " " << v;
-    EXPECT_GE(flight.at(flight.reach(1.2)).y, 0.0) << oscillator.degree << " " << v;
+    EXPECT_GE(flight.at(flight.max_step(1.2)).y, 0.0) << oscillator.degree << " " << v;
   }
 }
 
 TEST(Flight, OfAnySpringFindsImpacts) {
   for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
     const Flight flight(oscillator, {0.01 * y, -v});
-    const double end = flight.reach(1.2);
+    const double end = flight.max_step(1.2);
     ASSERT_LT(flight.at(end).y, 0.0) << oscillator.degree << " " << v;
     EXPECT_LT(std::abs(flight.at(impact_time(flight, end)).y), 1e-14 * y);
   }

@@ -19,7 +19,7 @@ constexpr double kNoImpulse = std::numeric_limits<double>::infinity();
 
 using Kind = GeneralOscillator::Kind;
 
-/// Streams without impulses, from given states.
+/// Streams without impulses, from the given states.
 struct FreeStreams {
   GeneralMotion motion;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
@@ -29,7 +29,7 @@ struct FreeStreams {
               const GeneralKicks& kicks = {})
       : motion{.oscillator = oscillator,
                .kicks = kicks,
-               .step = kicks.present() ? 0.3 : 0.9,
+               .step = kicks.is_present() ? 0.3 : 0.9,
                .sampling_interval = kBetweenSamples,
                .y_bins = nullptr,
                .v_bins = nullptr} {
@@ -45,15 +45,15 @@ struct FreeStreams {
                          .record = StreamRecord(y, v),
                          .noise = NoiseSource(1, number)});
       streams.back().record.general.emplace();
-      if (kicks.present()) {
-        streams.back().general.kick_interval = kicks.longest;
-        streams.back().general.until_kick = kicks.longest / 2;
+      if (kicks.is_present()) {
+        streams.back().general.kick_interval = kicks.longest_interval;
+        streams.back().general.until_kick = kicks.longest_interval / 2;
       }
       ++number;
     }
   }
 
-  void advance(double time, const simd::LaneSet& lanes = simd::available_lanes().back()) {
+  void advance(double time, const simd::CodeVariant& lanes = simd::available_variants().back()) {
     motion.y_bins = &y;
     motion.v_bins = &v;
     std::vector<Stream*> pointers;
@@ -70,7 +70,7 @@ double acceleration(const GeneralOscillator& o, double y, double v) {
   return -force - v * (damping + o.rayleigh * v * v);
 }
 
-/// By the classical Runge-Kutta method.
+/// Integrates by the classical Runge-Kutta method.
 State followed(const GeneralOscillator& o, State s, double time) {
   constexpr int kSteps = 20000;
   const double h = time / kSteps;
@@ -94,7 +94,7 @@ GeneralOscillator full_oscillator() {
           .kind = Kind::full};
 }
 
-// Every coefficient enters; a wrong index or factor of the series would show in the first digits.
+// Every coefficient contributes: a wrong index or factor changes the first digits.
 TEST(GeneralMotion, FollowsTheEquationWithAllItsTerms) {
   GeneralOscillator cubic{
       .force = {0.1, -0.7, 0.2, 0.5, 0, 0}, .damping = {-0.1, 0.05, 0.2}, .kind = Kind::cubic};
@@ -112,7 +112,7 @@ TEST(GeneralMotion, FollowsTheEquationWithAllItsTerms) {
   }
 }
 
-// Far below what statistics see: E[v^2] is off by the drift within a time of decay.
+// The drift is far below sampling errors: it changes E[v^2] over one decay time only.
 TEST(GeneralMotion, KeepsTheEnergyOfADoubleWell) {
   const GeneralOscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
   const auto energy = [](const Branch& b) {
@@ -128,14 +128,15 @@ TEST(GeneralMotion, KeepsTheEnergyOfADoubleWell) {
   }
 }
 
-/// y'' = -(y - 1), a wall at 0 that takes nothing: the motion of amplitude `a` dips below it by little.
+/// y'' = -(y - 1) with an elastic wall at 0. The motion of amplitude `a` extends slightly behind
+/// the wall.
 GeneralOscillator across_a_gap() {
   return {.force = {-1, 1, 0, 0, 0, 0},
-          .left = {.stands = true, .position = 0, .restitution = 1, .pressing = -1}};
+          .left = {.exists = true, .position = 0, .restitution = 1, .contact_force = -1}};
 }
 
-// The signs at the ends of a flight would not tell of it.
-TEST(GeneralMotion, MeetsAWallThatAFlightDipsBelow) {
+// Signs of y at the ends of a flight do not show these impacts.
+TEST(GeneralMotion, FindsImpactsWithinAFlight) {
   const double a = 1.01, u = std::sqrt(a * a - 1);
   const double period = 2 * std::acos(-1 / a);  // from impact to impact
   std::vector<State> starts;
@@ -149,10 +150,10 @@ TEST(GeneralMotion, MeetsAWallThatAFlightDipsBelow) {
     EXPECT_NEAR(stream.record.impact_speed, 100 * u, 1e-3);
     EXPECT_NEAR(stream.record.impact_energy, 100 * u * u, 1e-3);
   }
-  // Twice the displacement reaches no farther than that of the wall on the other side.
+  // The mirror image, with the wall on the other side.
   GeneralOscillator mirrored{
       .force = {-1, 1, 0, 0, 0, 0},
-      .right = {.stands = true, .position = 2, .restitution = 1, .pressing = -1}};
+      .right = {.exists = true, .position = 2, .restitution = 1, .contact_force = -1}};
   FreeStreams right(mirrored, starts);
   right.advance(100 * period);
   for (const Stream& stream : right.streams) {
@@ -162,12 +163,12 @@ TEST(GeneralMotion, MeetsAWallThatAFlightDipsBelow) {
   }
 }
 
-TEST(GeneralMotion, FliesToAndFroBetweenTwoWalls) {
+TEST(GeneralMotion, MovesBetweenTwoWalls) {
   const double u = 0.8, r = 0.5, s = 0.75, b = 1.5;
-  GeneralOscillator box{.left = {.stands = true, .position = 0, .restitution = r},
-                        .right = {.stands = true, .position = b, .restitution = s}};
+  GeneralOscillator box{.left = {.exists = true, .position = 0, .restitution = r},
+                        .right = {.exists = true, .position = b, .restitution = s}};
   FreeStreams free(box, {{0, u}});
-  // b/u there, b/(s u) back, b/(r s u) there again, and half of the way back.
+  // b/u to the right, b/(s u) back, b/(r s u) to the right again, and half of the way back.
   free.advance(b / u * (1 + 1 / s + 1 / (r * s) + 0.5 / (r * s * s)));
   const Stream& stream = free[0];
   EXPECT_EQ(stream.record.impacts, 3);
@@ -177,17 +178,22 @@ TEST(GeneralMotion, FliesToAndFroBetweenTwoWalls) {
   EXPECT_NEAR(stream.record.impact_speed, u * s, 1e-12);
 }
 
-/// A ball that falls on the floor: g = 1.
-GeneralOscillator ball(double r, double slow) {
+/// A ball on a floor, g = 1.
+GeneralOscillator ball(double r, double rest_speed) {
   return {.force = {1, 0, 0, 0, 0, 0},
-          .left = {.stands = true, .position = 0, .restitution = r, .pressing = 1, .slow = slow}};
+          .left = {.exists = true,
+                   .position = 0,
+                   .restitution = r,
+                   .contact_force = 1,
+                   .rest_speed = rest_speed}};
 }
 
-// From the height u^2/2 it takes u, and 2 r^n u for the n-th bounce: (1 + r)/(1 - r) u in all.
+// The fall from the height u^2/2 takes the time u, the n-th bounce 2 r^n u: (1 + r)/(1 - r) u in
+// all.
 TEST(GeneralMotion, ComesToRestAfterInfinitelyManyBounces) {
   const double r = 0.6, u = 2, time = 40;
-  for (const double slow : {1e-1, 1e-4}) {
-    FreeStreams free(ball(r, slow), {{u * u / 2, 0}, {u * u / 2, 0}});
+  for (const double rest_speed : {1e-1, 1e-4}) {
+    FreeStreams free(ball(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
     free.advance(time);
     const StreamRecord& record = free[0].record;
     const double to_rest = u * (1 + r) / (1 - r);
@@ -200,10 +206,11 @@ TEST(GeneralMotion, ComesToRestAfterInfinitelyManyBounces) {
     for (const double weight : record.histogram.weights()) in_bins += weight;
     EXPECT_EQ(in_bins + record.general->rest_left, record.samples);
   }
-  // And on a ceiling.
+  // A ball below a ceiling.
   GeneralOscillator up{
       .force = {-1, 0, 0, 0, 0, 0},
-      .right = {.stands = true, .position = 3, .restitution = r, .pressing = 1, .slow = 1e-4}};
+      .right = {
+          .exists = true, .position = 3, .restitution = r, .contact_force = 1, .rest_speed = 1e-4}};
   FreeStreams above(up, {{3 - u * u / 2, 0}});
   above.advance(time);
   EXPECT_EQ(above[0].branch.y, 3);
@@ -228,16 +235,20 @@ TEST(GeneralMotion, LeavesRestByAnImpulseEitherWay) {
 
 TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
   GeneralOscillator walls = full_oscillator();
-  walls.left = {.stands = true, .position = 0, .restitution = 0.8, .pressing = 0.1, .slow = 1e-4};
-  walls.right = {.stands = true, .position = 1.5, .restitution = 0.7, .pressing = -1};
+  walls.left = {
+      .exists = true, .position = 0, .restitution = 0.8, .contact_force = 0.1, .rest_speed = 1e-4};
+  walls.right = {.exists = true, .position = 1.5, .restitution = 0.7, .contact_force = -1};
   std::vector<State> starts;
   for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
-  const GeneralKicks noise{
-      .diffusion = 0.1, .damping = 0.2, .longest = 0.2, .shortest = 1e-5, .graded = true};
+  const GeneralKicks noise{.diffusion = 0.1,
+                           .damping = 0.2,
+                           .longest_interval = 0.2,
+                           .shortest_interval = 1e-5,
+                           .has_lossy_wall = true};
   for (const auto& kicks : {GeneralKicks{}, noise}) {
     FreeStreams reference(walls, starts, kicks);
     reference.advance(100, {simd::InstructionSet::baseline, 1});
-    for (const simd::LaneSet& lanes : simd::available_lanes()) {
+    for (const simd::CodeVariant& lanes : simd::available_variants()) {
       SCOPED_TRACE(lanes.width);
       FreeStreams group(walls, starts, kicks);
       group.advance(100, lanes);
@@ -254,19 +265,22 @@ TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
 }
 
 TEST(GeneralMotion, KicksSoonAfterOneNearAWallThatTakesEnergy) {
-  GeneralMotion motion{
-      .oscillator = across_a_gap(),
-      .kicks = {.diffusion = 0.5, .damping = 0, .longest = 0.2, .shortest = 1e-6, .graded = true},
-      .step = 0.3,
-      .sampling_interval = 1,
-      .y_bins = nullptr,
-      .v_bins = nullptr};
-  EXPECT_EQ(kick_interval(motion, 0.01, 0), 0.2);  // it takes nothing
+  GeneralMotion motion{.oscillator = across_a_gap(),
+                       .kicks = {.diffusion = 0.5,
+                                 .damping = 0,
+                                 .longest_interval = 0.2,
+                                 .shortest_interval = 1e-6,
+                                 .has_lossy_wall = true},
+                       .step = 0.3,
+                       .sampling_interval = 1,
+                       .y_bins = nullptr,
+                       .v_bins = nullptr};
+  EXPECT_EQ(kick_interval(motion, 0.01, 0), 0.2);  // an elastic wall
   motion.oscillator.left.restitution = 0.7;
   EXPECT_EQ(kick_interval(motion, 0, 0), 1e-6);
   EXPECT_EQ(kick_interval(motion, 0, 2), 0.2);
   EXPECT_EQ(kick_interval(motion, 5, 0), 0.2);
-  // Times of the motion under noise: v^2/D and (y^2/D)^(1/3).
+  // Time scales of the motion under noise: v^2/D and (y^2/D)^(1/3).
   EXPECT_NEAR(kick_interval(motion, 0, 0.2) / kick_interval(motion, 0, 0.1), 4, 1e-12);
   EXPECT_NEAR(kick_interval(motion, 8e-3, 0) / kick_interval(motion, 1e-3, 0), 4, 1e-12);
 }

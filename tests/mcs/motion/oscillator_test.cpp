@@ -24,7 +24,7 @@ TEST(Oscillator, OfTheProblemHasItsMechanics) {
   EXPECT_EQ(oscillator.potential.coefficients(), system.potential().coefficients());
 }
 
-TEST(Oscillator, KnowsTheSpringThatHasFormulasOfItsOwn) {
+TEST(Oscillator, DetectsDuffingSprings) {
   EXPECT_TRUE(with_spring({0, 1}).is_duffing);
   EXPECT_TRUE(with_spring({0, 1, 0, 2}).is_duffing);
   EXPECT_TRUE(with_spring({0, 0, 0, 2}).is_duffing);
@@ -34,10 +34,10 @@ TEST(Oscillator, KnowsTheSpringThatHasFormulasOfItsOwn) {
 }
 
 TEST(Oscillator, BoundsItsPotentialFromBelowByTheLastPower) {
-  // Of springs without negative terms that is the last term itself.
-  EXPECT_EQ(with_spring({0, 1, 0, 2}).least_potential, 2.0 / 4);
-  EXPECT_EQ(with_spring({0, 1, 0.5, 0, 0, 3}).least_potential, 3.0 / 6);
-  // With negative ones it is the least of the ratio, found here by looking everywhere.
+  // Without negative terms the bound is the last term.
+  EXPECT_EQ(with_spring({0, 1, 0, 2}).potential_bound, 2.0 / 4);
+  EXPECT_EQ(with_spring({0, 1, 0.5, 0, 0, 3}).potential_bound, 3.0 / 6);
+  // With negative terms the bound is the minimum of the ratio, computed here on a fine grid.
   for (const auto& g : {Polynomial::Coefficients{0, 1, -1, 0.5},
                         {0, 1, -0.6, 0.1},
                         {0, 0.5, 0, -0.3, 0, 0.2},
@@ -48,15 +48,15 @@ TEST(Oscillator, BoundsItsPotentialFromBelowByTheLastPower) {
     for (double y = 1e-6; y < 1e6; y *= 1.0003) {
       least = std::min(least, oscillator.potential(y) / std::pow(y, oscillator.degree + 1));
     }
-    EXPECT_LE(oscillator.least_potential, least);
-    EXPECT_GE(oscillator.least_potential, 0.95 * least);
+    EXPECT_LE(oscillator.potential_bound, least);
+    EXPECT_GE(oscillator.potential_bound, 0.95 * least);
   }
 }
 
 TEST(Oscillator, WithoutABoundOfTheMotionIsRefused) {
-  EXPECT_THROW(with_spring({0.1, 1}), InputError);         // pushes at the wall
-  EXPECT_THROW(with_spring({0, 1, 0, -0.1}), InputError);  // gives way far out
-  EXPECT_THROW(with_spring({0, -1, 0, 1}), InputError);    // pushes near the wall
+  EXPECT_THROW(with_spring({0.1, 1}), InputError);         // a force at the wall
+  EXPECT_THROW(with_spring({0, 1, 0, -0.1}), InputError);  // repulsive at large y
+  EXPECT_THROW(with_spring({0, -1, 0, 1}), InputError);    // repulsive near the wall
   EXPECT_THROW(with_spring({0, 1, -3, 1}), InputError);    // a second, deeper well
   EXPECT_THROW(with_spring({0, 0, 0, -1, 0, 1}), InputError);
 }

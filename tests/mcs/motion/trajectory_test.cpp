@@ -13,10 +13,10 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr double kAutomaticStep = 0.9;
-// Impulses so rare that none arrives in a test.
+// A rate so small that no impulse arrives in a test.
 constexpr double kNever = 1e-12;
 
-/// Writes down every event with its time.
+/// Records every event with its time.
 struct Chronicle {
   struct Event {
     double time, velocity, amplitude;
@@ -58,7 +58,8 @@ TEST(Trajectory, OfTheLinearOscillatorHitsTheWallEveryHalfPeriodAndLosesItsShare
   double velocity = 1;  // after the impact
   for (std::size_t n = 0; n < seen.impacts.size(); ++n) {
     velocity *= std::exp(-c * half_period / 2);
-    // Each of the 4 or 5 flights from impact to impact errs by 0.9^12 / 12! = 6e-10 of v, or less.
+    // Between two impacts there are 4 or 5 flights with relative errors of v of at most 0.9^12 /
+    // 12! = 6e-10.
     const double error = 3e-9 * static_cast<double>(n + 1);
     EXPECT_NEAR(seen.impacts[n].time, static_cast<double>(n + 1) * half_period, error);
     EXPECT_NEAR(seen.impacts[n].velocity / -velocity, 1.0, error);
@@ -71,7 +72,7 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
   const double r = 0.6;
   const auto problem =
       tests::make_problem({.cubic = 1, .restitution = r, .rate = kNever, .intensity = kNever});
-  // From just above the wall: hardly any damping before and after.
+  // From just above the wall: the damping before and after the impact is negligible.
   const State start{1e-9, -2};
   Trajectory trajectory = trajectory_of(problem, start);
   Chronicle seen;
@@ -83,8 +84,8 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
               (1 - r * r) / 2 * 4, 1e-7);
 }
 
-TEST(Trajectory, KeepsTheEnergyLedger) {
-  // d/dt E = -c v^2 along flights, by Simpson's rule; impulses and impacts add their own.
+TEST(Trajectory, SatisfiesTheEnergyBalance) {
+  // d/dt E = -c v^2 along flights, by Simpson's rule; impulses and impacts add their energy.
   struct Ledger {
     const Oscillator& oscillator;
     double balance = 0, dissipated = 0;
@@ -105,7 +106,7 @@ TEST(Trajectory, KeepsTheEnergyLedger) {
     void impulse(double v, double amplitude) { balance += amplitude * (v + amplitude / 2); }
   };
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9, .intensity = 1});
-  // The paper's spring, and two that have no formulas of their own.
+  // The paper's spring, and two springs without closed formulas.
   for (const auto& oscillator :
        {Oscillator(problem.system),
         Oscillator(0.1, 0.9, numerics::Polynomial({0, 1, 0, 1, 0, 1, 0})),
@@ -118,7 +119,7 @@ TEST(Trajectory, KeepsTheEnergyLedger) {
     };
     for (int k = 0; k < 20; ++k) {
       trajectory.advance(50.0, ledger);
-      // The step is chosen for errors of 1e-6 of the dissipation in this case.
+      // The step limit gives errors of 1e-6 of the dissipation in this case.
       EXPECT_NEAR(energy_of(trajectory.state()), energy_of(start) + ledger.balance,
                   1e-5 * ledger.dissipated)
           << oscillator.degree;
@@ -145,7 +146,7 @@ TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
 TEST(Trajectory, DoesNotDependOnWhereItIsInterrupted) {
   const auto problem = tests::make_problem({.restitution = 0.7});
   Trajectory whole = trajectory_of(problem, {1, 0}), pieces = whole;
-  NoWitness nobody;
+  NullObserver nobody;
   whole.advance(30, nobody);
   for (int k = 0; k < 3000; ++k) pieces.advance(0.01, nobody);
   EXPECT_NEAR(whole.state().y, pieces.state().y, 1e-6);
@@ -156,7 +157,7 @@ TEST(Trajectory, HalvingTheStepChangesOnlyTheErrorOfTheSeries) {
   const auto problem = tests::paper_case(1);
   Trajectory coarse = trajectory_of(problem, {1, 0}, 0.7),
              fine = trajectory_of(problem, {1, 0}, 0.35);
-  NoWitness nobody;
+  NullObserver nobody;
   for (int k = 0; k < 20; ++k) {
     coarse.advance(10, nobody);
     fine.advance(10, nobody);
@@ -177,7 +178,7 @@ TEST(Trajectory, IsReflectedAtOnceWhereAnImpulsePushesItIntoTheWall) {
 }
 
 TEST(Trajectory, AtRestStaysAtRestUntilAnImpulseAndIsThenThrownOff) {
-  // All impulses push towards the wall: mean -1, deviation 1e-4.
+  // All impulses act towards the wall: mean -1, deviation 1e-4.
   const double variance = 1e-8;
   const auto problem = tests::make_problem(
       {.restitution = 0.05, .rate = 0.1, .intensity = 0.1 * (1 + variance), .mean = -1});
@@ -193,7 +194,8 @@ TEST(Trajectory, AtRestStaysAtRestUntilAnImpulseAndIsThenThrownOff) {
 
 TEST(Trajectory, WithStrongLossesEndsAfterABoundedNumberOfEvents) {
   for (const double r : {0.05, 1e-3, 1e-8}) {
-    // With one impulse in 1000 time units the motion dies down below the smallest number.
+    // With one impulse per 1000 time units the motion decays below the smallest floating-point
+    // number.
     for (const double rate : {100.0, 1.0, 1e-3}) {
       const auto problem =
           tests::make_problem({.restitution = r, .rate = rate, .intensity = 0.1 * rate});
@@ -203,8 +205,7 @@ TEST(Trajectory, WithStrongLossesEndsAfterABoundedNumberOfEvents) {
       trajectory.advance(time, seen);
       const auto impulses = static_cast<double>(seen.impulses.size());
       EXPECT_NEAR(impulses, rate * time, 5 * std::sqrt(rate * time));
-      // Impacts: one per half-period at most (the frequency stays below 3 here), and one per
-      // impulse.
+      // At most one impact per half-period (the frequency is below 3 here), and one per impulse.
       EXPECT_LT(static_cast<double>(seen.impacts.size()), time + impulses) << r << " " << rate;
       EXPECT_LT(static_cast<double>(seen.flights), 6 * time + 3 * impulses) << r << " " << rate;
       EXPECT_GT(seen.lowest, -1e-12);

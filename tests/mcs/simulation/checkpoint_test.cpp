@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/process/files_in_hand.hpp"
+#include "base/process/write_guard.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 
@@ -52,10 +52,11 @@ class Checkpoint : public testing::Test {
   problem::Problem problem_ = tests::make_problem({.restitution = 0.7});
 };
 
-// Whoever ends the process waits for files in hand, and nobody else has any from then on.
-TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
+// Shutdown waits for files being written and reserves all files; no other thread may then write
+// any.
+TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
-    base::reserve_files_for_this_thread();
+    base::reserve_writes_for_this_thread();
     std::thread([&] {
       Options options = brief(false);
       options.checkpoint = file_;
@@ -68,7 +69,7 @@ TEST_F(Checkpoint, IsNotBegunWhenTheProcessIsToEnd) {
   EXPECT_EXIT(wait_in_vain(), testing::ExitedWithCode(0), "");
 }
 
-TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
+TEST_F(Checkpoint, ResumesWithTheSameBits) {
   for (const bool tails : {false, true}) {
     SCOPED_TRACE(tails);
     Options options = brief(tails);
@@ -84,7 +85,7 @@ TEST_F(Checkpoint, IsGoneOnFromAsIfNothingHadBeen) {
     EXPECT_EQ(resumed.solution.standard_errors->moments.v2,
               whole.solution.standard_errors->moments.v2);
     EXPECT_EQ(resumed.summary.flights, whole.summary.flights);
-    // The writer's own partial file is gone.
+    // The temporary file of the writer is removed.
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_), {}), 1);
   }
 }
@@ -107,7 +108,7 @@ TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   refused([](auto&) {});
 }
 
-// Of the same rate, mean and intensity: what is drawn differs in its skewness alone.
+// Same rate, mean and intensity: the impulses differ in skewness only.
 TEST_F(Checkpoint, OfAnotherSkewnessIsRefused) {
   const auto under = [](double skewness) {
     return problem::ImpulseTrain(
@@ -142,7 +143,7 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   expect_refused(options, "cannot read");
 }
 
-// The checksum is no secret.
+// The test forges the checksum.
 TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
   interrupted(brief(false));
   std::ifstream in(file_, std::ios::binary);
@@ -154,7 +155,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
     std::ofstream(file_, std::ios::binary) << text;
   };
   const std::string text = whole.substr(0, whole.size() - sizeof(std::uint64_t));
-  // The number of rounds follows the second line, then y, y', the time until the next impulse, ..
+  // After the second line: number of rounds, y, y', time to the next impulse, ..
   const std::size_t numbers = text.find('\n', text.find('\n') + 1) + 1;
   Options options = brief(false);
   options.resume = file_;
@@ -174,7 +175,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
       expect_refused(options, "impossible");
     }
   }
-  // The sums come after the branch and the number of impulses.
+  // The sums follow the branch and the number of impulses.
   for (const double number : {HUGE_VAL, std::nan("")}) {
     write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 1, number));
     expect_refused(options, "impossible");
@@ -195,14 +196,14 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
   refused(directory_);
   EXPECT_TRUE(std::filesystem::is_empty(directory_));
   refused("/dev/null");
-  // The case, given by mistake.
+  // A case file, named by mistake.
   const std::string mine = directory_ / "mine.ini";
   std::ofstream(mine) << "[system]\n";
   refused(mine);
   EXPECT_EQ(std::filesystem::file_size(mine), 9u);
 }
 
-TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
+TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
   Options options = brief(false);
   const Result expected = solve(problem_, options);
   std::vector<std::string> told;
@@ -218,9 +219,9 @@ TEST_F(Checkpoint, ThatCannotBeWrittenLaterIsToldAndTheResultIsThere) {
   EXPECT_EQ(result.summary.warnings, told);
 }
 
-// A directory of the file's name comes and goes: what is told is told once, and in the end all is
-// well.
-TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
+// A directory of the same name appears and disappears. The first of two consecutive errors gives
+// the only warning.
+TEST_F(Checkpoint, RetriesAfterAWriteError) {
   std::vector<std::string> told;
   CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });
   const Plan plan = make_plan(problem_, brief(false));
@@ -236,7 +237,7 @@ TEST_F(Checkpoint, IsWrittenAgainAsSoonAsThatIsPossible) {
   EXPECT_THROW(read_checkpoint(file_, "another", simulation), InputError);
 }
 
-TEST_F(Checkpoint, OfTheSameNameIsKeptUntilThereIsANewOne) {
+TEST_F(Checkpoint, ExistingFileIsKeptUntilTheFirstWrite) {
   interrupted(brief(false));
   const auto size = std::filesystem::file_size(file_);
   const CheckpointWriter writer(file_, {});

@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include "family.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-TEST(Plan, ChoosesWhatIsLeftOutFromTheEquivalentLinearisation) {
+TEST(Plan, ComputesDefaultsFromTheEquivalentLinearisation) {
   const auto problem = tests::paper_case(4);
   const auto linear = problem::equivalent_linearisation(problem);
   const Plan plan = make_plan(problem, {});
   const double time = plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
-  EXPECT_NEAR(time * problem::slowest_decay(linear), 1.6e6, 4e3);
-  EXPECT_NEAR(plan.burn_in * problem::slowest_decay(linear), 20, 1e-12);
+  EXPECT_NEAR(time * problem::slowest_decay_rate(linear), 1.6e6, 4e3);
+  EXPECT_NEAR(plan.burn_in * problem::slowest_decay_rate(linear), 20, 1e-12);
   EXPECT_EQ(plan.y_bins.bins(), 140u);
   EXPECT_EQ(plan.v_bins.bins(), 140u);
   EXPECT_EQ(plan.y_bins.edges().front(), 0.0);
@@ -34,23 +34,23 @@ double time_of(const Plan& plan) {
   return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
 }
 
-// 1e4 impulses per unit time: enough for the accuracy, in no more than a minute, from a start that is
-// forgotten. In the paper's class all decay times would be 3e11 of them.
+// 1e4 impulses per unit time: enough for the accuracy, in at most a minute, after a sufficient
+// burn-in. The full time of the paper's class would have 3e11 impulses.
 TEST(Plan, OfFrequentImpulsesIsBoundedAndEnough) {
   for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
     const Plan plan = make_plan(problem, {});
     EXPECT_EQ(plan.burn_in_limit, BurnInLimit::none);
     EXPECT_LT((time_of(plan) + plan.burn_in * plan.streams) * 1e4, 4e9);
-    // 2.5 over the root of as many decay times is 0.025.
+    // 2.5 / sqrt(1e4 decay times) = 0.025.
     EXPECT_GT(time_of(plan) / (plan.burn_in / 20), 1e4);
-    // Less accuracy takes less.
+    // A lower accuracy needs less time.
     EXPECT_LE(time_of(make_plan(problem, {.accuracy = 0.1})), time_of(plan));
   }
   EXPECT_LT(time_of(make_plan(without_wall(1e4), {.accuracy = 0.1})),
             0.1 * time_of(make_plan(without_wall(1e4), {})));
 }
 
-TEST(Plan, NamesWhatKeepsItsBurnInShort) {
+TEST(Plan, StatesTheCauseOfAShortBurnIn) {
   const auto limit = [](const problem::Problem& problem) {
     return make_plan(problem, {}).burn_in_limit;
   };

@@ -30,7 +30,7 @@ TEST(BinFinder, AgreesWithASearchAtAndAroundEveryEdge) {
   }
 }
 
-TEST(BinFinder, PutsWhatIsFarAwayIntoTheOuterBins) {
+TEST(BinFinder, CountsDistantNumbersInTheOuterBins) {
   const BinFinder bin({0, 1, 2});
   EXPECT_EQ(bin(-1e300), 0u);
   EXPECT_EQ(bin(1e300), 3u);
@@ -42,12 +42,12 @@ TEST(BinFinder, PutsWhatIsFarAwayIntoTheOuterBins) {
   EXPECT_LE(uneven(std::numeric_limits<double>::quiet_NaN()), 3u);
 }
 
-TEST(BinFinder, KnowsEvenEdges) {
+TEST(BinFinder, DetectsEvenEdges) {
   EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).even());
   EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).even());
 }
 
-TEST(Histogram, LosesNothing) {
+TEST(Histogram, CountsEverySample) {
   const BinFinder y({0, 1, 2}), v({-1, 0, 1});
   Histogram histogram(y, v);
   const auto add = [&](double at_y, double at_v) { histogram.add(y(at_y), v(at_v), 0.5); };

@@ -17,7 +17,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-Stream stream_at(const problem::Problem& problem, double y, double v) {
+Stream make_stream(const problem::Problem& problem, double y, double v) {
   const BinFinder bins({0, 1});
   return {
       .branch =
@@ -26,14 +26,14 @@ Stream stream_at(const problem::Problem& problem, double y, double v) {
       .record = StreamRecord(bins, bins)};
 }
 
-/// Follows every branch without moving it: how many there are, and the sum of what they count.
+/// Resumes every branch without advancing it: the number of branches and the sum of their weights.
 struct Followed {
   std::size_t branches = 1;
   double weight = 0;
 
   Followed(const Splitting& splitting, Stream& stream) : weight(splitting.weight(stream.branch)) {
-    for (; !stream.whole(); ++branches) {
-      follow_next(stream);
+    for (; !stream.is_on_main_branch(); ++branches) {
+      resume_next_branch(stream);
       weight += splitting.weight(stream.branch);
     }
   }
@@ -44,14 +44,14 @@ TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
   const auto problem = tests::make_problem({.cubic = 4});
   const std::vector<std::size_t> copies{1, 4, 16};
   const std::vector<std::vector<double>> thresholds{{2.1}, {1.9, 2.1}, {1.5, 1.9, 2.1}};
-  for (std::size_t levels = 0; levels < copies.size(); ++levels) {
-    const Splitting splitting(problem.system.potential(), thresholds[levels], 100);
-    Stream stream = stream_at(problem, 1, 1);
+  for (std::size_t threshold_count = 0; threshold_count < copies.size(); ++threshold_count) {
+    const Splitting splitting(problem.system.potential(), thresholds[threshold_count], 100);
+    Stream stream = make_stream(problem, 1, 1);
     splitting.begin(stream);
-    EXPECT_EQ(stream.branch.level, static_cast<int>(levels));
-    EXPECT_EQ(splitting.weight(stream.branch), 1 / static_cast<double>(copies[levels]));
+    EXPECT_EQ(stream.branch.energy_level, static_cast<int>(threshold_count));
+    EXPECT_EQ(splitting.weight(stream.branch), 1 / static_cast<double>(copies[threshold_count]));
     const Followed all(splitting, stream);
-    EXPECT_EQ(all.branches, copies[levels]);
+    EXPECT_EQ(all.branches, copies[threshold_count]);
     EXPECT_EQ(all.weight, 1);
   }
 }
@@ -59,51 +59,51 @@ TEST(Splitting, MakesFourBranchesForOneAboveEachEnergy) {
 TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   const auto problem = tests::make_problem({.cubic = 4});
   const Splitting splitting(problem.system.potential(), {1.9}, 100);
-  Stream stream = stream_at(problem, 1, 1);
+  Stream stream = make_stream(problem, 1, 1);
   splitting.begin(stream);
   stream.branch.v = 0;  // E = 1.5
-  splitting.after_impulse(stream);
-  EXPECT_EQ(stream.branch.level, 1);  // the next one
+  splitting.update_after_impulse(stream);
+  EXPECT_EQ(stream.branch.energy_level, 1);  // of the next branch
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
-// Where the oscillator is not the paper's.
+// Outside the paper's class.
 TEST(Splitting, BranchesGoOnBouncingWhereTheyBegan) {
   const auto problem = tests::make_problem({.cubic = 4});
   const Splitting splitting(problem.system.potential(), {1.9}, 100);
-  Stream stream = stream_at(problem, 1, 1);
-  stream.general.bouncing = 0.25;
+  Stream stream = make_stream(problem, 1, 1);
+  stream.general.time_to_rest = 0.25;
   splitting.begin(stream);
-  ASSERT_FALSE(stream.whole());
-  while (!stream.whole()) {
-    EXPECT_EQ(stream.general.bouncing, 0.25);
-    stream.general.bouncing = -1;
-    follow_next(stream);
+  ASSERT_FALSE(stream.is_on_main_branch());
+  while (!stream.is_on_main_branch()) {
+    EXPECT_EQ(stream.general.time_to_rest, 0.25);
+    stream.general.time_to_rest = -1;
+    resume_next_branch(stream);
   }
-  EXPECT_EQ(stream.general.bouncing, 0.25);
+  EXPECT_EQ(stream.general.time_to_rest, 0.25);
 }
 
-// A law with long tails crosses all of them at once; 4^12 branches would be 17 million.
+// A long-tailed law crosses all thresholds with one impulse; 4^12 branches would be 17 million.
 TEST(Splitting, AnImpulseAcrossManyEnergiesMakes64Branches) {
   const auto problem = tests::make_problem({.cubic = 4});
   std::vector<double> thresholds;
   for (int i = 0; i < 12; ++i) thresholds.push_back(0.1 * (i + 1));
   const Splitting splitting(problem.system.potential(), thresholds, 100);
-  Stream stream = stream_at(problem, 1, 0);
+  Stream stream = make_stream(problem, 1, 0);
   stream.branch.v = 1;  // E = 2
   splitting.begin(stream);
-  EXPECT_EQ(stream.branch.level, 12);
+  EXPECT_EQ(stream.branch.energy_level, 12);
   EXPECT_LE(stream.waiting.size(), 4u);
   const Followed all(splitting, stream);
   EXPECT_EQ(all.branches, 64u);
   EXPECT_EQ(all.weight, 1);
 }
 
-/// A chain v -> a v + jump, whose jumps have a density with long tails, in place of an oscillator: time
-/// averages over `steps` steps of one stream, by weights.
+/// A chain v -> a v + jump with a long-tailed law of the jumps, instead of an oscillator: weighted
+/// time averages over `steps` steps of one stream.
 struct Walk {
   double weight = 0;
-  std::array<double, 3> above{};  // of the speeds kSpeeds
+  std::array<double, 3> above{};  // for the speeds kSpeeds
   std::size_t most_waiting = 0;
   std::uint64_t impulses = 0, branch_impulses = 0;
 
@@ -113,14 +113,14 @@ struct Walk {
     boost::random::mt19937_64 engine(seed);
     boost::random::uniform_01<double> unit;
     const auto problem = tests::make_problem({});
-    Stream stream = stream_at(problem, 0, 0);
+    Stream stream = make_stream(problem, 0, 0);
     stream.branch.remaining = steps;
     splitting.begin(stream);
     for (;;) {
       Branch& branch = stream.branch;
       if (branch.remaining <= 0) {
-        if (stream.whole()) break;
-        follow_next(stream);
+        if (stream.is_on_main_branch()) break;
+        resume_next_branch(stream);
         continue;
       }
       branch.remaining -= 1;
@@ -129,8 +129,8 @@ struct Walk {
       for (std::size_t k = 0; k < above.size(); ++k)
         above[k] += branch.v > kSpeeds[k] ? counted : 0;
       branch.v = 0.8 * branch.v - (unit(engine) < 0.2 ? std::log(1 - unit(engine)) : 0);
-      ++(stream.whole() ? stream.record.impulses : stream.record.branch_impulses);
-      splitting.after_impulse(stream);
+      ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
+      splitting.update_after_impulse(stream);
       most_waiting = std::max(most_waiting, stream.waiting.size());
     }
     impulses = stream.record.impulses;
@@ -142,7 +142,8 @@ struct Walks {
   Estimate weight{};
   std::array<Estimate, Walk::kSpeeds.size()> above{};
   std::size_t most_waiting = 0;
-  double most_for_one = 0;  // impulses of branches for one of the stream, beyond the free ones
+  double most_for_one =
+      0;  // branch impulses per impulse of the main branch, beyond kImpulseAllowance
 
   Walks(const std::vector<double>& thresholds, int count, int steps) {
     const Splitting splitting(numerics::Polynomial({0, 0, 0.5}), thresholds, 1e4);
@@ -153,8 +154,8 @@ struct Walks {
       weights.push_back(walk.weight);
       for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(walk.above[i]);
       most_waiting = std::max(most_waiting, walk.most_waiting);
-      const double beyond =
-          static_cast<double>(walk.branch_impulses) - static_cast<double>(Splitting::kFreeImpulses);
+      const double beyond = static_cast<double>(walk.branch_impulses) -
+                            static_cast<double>(Splitting::kImpulseAllowance);
       most_for_one = std::max(most_for_one, beyond / static_cast<double>(walk.impulses));
     }
     weight = plain_estimate(weights);
@@ -162,8 +163,8 @@ struct Walks {
   }
 };
 
-// Thresholds a quarter of the probability apart, and far too close to each other: there are no more
-// branches than are allowed, and what they count is what a chain without them sees.
+// Thresholds with a probability ratio of 1/4, and much closer thresholds: the number of branches is
+// bounded, and the weighted averages equal those without splitting.
 TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
   std::vector<double> apart, close;
   for (int i = 0; i < 12; ++i) {
@@ -176,9 +177,9 @@ TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
     SCOPED_TRACE(thresholds == close ? "close" : "apart");
     const Walks split(thresholds, 100, 1000);
     EXPECT_LE(split.most_waiting, 12u * 15u / 2);
-    EXPECT_LT(split.most_for_one, 1.1 * 12 * Splitting::kImpulsesPerLevel);
-    if (thresholds == close) {  // or nothing was tested
-      EXPECT_GT(split.most_for_one, 0.8 * 12 * Splitting::kImpulsesPerLevel);
+    EXPECT_LT(split.most_for_one, 1.1 * 12 * Splitting::kImpulsesPerThreshold);
+    if (thresholds == close) {  // the bound is active
+      EXPECT_GT(split.most_for_one, 0.8 * 12 * Splitting::kImpulsesPerThreshold);
     }
     tests::expect_near(split.weight.mean, 1, split.weight.standard_error, "all");
     for (std::size_t i = 0; i < split.above.size(); ++i) {
@@ -189,13 +190,13 @@ TEST(Splitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
   }
 }
 
-// Energies with P(E > e) = exp(-e): a quarter of them passes from one threshold to the next.
+// Energies with P(E > e) = exp(-e): thresholds have a probability ratio of 1/4.
 TEST(Splitting, ThresholdsArePassedByAQuarterEach) {
   std::vector<double> edges, weights{0};
   for (int k = 0; k <= 4000; ++k) edges.push_back(0.01 * k);
   for (int k = 0; k < 4000; ++k) weights.push_back(std::exp(-edges[k]) - std::exp(-edges[k + 1]));
   weights.push_back(0);
-  const auto thresholds = thresholds_from(BinFinder(edges), weights, 0, 1e-4);
+  const auto thresholds = choose_thresholds(BinFinder(edges), weights, 0, 1e-4);
   ASSERT_EQ(thresholds.size(), 6u);  // 4^-6 > 1e-4 > 4^-7
   for (std::size_t i = 0; i < thresholds.size(); ++i) {
     EXPECT_NEAR(thresholds[i], static_cast<double>(i + 1) * std::log(4.0), 0.0101);

@@ -21,8 +21,8 @@ using transform::Variable;
 JointTable read_joint(const std::string& text) {
   std::istringstream in(text);
   const auto table = read_number_table(in, "mine.csv");
-  EXPECT_TRUE(is_joint(table));
-  return joint_table_of(table);
+  EXPECT_TRUE(is_joint_density(table));
+  return make_joint_table(table);
 }
 
 std::string refusal_of_joint(const std::string& text) {
@@ -34,10 +34,10 @@ std::string refusal_of_joint(const std::string& text) {
   return "accepted";
 }
 
-// At r = 1 under white noise, where the density is known exactly.
+// Joint densities at r = 1 under white noise, where the density is known exactly.
 class JointTables : public testing::Test {
  protected:
-  // Cells or points in 10 deviations of y, twice as many in y'.
+  // Cells or points over 10 standard deviations of y, twice as many over those of y'.
   std::string file(int n, const char* names = "y,v,p", bool swapped = false) const {
     std::string text = std::string(names) + '\n';
     for (int i = 0; i <= n; ++i) {
@@ -50,7 +50,7 @@ class JointTables : public testing::Test {
   }
 
   double l1_of_y(const JointTable& table) const {
-    const auto values = values_at(table, points_);
+    const auto values = evaluate_at(table, points_);
     const auto averages = PointIntegrals(points_, values).averages();
     const auto found = transform::marginal(averages, Variable::y, axes_.y_edges);
     double sum = 0;
@@ -75,7 +75,7 @@ TEST_F(JointTables, AreInterpolatedToThirdOrder) {
   const double coarse = l1_of_y(read_joint(file(24))), middle = l1_of_y(read_joint(file(48))),
                fine = l1_of_y(read_joint(file(96)));
   const double first = std::log2(coarse / middle), second = std::log2(middle / fine);
-  // Akima's slopes are of second order, at extrema of first.
+  // The slopes of Akima's interpolant have order 2, at extrema order 1.
   EXPECT_GT(first, 2.5) << coarse << ' ' << middle << ' ' << fine;
   EXPECT_LT(first, 4.2) << coarse << ' ' << middle << ' ' << fine;
   EXPECT_GT(second, 2.5) << coarse << ' ' << middle << ' ' << fine;
@@ -84,14 +84,14 @@ TEST_F(JointTables, AreInterpolatedToThirdOrder) {
 }
 
 TEST_F(JointTables, MayHaveTheirColumnsAndRowsInAnyOrder) {
-  const auto usual = read_joint(file(8));
+  const auto default_ids = read_joint(file(8));
   const auto swapped = read_joint(file(8, "velocity;x;density", true));
-  EXPECT_EQ(usual.y, swapped.y);
-  EXPECT_EQ(usual.v, swapped.v);
-  EXPECT_EQ(usual.p, swapped.p);
+  EXPECT_EQ(default_ids.y, swapped.y);
+  EXPECT_EQ(default_ids.v, swapped.v);
+  EXPECT_EQ(default_ids.p, swapped.p);
 }
 
-TEST_F(JointTables, GoOnToTheWallFromCentresOfCells) {
+TEST_F(JointTables, AreExtrapolatedToTheWall) {
   std::string text = "y,v,p\n";
   for (int i = 0; i < 30; ++i) {
     for (int j = -30; j <= 30; ++j) {
@@ -99,13 +99,13 @@ TEST_F(JointTables, GoOnToTheWallFromCentresOfCells) {
                           std::exp(-0.04 * j * j) * std::max(0.0, 5.0 - i));
     }
   }
-  const auto values = values_at(read_joint(text), points_);
-  // On the straight line through the first two, 5 at y = 0.1 and 4 at 0.3.
+  const auto values = evaluate_at(read_joint(text), points_);
+  // On the straight line through the first two points: 5 at y = 0.1 and 4 at y = 0.3.
   const std::size_t nv = points_.v().size(), middle = nv / 2;
   EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y()[2]), 1e-6);
 }
 
-TEST_F(JointTables, OfCellsKeepTheirAverages) {
+TEST_F(JointTables, OfCellsConserveTheirAverages) {
   transform::GridDensity cells{axes_.y_edges, axes_.v_edges, {}};
   for (std::size_t i = 0; i < cells.ny(); ++i) {
     for (std::size_t j = 0; j < cells.nv(); ++j) {
@@ -114,7 +114,7 @@ TEST_F(JointTables, OfCellsKeepTheirAverages) {
       cells.averages.push_back(2 * exact_(y, v));
     }
   }
-  const auto values = values_at(cells, points_);
+  const auto values = evaluate_at(cells, points_);
   const PointIntegrals integrals(points_, values);
   EXPECT_NEAR(integrals.mass(), transform::mass(cells), 1e-12);
   const auto averages = integrals.averages();
@@ -129,16 +129,17 @@ TEST_F(JointTables, OfCellsKeepTheirAverages) {
   EXPECT_NEAR(wall / (2 * exact_(0, points_.v()[points_.v().size() / 2])), 1, 1e-3);
 }
 
-TEST_F(JointTables, ThatAreNoGridAreRefused) {
+TEST_F(JointTables, AreRefusedIfIncomplete) {
   const std::string whole = file(4);
   const auto last = whole.substr(0, whole.size() - 1).rfind('\n');
   EXPECT_TRUE(contains(refusal_of_joint(whole.substr(0, last + 1)),
                        "mine.csv: 44 rows with 5 values of y and 9 of y' (must be one for every"));
-  EXPECT_TRUE(contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 for the"));
+  EXPECT_TRUE(
+      contains(refusal_of_joint(whole + "0,0,1\n"), "mine.csv:47: y = 0, y' = 0 occurs twice"));
   EXPECT_TRUE(contains(refusal_of_joint(file(2)), "3 values of y (must be at least 4)"));
   EXPECT_EQ(refusal_of_joint(whole), "accepted");
   std::istringstream marginal("y,v,error\n0,1,2\n1,2,3\n2,3,4\n3,4,5\n");
-  EXPECT_FALSE(is_joint(read_number_table(marginal, "mine.csv")));
+  EXPECT_FALSE(is_joint_density(read_number_table(marginal, "mine.csv")));
 }
 
 }  // namespace

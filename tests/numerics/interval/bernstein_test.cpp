@@ -18,9 +18,9 @@ void expect_value(const Interval& x, double expected) {
 }
 
 TEST(Bernstein, PowersAndBackAndOfAnyHigherDegree) {
-  rounded_upward([] {
-    const BernsteinCoefficients b = from_powers(kPowers);
-    const BernsteinCoefficients back = to_powers(b), higher = elevated(b, 11);
+  with_upward_rounding([] {
+    const BernsteinCoefficients b = bernstein_from_powers(kPowers);
+    const BernsteinCoefficients back = powers_from_bernstein(b), higher = elevate_degree(b, 11);
     for (int k = 0; k < 4; ++k) expect_value(back[k], kPowers[k].lower());
     for (const double t : {0.0, 0.3, 0.77, 1.0}) {
       expect_value(value(b, Interval(t)), cubic(t));
@@ -31,8 +31,8 @@ TEST(Bernstein, PowersAndBackAndOfAnyHigherDegree) {
 }
 
 TEST(Bernstein, ProductsAndDerivativesAreThoseOfThePolynomials) {
-  rounded_upward([] {
-    const BernsteinCoefficients b = from_powers(kPowers),
+  with_upward_rounding([] {
+    const BernsteinCoefficients b = bernstein_from_powers(kPowers),
                                 line{Interval(2), Interval(-1)};  // 2 - 3t
     const BernsteinCoefficients p = product(b, line), d = derivative(b);
     for (const double t : {0.1, 0.5, 0.9}) {
@@ -44,9 +44,9 @@ TEST(Bernstein, ProductsAndDerivativesAreThoseOfThePolynomials) {
 }
 
 TEST(Bernstein, APolynomialIsCarriedToASegment) {
-  rounded_upward([] {
-    const BernsteinCoefficients b =
-        on_segment(std::array{1.0, -3.0, 2.0, 5.0}, Interval(0.5), Interval(1), Interval(3));
+  with_upward_rounding([] {
+    const BernsteinCoefficients b = bernstein_on_segment(std::array{1.0, -3.0, 2.0, 5.0},
+                                                         Interval(0.5), Interval(1), Interval(3));
     for (const double t : {0.0, 0.25, 1.0}) {
       expect_value(value(b, Interval(t)) / 100.0, cubic(1 + 2 * t - 0.5) / 100);
     }

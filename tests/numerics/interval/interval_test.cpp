@@ -14,7 +14,7 @@ namespace {
 using Exact = boost::multiprecision::cpp_rational;
 using Precise = boost::multiprecision::cpp_bin_float_100;
 
-// Doubles of many magnitudes and both signs, whose products and quotients are not exact.
+// Doubles of many magnitudes and both signs, with inexact products and quotients.
 std::vector<double> awkward_numbers(int count) {
   std::mt19937_64 random(20240713);
   std::uniform_real_distribution<double> mantissa(1, 2);
@@ -26,8 +26,8 @@ std::vector<double> awkward_numbers(int count) {
   return numbers;
 }
 
-// Contains the exact result, no wider than one unit in the last place, and a point only where the
-// result is exact: arithmetic rounded to nearest, or in one direction, fails.
+// The interval contains the exact result, is at most one unit in the last place wide, and is a
+// point only for an exact result. Arithmetic rounded to nearest, or in one direction only, fails.
 void expect_tight(const Interval& result, const Exact& exact, const char* what) {
   ASSERT_LE(Exact(result.lower()), exact) << what;
   ASSERT_GE(Exact(result.upper()), exact) << what;
@@ -44,7 +44,7 @@ TEST(Interval, EveryOperationEnclosesTheExactResultAndNoMore) {
       struct {
         Interval sum, difference, product, quotient;
       } r{};
-      rounded_upward([&] {
+      with_upward_rounding([&] {
         const Interval x = a, y = b;
         r = {x + y, x - y, x * y, x / y};
         return 0;
@@ -63,7 +63,7 @@ TEST(Interval, ProductsOfIntervalsHoldAllProductsOfTheirEnds) {
     for (const double b : numbers) {
       for (const double c : numbers) {
         const Interval x(std::min(a, b), std::max(a, b));
-        const Interval product = rounded_upward([&] { return x * Interval(c) + x; });
+        const Interval product = with_upward_rounding([&] { return x * Interval(c) + x; });
         for (const double end : {a, b}) {
           const Exact exact = Exact(end) * Exact(c) + Exact(end);
           EXPECT_LE(Exact(product.lower()), exact);
@@ -79,7 +79,7 @@ TEST(Interval, ASumWhoseTermsCancelStillHoldsTheExactOne) {
   Exact exact = 0;
   for (const double x : numbers) exact += Exact(x) * Exact(x) - Exact(0.1) * Exact(x);
   for (const double x : numbers) exact -= Exact(x) * Exact(x);
-  const Interval sum = rounded_upward([&] {
+  const Interval sum = with_upward_rounding([&] {
     Interval s = 0;
     for (const double x : numbers) s += Interval(x) * x - Interval(0.1) * x;
     for (const double x : numbers) s -= Interval(x) * x;
@@ -89,10 +89,10 @@ TEST(Interval, ASumWhoseTermsCancelStillHoldsTheExactOne) {
   EXPECT_GE(Exact(sum.upper()), exact);
 }
 
-TEST(Interval, RootsAndExponentialsHoldTheTruth) {
+TEST(Interval, EnclosesRootsAndExponentials) {
   for (const double x : {1e-9, 0.1, 0.24, 0.26, 1.0, 2.0 / 3, 7.7, 40.5, 123.4}) {
-    const auto [root, decay] =
-        rounded_upward([&] { return std::pair(sqrt(Interval(x)), exponential(Interval(-x))); });
+    const auto [root, decay] = with_upward_rounding(
+        [&] { return std::pair(sqrt(Interval(x)), exponential(Interval(-x))); });
     const Precise e = exp(-Precise(x)), s = sqrt(Precise(x));
     EXPECT_LE(Precise(root.lower()), s) << x;
     EXPECT_GE(Precise(root.upper()), s) << x;
@@ -105,7 +105,7 @@ TEST(Interval, RootsAndExponentialsHoldTheTruth) {
 TEST(Interval, RootsAreEnclosedWhateverTheirLastBit) {
   for (const double a : awkward_numbers(400)) {
     const double x = std::abs(a);
-    const Interval root = rounded_upward([&] { return sqrt(Interval(x)); });
+    const Interval root = with_upward_rounding([&] { return sqrt(Interval(x)); });
     EXPECT_LE(Exact(root.lower()) * Exact(root.lower()), Exact(x));
     EXPECT_GE(Exact(root.upper()) * Exact(root.upper()), Exact(x));
     EXPECT_LE(root.upper() - root.lower(), 5e-16 * root.upper());
@@ -114,9 +114,9 @@ TEST(Interval, RootsAreEnclosedWhateverTheirLastBit) {
 
 TEST(Interval, RoundingIsUpwardInsideAndAsBeforeOutside) {
   const int before = std::fegetround();
-  EXPECT_EQ(rounded_upward([] { return std::fegetround(); }), FE_UPWARD);
+  EXPECT_EQ(with_upward_rounding([] { return std::fegetround(); }), FE_UPWARD);
   EXPECT_EQ(std::fegetround(), before);
-  EXPECT_THROW(rounded_upward([]() -> int { throw std::runtime_error("thrown inside"); }),
+  EXPECT_THROW(with_upward_rounding([]() -> int { throw std::runtime_error("thrown inside"); }),
                std::runtime_error);
   EXPECT_EQ(std::fegetround(), before);
 }

@@ -7,7 +7,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// A banded positive definite matrix of blocks of sizes 2, 4, 4, 3, 4, 4 and its dense form.
+// A block-banded matrix with blocks of sizes 2, 4, 4, 3, 4, 4, and its dense form.
 struct Example {
   BlockBandedMatrix banded{{2, 4, 4, 3, 4, 4}, 2};
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(21, 21);
@@ -54,7 +54,7 @@ TEST(BlockBandedMatrix, IsScaledAndShiftedAsAMatrix) {
   EXPECT_LT((dense * x - Eigen::MatrixXd::Ones(21, 1)).norm(), 1e-12);
 }
 
-TEST(BlockBandedMatrix, SaysWhenItIsNotPositiveDefinite) {
+TEST(BlockBandedMatrix, ReportsIndefiniteMatrix) {
   Example example(-1);
   EXPECT_FALSE(example.banded.factorise());
 }

@@ -31,7 +31,7 @@ TEST(SubtractProduct, IsTheProductForAnyShapeAndOrder) {
       EXPECT_LT((by_columns - expected).cwiseAbs().maxCoeff(), 1e-13);
       EXPECT_EQ(by_columns, by_rows);
       if (first.size() == 0) first = by_columns;
-      EXPECT_EQ(by_columns, first);  // to the last bit
+      EXPECT_EQ(by_columns, first);  // bit-identical
     }
   }
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// atan(a) = 0, from which whole steps flee when |a| > 1.39.
+// atan(a) = 0: full Newton steps diverge for |a| > 1.39.
 struct Arctangent {
   struct Iterate {
     VectorXd a;
@@ -24,9 +24,10 @@ struct Arctangent {
     const double a = here.a[0];
     return {VectorXd::Constant(1, -std::atan(a) * (1 + a * a))};
   }
-  double share(const Iterate& here, const Step& step) const {
-    return halved_until(
-        1, 1e-3, [&](double share) { return at(here.a + share * step.change).size < here.size; });
+  double step_fraction(const Iterate& here, const Step& step) const {
+    return backtrack(1, 1e-3, [&](double step_fraction) {
+      return at(here.a + step_fraction * step.change).size < here.size;
+    });
   }
 };
 
@@ -34,16 +35,16 @@ NewtonResult from(double start, const NewtonOptions& options) {
   return newton(Arctangent{}, VectorXd::Constant(1, start), options);
 }
 
-TEST(Newton, DampedStepsReachTheRootThatWholeOnesFlee) {
+TEST(Newton, DampedStepsConvergeWhereFullStepsDiverge) {
   const NewtonResult damped = from(3, {}), whole = from(3, {.damped = false});
   EXPECT_TRUE(damped.converged);
   EXPECT_NEAR(damped.a[0], 0, 1e-15);
   EXPECT_FALSE(whole.converged);
-  EXPECT_EQ(whole.a[0], 3);  // the best of them was the start
+  EXPECT_EQ(whole.a[0], 3);  // the start has the smallest residual
   EXPECT_TRUE(from(1, {.damped = false}).converged);
 }
 
-TEST(Newton, PolishingIsOneStepMore) {
+TEST(Newton, PolishingAddsOneStep) {
   const NewtonResult rough = from(1, {.tolerance = 1e-2, .polish = false});
   const NewtonResult polished = from(1, {.tolerance = 1e-2});
   EXPECT_TRUE(rough.converged);
@@ -66,10 +67,10 @@ TEST(Newton, EndsWhereThereIsNoResidual) {
   EXPECT_EQ(result.iterations, 0);
 }
 
-TEST(HalvedUntil, TakesTheFirstShareThatIsAccepted) {
-  EXPECT_EQ(halved_until(1, 1e-3, [](double share) { return share < 0.3; }), 0.25);
-  EXPECT_EQ(halved_until(0.7, 1e-3, [](double) { return true; }), 0.7);
-  EXPECT_EQ(halved_until(1, 1e-3, [](double) { return false; }), 0);
+TEST(Backtrack, ReturnsTheFirstAcceptedFraction) {
+  EXPECT_EQ(backtrack(1, 1e-3, [](double step_fraction) { return step_fraction < 0.3; }), 0.25);
+  EXPECT_EQ(backtrack(0.7, 1e-3, [](double) { return true; }), 0.7);
+  EXPECT_EQ(backtrack(1, 1e-3, [](double) { return false; }), 0);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 
 SplineBasis graded() { return SplineBasis(graded_breaks(3, 9, 0.02, 0.4)); }
 
-// Coefficients of x^2: the mean of products of two of a function's p inner knots.
+// Coefficients of x^2 (Marsden's identity): mean of the products of two of a function's p inner
+// knots.
 Eigen::VectorXd square_coefficients(const SplineBasis& basis) {
   const int p = basis.degree();
   Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());

@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -27,21 +27,21 @@ std::vector<std::string> cells_after(const std::string& text, const std::string&
 }
 
 results::Case with_known_numbers() {
-  auto one = made_up_case();
-  one.limits = "Nothing limits it.";
-  auto& row = one.budget[5];
+  auto case_result = made_up_case();
+  case_result.limits = "Nothing limits it.";
+  auto& row = case_result.budget[5];
   EXPECT_EQ(row.solution, "epc-gaussian-n6");
   EXPECT_EQ(row.variable, transform::Variable::ydot);
   row.total = 0.01111;
   row.total_tail = 0.2222;
   row.parts[0].l1 = 0.03333;
   row.parts[1].l1 = 4.4e-6;
-  return one;
+  return case_result;
 }
 
 TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   const std::string text = budget_table(with_known_numbers(), 120);
-  // Names, then total, closure + impact, truncation of p(y), of p(y'), and the tails.
+  // Columns: names; total, closure + impact, truncation of p(y), then of p(y'); the tails.
   const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
@@ -49,28 +49,28 @@ TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   EXPECT_TRUE(text.ends_with("\n  Nothing limits it.\n")) << text;
 }
 
-TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsWhatIsTheSameForAllBelow) {
-  auto one = with_known_numbers();
-  one.budget[0].parts.back().l1 = 0.00777;
-  const std::string text = budget_table(one, 120);
+TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsCommonPartsBelow) {
+  auto case_result = with_known_numbers();
+  case_result.budget[0].parts.back().l1 = 0.00777;
+  const std::string text = budget_table(case_result, 120);
   EXPECT_EQ(cells_after(text, "epc-gaussian-n4")[0], "epc-gaussian-n4*");
   const auto below = cells_after(text, "discretisation + sampling");
   ASSERT_GT(below.size(), 4u) << text;
   EXPECT_EQ(below[3], "0.00777") << text;
-  EXPECT_EQ(below[4], "-") << text;  // of no column of a part
+  EXPECT_EQ(below[4], "-") << text;  // the row has no value in the column of a part
 }
 
-TEST(BudgetTable, ShowsADashForWhatIsNoNumberAndForAMissingVariable) {
-  auto one = with_known_numbers();
-  one.budget[5].total_tail = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(cells_after(budget_table(one, 120), "epc-gaussian-n6")[8], "-");
-  one.budget.erase(one.budget.begin() + 5);
-  const auto n6 = cells_after(budget_table(one, 120), "epc-gaussian-n6");
+TEST(BudgetTable, ShowsADashForMissingValues) {
+  auto case_result = with_known_numbers();
+  case_result.budget[5].total_tail = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(cells_after(budget_table(case_result, 120), "epc-gaussian-n6")[8], "-");
+  case_result.budget.erase(case_result.budget.begin() + 5);
+  const auto n6 = cells_after(budget_table(case_result, 120), "epc-gaussian-n6");
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
             (std::vector<std::string>{"-", "-", "-", "-"}));
 }
 
-TEST(BudgetTable, WithLittleRoomHasTheTotalsAlone) {
+TEST(BudgetTable, HasOnlyTotalsAtSmallWidth) {
   const std::string text = budget_table(with_known_numbers(), 60);
   EXPECT_FALSE(contains(text, "tail"));
   EXPECT_FALSE(contains(text, "trunc."));
@@ -78,10 +78,10 @@ TEST(BudgetTable, WithLittleRoomHasTheTotalsAlone) {
 }
 
 TEST(BudgetTable, IsEmptyWithoutABudget) {
-  auto one = made_up_case();
-  one.budget.clear();
-  EXPECT_EQ(budget_table(one, 100), "");
-  EXPECT_TRUE(budget_columns(one, 100).empty());
+  auto case_result = made_up_case();
+  case_result.budget.clear();
+  EXPECT_EQ(budget_table(case_result, 100), "");
+  EXPECT_TRUE(budget_columns(case_result, 100).empty());
 }
 
 }  // namespace

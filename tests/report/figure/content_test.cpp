@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -13,30 +13,30 @@ using transform::Status;
 using transform::Variable;
 
 TEST(FigureContent, SubtractsTheReference) {
-  auto one = made_up_case();
-  EXPECT_EQ(figure_content(one).reference, "mcs");
-  solution_of(one, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  EXPECT_EQ(figure_content(one).reference, "fd-kf");
-  const auto content = figure_content(one);
-  const auto& kf = *one.curve("fd-kf", Variable::ydot);
-  for (const auto& drawn : content.sides[1].curves) {
+  auto case_result = made_up_case();
+  EXPECT_EQ(figure_content(case_result).reference, "mcs");
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  EXPECT_EQ(figure_content(case_result).reference, "fd-kf");
+  const auto content = figure_content(case_result);
+  const auto& kf = *case_result.curve("fd-kf", Variable::ydot);
+  for (const auto& drawn : content.marginals[1].curves) {
     EXPECT_EQ(drawn.difference.values[70], drawn.curve->density[70] - kf.density[70]);
   }
-  solution_of(one, "fd-kf").status = Status::not_converged;
-  EXPECT_EQ(figure_content(one).reference, "mcs");
-  solution_of(one, "mcs").status = Status::failed;
-  EXPECT_EQ(figure_content(one).reference, "");
-  EXPECT_TRUE(figure_content(one).sides[0].curves[0].difference.empty());
+  solution_of(case_result, "fd-kf").status = Status::not_converged;
+  EXPECT_EQ(figure_content(case_result).reference, "mcs");
+  solution_of(case_result, "mcs").status = Status::failed;
+  EXPECT_EQ(figure_content(case_result).reference, "");
+  EXPECT_TRUE(figure_content(case_result).marginals[0].curves[0].difference.empty());
 }
 
-TEST(FigureContent, HasTheSizesOfDifferencesOverSmoothBins) {
-  auto one = tests::made_up_case_without_noise();
-  const auto content = figure_content(one);
+TEST(FigureContent, HasAbsoluteDifferencesOverSmoothBins) {
+  auto case_result = tests::made_up_case_with_control_variates();
+  const auto content = figure_content(case_result);
   EXPECT_EQ(content.reference, "mcs");
   EXPECT_TRUE(content.smooth_differences);
-  const auto& simulated = *one.smooth_curve("mcs", Variable::y);
-  for (const auto& drawn : content.sides[0].curves) {
-    const auto& own = *one.smooth_curve(drawn.curve->solution, Variable::y);
+  const auto& simulated = *case_result.smooth_curve("mcs", Variable::y);
+  for (const auto& drawn : content.marginals[0].curves) {
+    const auto& own = *case_result.smooth_curve(drawn.curve->solution, Variable::y);
     EXPECT_EQ(drawn.difference.abscissa, simulated.abscissa);
     for (const std::size_t k : {0u, 7u, 40u}) {
       EXPECT_EQ(drawn.difference.values[k], drawn.curve->solution == "mcs"
@@ -44,76 +44,78 @@ TEST(FigureContent, HasTheSizesOfDifferencesOverSmoothBins) {
                                                 : std::abs(own.density[k] - simulated.density[k]));
     }
   }
-  // Where another is known better there are the sharp ones.
-  solution_of(one, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
-  EXPECT_EQ(figure_content(one).reference, "fd-kf");
-  EXPECT_FALSE(figure_content(one).smooth_differences);
-  EXPECT_EQ(figure_content(one).sides[0].curves[0].difference.values.size(), 140u);
+  // With another reference the differences are over sharp bins.
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
+  EXPECT_EQ(figure_content(case_result).reference, "fd-kf");
+  EXPECT_FALSE(figure_content(case_result).smooth_differences);
+  EXPECT_EQ(figure_content(case_result).marginals[0].curves[0].difference.values.size(), 140u);
 }
 
 TEST(FigureContent, SubtractsNothingWhereTheReferenceLacksACurve) {
-  auto one = made_up_case();
-  std::erase_if(one.curves, [](const auto& curve) {
+  auto case_result = made_up_case();
+  std::erase_if(case_result.curves, [](const auto& curve) {
     return curve.solution == "mcs" && curve.variable == Variable::y;
   });
-  EXPECT_EQ(figure_content(one).reference, "");
+  EXPECT_EQ(figure_content(case_result).reference, "");
 }
 
 TEST(FigureContent, ComparesOnlyCurvesOnTheSameBins) {
-  auto one = made_up_case();
-  for (auto& curve : one.curves) {
+  auto case_result = made_up_case();
+  for (auto& curve : case_result.curves) {
     if (curve.solution == "fd-km4") curve.abscissa[0] += 1e-3;
   }
-  const auto content = figure_content(one);
-  for (const auto& drawn : content.sides[0].curves) {
+  const auto content = figure_content(case_result);
+  for (const auto& drawn : content.marginals[0].curves) {
     EXPECT_EQ(drawn.difference.empty(), drawn.curve->solution == "fd-km4");
   }
 }
 
 TEST(FigureContent, RangesFollowOnlySolutionsThatAreOk) {
-  auto one = made_up_case();
-  const double before = figure_content(one).sides[0].ranges.largest_density;
-  for (auto& curve : one.curves) {
+  auto case_result = made_up_case();
+  const double before = figure_content(case_result).marginals[0].ranges.largest_density;
+  for (auto& curve : case_result.curves) {
     if (curve.solution == "epc-gaussian-n4") curve.density.assign(curve.density.size(), 50);
   }
-  EXPECT_EQ(figure_content(one).sides[0].ranges.largest_density, before);
-  for (auto& solution : one.solutions) solution.status = Status::failed;
-  EXPECT_EQ(figure_content(one).sides[0].ranges.largest_density, 50);
+  EXPECT_EQ(figure_content(case_result).marginals[0].ranges.largest_density, before);
+  for (auto& solution : case_result.solutions) solution.status = Status::failed;
+  EXPECT_EQ(figure_content(case_result).marginals[0].ranges.largest_density, 50);
 }
 
-TEST(FigureContent, TheAxisOfDifferencesHoldsWhatIsDrawn) {
-  // An inaccurate curve, farther from the reference than all others.
-  for (auto one : {made_up_case(), tests::made_up_case_without_noise()}) {
-    solution_of(one, "fd-white").status = Status::inaccurate;
+TEST(FigureContent, AxisOfDifferencesContainsAllDrawnCurves) {
+  // An inaccurate curve with the largest distance to the reference.
+  for (auto case_result : {made_up_case(), tests::made_up_case_with_control_variates()}) {
+    solution_of(case_result, "fd-white").status = Status::inaccurate;
     const auto raise = [&](std::vector<results::Curve>& curves) {
       for (auto& curve : curves) {
         if (curve.solution == "fd-white") curve.density[20] += 0.3;
       }
     };
-    raise(one.curves);
-    raise(one.smooth);
-    EXPECT_GT(figure_content(one).sides[0].ranges.largest_difference, 0.2);
-    // Not where it is left out.
-    const auto without = figure_content(one, std::set<std::string>{"fd-kf", "fd-km4", "mcs"});
-    EXPECT_LT(without.sides[0].ranges.largest_difference, 0.2);
+    raise(case_result.curves);
+    raise(case_result.smooth);
+    EXPECT_GT(figure_content(case_result).marginals[0].ranges.largest_difference, 0.2);
+    // The range shrinks without this curve.
+    const auto without =
+        figure_content(case_result, std::set<std::string>{"fd-kf", "fd-km4", "mcs"});
+    EXPECT_LT(without.marginals[0].ranges.largest_difference, 0.2);
   }
 }
 
 TEST(FigureContent, DrawsLowerLayersFirst) {
-  auto one = made_up_case();
-  solution_of(one, "fd-km4").identity.look.layer = 9;
-  solution_of(one, "mcs").identity.look.layer = -1;
-  const auto content = figure_content(one);
-  EXPECT_EQ(content.sides[0].curves.front().curve->solution, "mcs");
-  EXPECT_EQ(content.sides[0].curves.back().curve->solution, "fd-km4");
+  auto case_result = made_up_case();
+  solution_of(case_result, "fd-km4").identity.plot_style.layer = 9;
+  solution_of(case_result, "mcs").identity.plot_style.layer = -1;
+  const auto content = figure_content(case_result);
+  EXPECT_EQ(content.marginals[0].curves.front().curve->solution, "mcs");
+  EXPECT_EQ(content.marginals[0].curves.back().curve->solution, "fd-km4");
 }
 
-TEST(FigureContent, HasNoSideWithoutACurve) {
-  auto one = made_up_case();
-  std::erase_if(one.curves, [](const auto& curve) { return curve.variable == Variable::y; });
-  const auto content = figure_content(one);
-  ASSERT_EQ(content.sides.size(), 1u);
-  EXPECT_EQ(content.sides[0].variable, Variable::ydot);
+TEST(FigureContent, HasNoMarginalWithoutACurve) {
+  auto case_result = made_up_case();
+  std::erase_if(case_result.curves,
+                [](const auto& curve) { return curve.variable == Variable::y; });
+  const auto content = figure_content(case_result);
+  ASSERT_EQ(content.marginals.size(), 1u);
+  EXPECT_EQ(content.marginals[0].variable, Variable::ydot);
 }
 
 }  // namespace

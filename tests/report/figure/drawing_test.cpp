@@ -16,7 +16,7 @@ using tests::contents;
 
 const FigureOptions kBoth{.formats = {FigureFormat::png, FigureFormat::svg}};
 
-/// A program in place of gnuplot.
+/// A shell script in place of gnuplot.
 class Drawing : public testing::Test {
  protected:
   std::string gnuplot(const std::string& commands) {
@@ -44,8 +44,8 @@ TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
   EXPECT_TRUE(fs::is_empty(figures_));
 }
 
-// gnuplot names it by the whole path of where it draws.
-TEST_F(Drawing, OfLatexIncludesWhatStandsBesideItByItsNameAlone) {
+// gnuplot writes the name of the included graphics with the full path.
+TEST_F(Drawing, OfLatexIncludesGraphicsByFileName) {
   fs::create_directories(figures_);
   std::ofstream(figures_ / "stem.pdf") << "the picture in another format";
   const auto warnings =
@@ -60,7 +60,7 @@ TEST_F(Drawing, OfLatexIncludesWhatStandsBesideItByItsNameAlone) {
   EXPECT_TRUE(fs::is_empty(figures_));
 }
 
-TEST_F(Drawing, OfAnSvgForPrintSaysHowWideItIs) {
+TEST_F(Drawing, OfAnSvgForPrintStatesItsWidth) {
   const FigureOptions column{.formats = {FigureFormat::svg}, .width = FigureWidth::one_column};
   write_pictures(figures_, "stem", "plot x\n", column,
                  gnuplot("printf '<svg\\n width=\"400\" height=\"200\"\\n viewBox=\"0\">' > "
@@ -77,7 +77,7 @@ TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
       gnuplot("echo half > \"$target\"\necho 'line 7: undefined function' >&2\nexit 3\n"));
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_TRUE(contains(warnings[0],
-                       "stem.png was not drawn: gnuplot ended with code 3 (line 7: "
+                       "stem.png was not drawn: gnuplot exited with code 3 (line 7: "
                        "undefined function)"))
       << warnings[0];
   EXPECT_TRUE(contains(warnings[1], "stem.svg was not drawn")) << warnings[1];
@@ -85,11 +85,11 @@ TEST_F(Drawing, ThatFailsIsAWarningForEachPictureAndLeavesTheEarlierOne) {
   EXPECT_FALSE(fs::exists(figures_ / "stem.svg"));
 }
 
-TEST_F(Drawing, WithoutGnuplotIsOneWarningThatSaysHowToDrawLater) {
+TEST_F(Drawing, WithoutGnuplotIsOneWarningWithACommand) {
   const auto warnings = write_pictures(figures_, "stem", "plot x\n", kBoth, "no-such-gnuplot");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(contains(warnings[0], "'no-such-gnuplot' was not found")) << warnings[0];
-  EXPECT_TRUE(contains(warnings[0], "gnuplot stem.gp` draws it")) << warnings[0];
+  EXPECT_TRUE(contains(warnings[0], "&& gnuplot stem.gp`")) << warnings[0];
   EXPECT_TRUE(fs::exists(figures_ / "stem.gp"));
   EXPECT_THROW(draw("no-such-gnuplot", figures_ / "stem.gp", figures_ / "stem.png"),
                GnuplotMissing);

@@ -31,7 +31,7 @@ TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
 }
 
 TEST(Frame, SizesBothFormats) {
-  const std::string text = figure_output("stem", {.width = 12, .height = 34});
+  const std::string text = output_commands("stem", {.width = 12, .height = 34});
   EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
@@ -41,7 +41,7 @@ TEST(Frame, DrawsMinusSignsNotHyphens) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
   const tests::TemporaryDirectory directory;
   const std::string script =
-      figure_output("stem", {.width = 400, .height = 300}) + "unset key\nplot [-2:2] [-2:2] x\n";
+      output_commands("stem", {.width = 400, .height = 300}) + "unset key\nplot [-2:2] [-2:2] x\n";
   const auto warnings =
       write_pictures(directory.path(), "stem", script, {.formats = {FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
@@ -50,13 +50,14 @@ TEST(Frame, DrawsMinusSignsNotHyphens) {
   EXPECT_FALSE(tests::contains(svg, ">-2</tspan>"));
 }
 
-// 85 mm are 241 points and, at 300 to the inch, 1004 pixels; its letters are of 7.5 points.
+// 85 mm are 241 points, or 1004 pixels at 300 dots per inch; letters have 7.5 points.
 TEST(Frame, DrawsForPrintInItsSize) {
   constexpr auto kColumn = FigureWidth::one_column;
   EXPECT_EQ(figure_width(kColumn, 1500), 471);
   EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);
   EXPECT_EQ(figure_width(FigureWidth::screen, 1500), 1500);
-  const std::string text = figure_output("stem", {.width = 471, .height = 200, .medium = kColumn});
+  const std::string text =
+      output_commands("stem", {.width = 471, .height = 200, .medium = kColumn});
   EXPECT_NE(text.find("pngcairo size 1004,426 "), std::string::npos) << text;
   EXPECT_NE(text.find("pdfcairo size 3.3452,1.4205 "), std::string::npos) << text;
   EXPECT_NE(text.find("font ',7.5'"), std::string::npos) << text;

@@ -19,12 +19,12 @@ using tests::gnuplot_exists;
 
 TEST(GnuplotString, QuotesAndEscapes) {
   EXPECT_EQ(gnuplot_string("it's"), "'it''s'");
-  // A string ends with its line: what came after would be a command.
+  // A string ends with its line: gnuplot would run the next line as a command.
   EXPECT_EQ(gnuplot_string("x'\nsystem(\"rm\")\r#\x1b"), "'x'' system(\"rm\") # '");
-  EXPECT_EQ(without_marks("a_b^{c}"), "a\\_b\\^\\{c\\}");
+  EXPECT_EQ(escape_enhanced_text("a_b^{c}"), "a\\_b\\^\\{c\\}");
 }
 
-/// A directory with a program that writes down its arguments and its environment.
+/// A directory with a program that prints its arguments and its environment.
 class Gnuplot : public testing::Test {
  protected:
   Gnuplot() {
@@ -35,7 +35,7 @@ class Gnuplot : public testing::Test {
   fs::path program_ = directory_.path() / "says";
 };
 
-TEST_F(Gnuplot, IsGivenAnAbsolutePathAndNothingOfItsUsers) {
+TEST_F(Gnuplot, GetsAnAbsolutePathAndNoUserSettings) {
   setenv("GNUTERM", "dumb", 1);
   const auto outcome = run_gnuplot(program_, {"format='png'"}, "<touch PWNED;#");
   unsetenv("GNUTERM");
@@ -45,33 +45,33 @@ TEST_F(Gnuplot, IsGivenAnAbsolutePathAndNothingOfItsUsers) {
   EXPECT_TRUE(contains(outcome.message, "PATH="));
 }
 
-TEST_F(Gnuplot, ThatIsNotThereWasNotFound) {
+TEST_F(Gnuplot, IsReportedAsNotFound) {
   EXPECT_FALSE(run_gnuplot("no-such-gnuplot", {}, "script").found);
   EXPECT_TRUE(run_gnuplot("false", {}, "script").found);
   EXPECT_EQ(run_gnuplot("false", {}, "script").exit_code, 1);
 }
 
-TEST_F(Gnuplot, ThatDoesNotEndIsEnded) {
+TEST_F(Gnuplot, IsKilledAfterTheTimeLimit) {
   using namespace std::chrono_literals;
   std::ofstream(program_) << "#!/bin/sh\nexec sleep 100\n";
   const auto silent = run_gnuplot(program_, {}, "script", 200ms);
   EXPECT_EQ(silent.exit_code, -1);
-  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+  EXPECT_EQ(silent.message, "time limit of 0.2 s exceeded");
   std::ofstream(program_) << "#!/bin/sh\nexec yes\n";
-  EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "it took longer than 0.2 s");
+  EXPECT_EQ(run_gnuplot(program_, {}, "script", 200ms).message, "time limit of 0.2 s exceeded");
 }
 
-TEST_F(Gnuplot, ThatClosesItsOutputAndDoesNotEndIsEnded) {
+TEST_F(Gnuplot, IsKilledAfterClosingItsOutput) {
   using namespace std::chrono_literals;
   std::ofstream(program_) << "#!/bin/sh\nexec sleep 20 >&- 2>&-\n";
   const auto begin = std::chrono::steady_clock::now();
   const auto silent = run_gnuplot(program_, {}, "script", 200ms);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
   EXPECT_EQ(silent.exit_code, -1);
-  EXPECT_EQ(silent.message, "it took longer than 0.2 s");
+  EXPECT_EQ(silent.message, "time limit of 0.2 s exceeded");
 }
 
-TEST_F(Gnuplot, IsHeardInPartAndReadsNothing) {
+TEST_F(Gnuplot, HasTruncatedOutputAndEmptyInput) {
   std::ofstream(program_) << "#!/bin/sh\ncat\nhead -c 1000000 /dev/zero\n";
   const auto outcome = run_gnuplot(program_, {}, "script");
   EXPECT_EQ(outcome.exit_code, 0);
@@ -81,7 +81,7 @@ TEST_F(Gnuplot, IsHeardInPartAndReadsNothing) {
 TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const fs::path script = directory_.path() / "stem.gp", target = directory_.path() / "picture";
-  std::ofstream(script) << figure_output("stem", {.width = 300, .height = 200}) << "plot x\n";
+  std::ofstream(script) << output_commands("stem", {.width = 300, .height = 200}) << "plot x\n";
   const auto drawn_as = [&](const std::string& format) {
     return run_gnuplot(
         "gnuplot",

@@ -29,11 +29,11 @@ Legend legend_of(int entries, std::size_t letters) {
   return legend;
 }
 
-/// How many entries gnuplot shows.
+/// The number of entries shown by gnuplot.
 std::size_t shown(const Legend& legend, const fs::path& directory) {
   const FigureSize size{.width = 1500, .height = 500 + legend_height(legend, 1500)};
   const fs::path script = directory / "stem.gp", svg = directory / "stem.svg";
-  std::ofstream(script) << figure_output("stem", size) << "set multiplot\n"
+  std::ofstream(script) << output_commands("stem", size) << "set multiplot\n"
                         << legend_strip(legend, size) << "unset multiplot\nunset output\n";
   const auto outcome =
       run_gnuplot("gnuplot", {"format='svg'", "target=" + gnuplot_string(svg.string())}, script);
@@ -57,11 +57,11 @@ TEST(LegendStrip, TakesMoreRoomForMoreAndLongerEntries) {
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(5, 10), 1500));
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(4, 40), 1500));
   EXPECT_LT(legend_height(legend_of(4, 10), 1500), legend_height(legend_of(4, 10), 600));
-  // Longer than the figure is wide: one column.
+  // Entries longer than the width of the figure: a single column.
   EXPECT_EQ(legend_height(legend_of(4, 500), 1500), legend_height(legend_of(4, 1000), 1500));
 }
 
-TEST(LegendStrip, ShowsLabelsLetterByLetter) {
+TEST(LegendStrip, ShowsLabelsLiterally) {
   const Legend legend{{{"NaN with lines", "a_b's"}}, 2};
   EXPECT_TRUE(contains(legend_strip(legend, {.width = 1500, .height = 900}),
                        "plot [0:1] [0:1] NaN with lines title 'a\\_b''s'\n"));

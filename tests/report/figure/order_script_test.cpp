@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "guest_family.hpp"
+#include "external_family.hpp"
 #include "report/figure/pictures.hpp"
 #include "temporary_directory.hpp"
 
@@ -13,9 +13,9 @@ using tests::contains;
 using tests::contents;
 
 TEST(OrderPicture, HasOneLineForEachFamilyByOrder) {
-  const auto one = tests::case_with_guest_family({6, 2});
-  ASSERT_TRUE(has_orders(one));
-  const std::string script = order_script(one, "case1-order", FigureWidth::screen);
+  const auto case_result = tests::case_with_external_family({6, 2});
+  ASSERT_TRUE(has_several_orders(case_result));
+  const std::string script = order_script(case_result, "case1-order", FigureWidth::screen);
   const auto begin = script.find("$y_family0 << EOD\n2 "), second = script.find("\n6 ", begin);
   EXPECT_NE(begin, std::string::npos);
   EXPECT_LT(second, script.find("EOD", begin + 20));
@@ -24,10 +24,10 @@ TEST(OrderPicture, HasOneLineForEachFamilyByOrder) {
   EXPECT_TRUE(contains(script, "$ydot_family0"));
 }
 
-TEST(OrderPicture, IsThereWhereAFamilyHasTwoOrders) {
+TEST(OrderPicture, ExistsForAFamilyOfTwoOrders) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  results::Run run{results::this_program(""), {tests::case_with_guest_family({2, 4, 6})}};
+  results::Run run{results::this_program(""), {tests::case_with_external_family({2, 4, 6})}};
   const FigureOptions svg{.formats = {FigureFormat::svg}};
   const auto warnings = draw_pictures(directory.path(), run, svg);
   ASSERT_TRUE(warnings.empty()) << warnings.front();

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 
@@ -48,7 +48,7 @@ TEST(Pictures, AreAPngAndAnSvg) {
   }
 }
 
-/// The made-up case with this many closures more.
+/// The synthetic case with additional closures.
 results::Case with_closures(int count) {
   auto problem = tests::paper_case(1);
   problem.name = "case1";
@@ -67,17 +67,18 @@ class PictureLegend : public testing::TestWithParam<int> {};
 TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
-  const auto one = with_closures(GetParam());
+  const auto case_result = with_closures(GetParam());
   ASSERT_TRUE(
-      draw_pictures(directory.path(), {results::this_program(""), {one}}, kAllOfBoth).empty());
+      draw_pictures(directory.path(), {results::this_program(""), {case_result}}, kAllOfBoth)
+          .empty());
   const std::string svg = contents(directory.path() / "figures" / "case1.svg");
-  for (const auto& solution : one.solutions) {
+  for (const auto& solution : case_result.solutions) {
     std::string label = solution.id();
     if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
-    if (solution.identity.look.as_points) label += ", with 95 % intervals";
-    // Titles that are not shown are there too, as comments.
+    if (solution.identity.plot_style.as_points) label += ", with 95 % intervals";
+    // The SVG contains hidden titles as comments.
     const bool shown = contains(svg, " >" + label + "</tspan></text>");
-    EXPECT_EQ(shown, one.curve(solution.id(), transform::Variable::y) != nullptr) << label;
+    EXPECT_EQ(shown, case_result.curve(solution.id(), transform::Variable::y) != nullptr) << label;
   }
 }
 
@@ -96,7 +97,7 @@ TEST(Pictures, TheScriptDrawsTheSameAgainByHand) {
   EXPECT_EQ(contents(figures / "case1.svg"), first);
 }
 
-TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
+TEST(Pictures, OfTheErrorBudgetNameEveryPart) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   auto run = made_up_run();
@@ -110,11 +111,11 @@ TEST(Pictures, OfTheErrorBudgetNameEveryPartAndGoWithIt) {
   }
   run.cases[0].budget.clear();
   draw_pictures(directory.path(), run);
-  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // of the run before
+  EXPECT_FALSE(fs::exists(figures / "case1-budget.png"));  // from the earlier run
   EXPECT_TRUE(fs::exists(figures / "case1.png"));
 }
 
-/// Makes a directory the current one.
+/// Changes the current directory; the destructor restores it.
 class WorkingIn {
  public:
   explicit WorkingIn(const fs::path& directory) { fs::current_path(directory); }
@@ -124,8 +125,8 @@ class WorkingIn {
   fs::path before_ = fs::current_path();
 };
 
-// gnuplot takes what begins with '<' or '|' for a command.
-TEST(Pictures, TheNameOfADirectoryRunsNothing) {
+// gnuplot runs a file name that begins with '<' or '|' as a command.
+TEST(Pictures, RunNoCommandOfADirectoryName) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   const WorkingIn working(directory.path());
@@ -152,7 +153,7 @@ TEST(Pictures, WithoutGnuplotAreOneWarningAndLeaveTheScripts) {
 
 TEST(Pictures, OfAGnuplotThatFailsAreAWarningAndNoFile) {
   const tests::TemporaryDirectory directory;
-  for (const char* broken : {"false", "true"}) {  // an exit code; no picture in spite of success
+  for (const char* broken : {"false", "true"}) {  // exit code 1; exit code 0 without a picture
     const auto warnings = draw_pictures(directory.path(), made_up_run(), kBothFormats, broken);
     ASSERT_EQ(warnings.size(), 6u);
     EXPECT_TRUE(contains(warnings.front(), "case1.png was not drawn")) << warnings.front();
@@ -173,7 +174,7 @@ TEST(Pictures, ACaseWithoutADensityIsAWarning) {
   EXPECT_TRUE(contains(warnings.front(), "no picture of case1"));
 }
 
-TEST(Pictures, ShowTheCurvesThatAreAskedFor) {
+TEST(Pictures, ShowTheSelectedCurves) {
   const tests::TemporaryDirectory directory;
   const auto run = made_up_run();
   draw_pictures(directory.path(), run, {.curves = {"epc", "mcs"}}, "no-such-gnuplot");
@@ -183,8 +184,8 @@ TEST(Pictures, ShowTheCurvesThatAreAskedFor) {
   EXPECT_FALSE(contains(script, " title 'fd-"));
 }
 
-// Whoever chose knows, and print has no command line.
-TEST(Pictures, SayHowManyMoreThereAreOnAScreenWhereNobodyChose) {
+// No hint at more curves after a selection by the user, or in print.
+TEST(Pictures, StateTheNumberOfHiddenCurvesOnAScreen) {
   const auto run = made_up_run();
   const std::vector<std::string> chosen{"epc", "mcs"};
   for (const auto& curves : {std::vector<std::string>(), chosen}) {
@@ -199,7 +200,7 @@ TEST(Pictures, SayHowManyMoreThereAreOnAScreenWhereNobodyChose) {
   }
 }
 
-TEST(Pictures, OfARunAreRemovedAndNoOther) {
+TEST(Pictures, OfOnlyThisRunAreRemoved) {
   const tests::TemporaryDirectory directory;
   const fs::path figures = directory.path() / "figures";
   fs::create_directories(figures);

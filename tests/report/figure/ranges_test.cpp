@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "changed_case.hpp"
+#include "modified_case.hpp"
 #include "report/figure/content.hpp"
 
 namespace fpkcheck::report {
@@ -12,21 +12,21 @@ namespace {
 
 using transform::Variable;
 
-TEST(FigureRanges, HoldWhatTheLogarithmShows) {
-  const auto one = tests::made_up_case();
-  for (const auto& side : figure_content(one).sides) {
-    for (const auto& drawn : side.curves) {
+TEST(FigureRanges, ContainAllDensitiesAboveTheFloor) {
+  const auto case_result = tests::made_up_case();
+  for (const auto& marginal : figure_content(case_result).marginals) {
+    for (const auto& drawn : marginal.curves) {
       if (!drawn.solution->is_ok()) continue;
       for (std::size_t k = 0; k < drawn.curve->density.size(); ++k) {
         if (drawn.curve->density[k] <= kSmallestDrawnDensity) continue;
-        EXPECT_GE(drawn.curve->abscissa[k], side.ranges.logarithmic_from);
-        EXPECT_LE(drawn.curve->abscissa[k], side.ranges.logarithmic_to);
+        EXPECT_GE(drawn.curve->abscissa[k], marginal.ranges.logarithmic_from);
+        EXPECT_LE(drawn.curve->abscissa[k], marginal.ranges.logarithmic_to);
       }
     }
   }
 }
 
-TEST(FigureRanges, AreThoseOfWhatIsVisible) {
+TEST(FigureRanges, ContainTheVisibleDensities) {
   const transform::Solution solution;
   const results::Curve curve{
       "toy", Variable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
@@ -39,29 +39,29 @@ TEST(FigureRanges, AreThoseOfWhatIsVisible) {
   EXPECT_EQ(ranges.logarithmic_to, 0.5);
   EXPECT_EQ(ranges.largest_density, 4);
   EXPECT_EQ(ranges.linear_top, 4);
-  EXPECT_EQ(beyond_the_top(ranges), "");
+  EXPECT_EQ(spike_note(ranges), "");
   EXPECT_EQ(ranges.largest_difference, 0.5);
   EXPECT_EQ(ranges.least_difference, 0.5);
 }
 
-TEST(FigureRanges, LetTheLogarithmBeginBelowTheDataAndNoLowerThanTheFloor) {
+TEST(FigureRanges, StartTheLogarithmicAxisBelowTheData) {
   const transform::Solution solution;
   const auto bottom = [&](std::vector<double> density) {
     const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
     return logarithmic_bottom(figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
   };
-  // Between two walls: a decade holds it, not six.
+  // A density between two walls: a single decade suffices.
   EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({1.3, 1.4, 1.35}), 0.1);
   EXPECT_DOUBLE_EQ(bottom({2e-4, 1, 0.1}), 1e-4);
-  // What fades out, and what is empty somewhere, is shown down to the floor.
+  // A density that decays, or with an empty bin, is shown down to the floor.
   EXPECT_DOUBLE_EQ(bottom({1e-9, 1, 0.1}), kSmallestDrawnDensity);
   EXPECT_DOUBLE_EQ(bottom({0, 1, 0.1}), kSmallestDrawnDensity);
 }
 
-TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
+TEST(FigureRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   const transform::Solution solution;
-  // The first of even bins of width 1 is divided at 1/4.
+  // Bins of width 1, the first divided at 1/4.
   const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
                              {},    {}};
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
@@ -71,7 +71,7 @@ TEST(FigureRanges, LeaveASpikeInNarrowBinsToTheLogarithm) {
   EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
   EXPECT_EQ(ranges.largest_density, 5000);
   EXPECT_EQ(ranges.largest_difference, 0.3);
-  EXPECT_EQ(beyond_the_top(ranges), "spike up to 5e+03");
+  EXPECT_EQ(spike_note(ranges), "spike up to 5e+03");
 }
 
 TEST(FigureRanges, OfADisplacementBeginAtTheWall) {

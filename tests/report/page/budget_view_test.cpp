@@ -6,17 +6,17 @@
 #include <limits>
 
 #include "made_up_page.hpp"
-#include "report/budget/part_look.hpp"
+#include "report/budget/part_style.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
 using compare::Link;
 
-/// The budget of two closures in both variables; the second of them is not ok.
+/// A case with the budgets of two closures in both marginals; the second closure is not ok.
 results::Case budgeted() {
-  auto one = tests::whole_case();
-  one.budget.clear();
+  auto case_result = tests::whole_case();
+  case_result.budget.clear();
   for (const auto variable : transform::kVariables) {
     compare::BudgetRow row{.solution = "epc-gaussian-n6",
                            .variable = variable,
@@ -44,13 +44,13 @@ results::Case budgeted() {
                   .l1 = 0.00047,
                   .tail = 0.02,
                   .expected = 0.00059,
-                  .in_99 = 0.00081}};
-    one.budget.push_back(row);
+                  .quantile_99 = 0.00081}};
+    case_result.budget.push_back(row);
     row.solution = "epc-gaussian-n4";
     row.parts.erase(row.parts.begin() + 1);
-    one.budget.push_back(row);
+    case_result.budget.push_back(row);
   }
-  return one;
+  return case_result;
 }
 
 TEST(BudgetView, DrawsABarForEachPartThatIsKnown) {
@@ -69,7 +69,7 @@ TEST(BudgetView, DrawsABarForEachPartThatIsKnown) {
   EXPECT_TRUE(tests::trace_of(plots[0], "impact").at("x").empty());
 }
 
-TEST(BudgetView, ItsAxisHoldsEveryBar) {
+TEST(BudgetView, AxisContainsEveryBar) {
   const auto layout = tests::figure_of(budget_plots(budgeted(), "case-1")[0]).at("layout");
   EXPECT_LT(layout.at("xaxis").at("range")[0], std::log10(0.00047));
   EXPECT_GT(layout.at("xaxis").at("range")[1], std::log10(0.0024));
@@ -79,8 +79,8 @@ TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
   const std::string html = budget_tables(budgeted());
   const std::string l1 = "Error budget of p(y): L1";
   EXPECT_EQ(tests::headers_in(html, l1),
-            "solution|total|closure|sampling|L1 that chance alone makes: mean|exceeded in 1 run of "
-            "100");
+            "solution|total|closure|sampling|L1 of sampling error alone: mean|L1 of sampling error "
+            "alone: 99 % quantile");
   EXPECT_EQ(tests::row_in(html, l1, "epc-gaussian-n6"),
             "0.0024|0.0023 \u00b1 4.0e-5|0.00047|0.00059|0.00081");
   EXPECT_EQ(tests::row_in(html, "Error budget of the tail of p(y\u2032): mean |\u0394 log10 p|",
@@ -88,20 +88,20 @@ TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
             "0.230|0.210|0.020");
 }
 
-TEST(BudgetView, SaysWhereTheChainEnds) {
+TEST(BudgetView, NamesTheEndOfTheChain) {
   EXPECT_TRUE(tests::contains(budget_introduction(budgeted()), "from a closure to mcs: L1"));
-  auto one = budgeted();
-  one.budget.clear();
-  EXPECT_EQ(budget_introduction(one), "");
-  EXPECT_TRUE(budget_plots(one, "case-1").empty());
-  EXPECT_EQ(budget_tables(one), "");
+  auto case_result = budgeted();
+  case_result.budget.clear();
+  EXPECT_EQ(budget_introduction(case_result), "");
+  EXPECT_TRUE(budget_plots(case_result, "case-1").empty());
+  EXPECT_EQ(budget_tables(case_result), "");
 }
 
-TEST(BudgetView, ShowsNamesLetterByLetter) {
-  auto one = budgeted();
-  for (auto& row : one.budget) row.solution = "<b>" + row.solution;
-  one.budget[0].parts[0].from = "a<b";
-  const auto plots = budget_plots(one, "case-1");
+TEST(BudgetView, ShowsNamesLiterally) {
+  auto case_result = budgeted();
+  for (auto& row : case_result.budget) row.solution = "<b>" + row.solution;
+  case_result.budget[0].parts[0].from = "a<b";
+  const auto plots = budget_plots(case_result, "case-1");
   const auto closure = tests::trace_of(plots[0], "closure");
   EXPECT_EQ(closure.at("y")[0], "&lt;b>epc-gaussian-n6");
   EXPECT_EQ(closure.at("customdata")[0], "a&lt;b \u2192 fd-km4-delta");

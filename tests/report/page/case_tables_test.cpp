@@ -12,9 +12,9 @@ using tests::row_in;
 using tests::solution_of;
 using tests::whole_case;
 
-TEST(ResultsTable, MeasuresAgainstTheReferenceThenAgainstItsLike) {
-  const auto one = whole_case();
-  const std::string html = results_table(one);
+TEST(ResultsTable, HasDistancesToTheReferenceFirst) {
+  const auto case_result = whole_case();
+  const std::string html = results_table(case_result);
   EXPECT_EQ(headers_in(html, "All solutions"),
             "solution|solves|status|E[y]|E[y\u00b2]|E[y\u2032\u00b2]|E[y\u2074]|E[y\u2032\u2074]|"
             "L1 to fd-kf, p(y)|L1 to fd-kf, p(y\u2032)|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|"
@@ -24,22 +24,23 @@ TEST(ResultsTable, MeasuresAgainstTheReferenceThenAgainstItsLike) {
 }
 
 TEST(ResultsTable, FollowsTheRuleForTheReference) {
-  auto one = whole_case();
-  solution_of(one, "fd-kf").error.reset();
-  EXPECT_TRUE(tests::contains(headers_in(results_table(one), "All solutions"),
+  auto case_result = whole_case();
+  solution_of(case_result, "fd-kf").error.reset();
+  EXPECT_TRUE(tests::contains(headers_in(results_table(case_result), "All solutions"),
                               "|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|L1 to fd-kf, p(y)|"));
-  for (const char* id : {"fd-kf", "mcs"}) solution_of(one, id).status = transform::Status::failed;
-  EXPECT_FALSE(tests::contains(results_table(one), "L1 to"));
+  for (const char* id : {"fd-kf", "mcs"})
+    solution_of(case_result, id).status = transform::Status::failed;
+  EXPECT_FALSE(tests::contains(results_table(case_result), "L1 to"));
 }
 
 TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
-  auto one = whole_case();
-  EXPECT_EQ(moment_errors_table(one), "");
-  const double y2 = one.find("fd-kf")->moments.y2;
-  one.bounds = compare::Bounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
-  solution_of(one, "fd-white").moments.y2 = y2 + 5e-3;
-  const std::string html = moment_errors_table(one);
-  const std::string caption = "Errors of moments, by the guaranteed bounds";
+  auto case_result = whole_case();
+  EXPECT_EQ(bound_errors_table(case_result), "");
+  const double y2 = case_result.find("fd-kf")->moments.y2;
+  case_result.bounds = compare::Bounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
+  solution_of(case_result, "fd-white").moments.y2 = y2 + 5e-3;
+  const std::string html = bound_errors_table(case_result);
+  const std::string caption = "Errors of moments, from the guaranteed bounds";
   EXPECT_TRUE(tests::contains(headers_in(html, caption), "solution|E[y\u00b2] in ["));
   EXPECT_FALSE(tests::contains(html, "w1"));
   EXPECT_EQ(row_in(html, caption, "fd-kf"), "within");
@@ -47,25 +48,27 @@ TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
 }
 
 TEST(Reasons, AreOfThoseThatAreNotOk) {
-  auto one = whole_case();
-  solution_of(one, "epc-gaussian-n4").reason = "because 1 < 2";
-  const std::string html = reasons_html(one);
+  auto case_result = whole_case();
+  solution_of(case_result, "epc-gaussian-n4").reason = "because 1 < 2";
+  const std::string html = reasons_html(case_result);
   EXPECT_EQ(tests::occurrences(html, "<li>"), 2u);
   EXPECT_TRUE(tests::contains(
       html, "<li><strong>epc-gaussian-n4 inadmissible</strong>: because 1 &lt; 2.</li>"));
-  for (auto& solution : one.solutions) solution.status = transform::Status::ok;
-  EXPECT_EQ(reasons_html(one), "");
+  for (auto& solution : case_result.solutions) solution.status = transform::Status::ok;
+  EXPECT_EQ(reasons_html(case_result), "");
 }
 
-TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
-  auto one = whole_case();
-  solution_of(one, "fd-kf").min_density = -3e-11;
-  const std::string html = diagnostics_tables(one);
-  const std::string caption = "Mass, energy, errors by their own account";
-  EXPECT_EQ(headers_in(html, caption),
-            "solution|status|least density / peak|mass \u2212 1|energy residual|its standard error|"
-            "stated error of p(y), L1|of p(y\u2032)|sampling error of p(y), L1|of p(y\u2032)|"
-            "standard error of E[y\u00b2]|of E[y\u2032\u00b2]");
+TEST(Diagnostics, HaveErrorEstimatesOfAllSolutions) {
+  auto case_result = whole_case();
+  solution_of(case_result, "fd-kf").min_density = -3e-11;
+  const std::string html = diagnostics_tables(case_result);
+  const std::string caption = "Mass, energy and error estimates";
+  EXPECT_EQ(
+      headers_in(html, caption),
+      "solution|status|minimum density / peak|mass \u2212 1|energy residual|standard error of "
+      "the energy residual|error estimate of p(y), L1|error estimate of p(y\u2032), L1|"
+      "sampling error of p(y), L1|sampling error of p(y\u2032), L1|"
+      "standard error of E[y\u00b2]|standard error of E[y\u2032\u00b2]");
   const auto row = [&](const std::string& id) {
     std::string text = row_in(html, caption, id);
     for (auto at = text.find("\u2013"); at != std::string::npos; at = text.find("\u2013")) {
@@ -78,8 +81,8 @@ TEST(Diagnostics, SayOfAllSolutionsHowWellTheyKnowThemselves) {
   EXPECT_EQ(row("epc-gaussian-n8"), "not_converged|-|-|-|-|-|-|-|-|-|-");
 }
 
-TEST(Diagnostics, HoldWhatTheFamiliesSay) {
-  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "What mcs says of itself"));
+TEST(Diagnostics, ContainTheMetricsOfFamilies) {
+  EXPECT_TRUE(tests::contains(diagnostics_tables(whole_case()), "Metrics of mcs"));
 }
 
 }  // namespace

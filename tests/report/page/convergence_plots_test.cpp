@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../guest_family.hpp"
+#include "../external_family.hpp"
 #include "made_up_page.hpp"
 
 namespace fpkcheck::report {
@@ -15,90 +15,90 @@ using tests::whole_case;
 using Names = std::vector<std::string>;
 
 TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
-  const auto one = whole_case();
-  const auto plots = order_plots(one, "case-1");
+  const auto case_result = whole_case();
+  const auto plots = order_plots(case_result, "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(plots[0].id, "case-1-order-y");
   EXPECT_EQ(names_in(plots[0]),
-            (Names{"epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+            (Names{"epc-gaussian", "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json curve = trace_of(plots[0], "epc-gaussian");
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
-  EXPECT_EQ(curve.at("y")[2], *one.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
+  EXPECT_EQ(curve.at("y")[2], *case_result.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
   EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
   EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");
-  EXPECT_EQ(trace_of(plots[1], "error of fd-kf, by its own account").at("y")[0], 3e-5);
+  EXPECT_EQ(trace_of(plots[1], "error estimate of fd-kf").at("y")[0], 3e-5);
 }
 
-TEST(OrderPlots, HaveGuestsAtTheirOrdersOrAsLevels) {
-  auto one = whole_case();
+TEST(OrderPlots, HaveExternalDensitiesAtOrdersOrAsLines) {
+  auto case_result = whole_case();
   for (const char* id : {"fd-white", "fd-km4"}) {
-    auto& who = tests::solution_of(one, id).identity;
-    who.method = transform::kGivenInFile;
-    who.role = id == std::string("fd-white") ? transform::Role::given : transform::Role::closure;
+    auto& who = tests::solution_of(case_result, id).identity;
+    who.method = transform::kExternalFile;
+    who.role = id == std::string("fd-white") ? transform::Role::external : transform::Role::closure;
   }
-  auto& with_order = tests::solution_of(one, "fd-km4");
+  auto& with_order = tests::solution_of(case_result, "fd-km4");
   with_order.identity.order = 8;
   with_order.identity.family = "file";
-  const auto plots = order_plots(one, "case-1");
+  const auto plots = order_plots(case_result, "case-1");
   ASSERT_EQ(plots.size(), 2u);
-  EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4", "mcs to fd-kf",
-                                       "error of fd-kf, by its own account"}));
+  EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4",
+                                       "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json level = trace_of(plots[0], "fd-white"), mark = trace_of(plots[0], "fd-km4");
-  const double l1 = *one.l1("fd-white", "fd-kf", transform::Variable::y);
+  const double l1 = *case_result.l1("fd-white", "fd-kf", transform::Variable::y);
   EXPECT_EQ(level.at("y"), Json({l1, l1}));
   EXPECT_EQ(level.at("x"), Json({1.5, 8.5}));
   EXPECT_EQ(level.at("mode"), "lines");
   EXPECT_EQ(mark.at("x"), Json({8}));
-  EXPECT_EQ(mark.at("y"), Json({*one.l1("fd-km4", "fd-kf", transform::Variable::y)}));
+  EXPECT_EQ(mark.at("y"), Json({*case_result.l1("fd-km4", "fd-kf", transform::Variable::y)}));
   EXPECT_EQ(mark.at("mode"), "markers");
 }
 
-TEST(OrderPlots, HaveACurveForAFamilyOfGuests) {
-  const auto plots = order_plots(tests::case_with_guest_family({6, 2, 4}), "case-1");
+TEST(OrderPlots, HaveACurveForAnExternalFamily) {
+  const auto plots = order_plots(tests::case_with_external_family({6, 2, 4}), "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(names_in(plots[0]),
-            (Names{"chi", "epc-gaussian", "mcs to fd-kf", "error of fd-kf, by its own account"}));
+            (Names{"chi", "epc-gaussian", "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json curve = trace_of(plots[0], "chi");
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
   EXPECT_EQ(curve.at("mode"), "lines+markers");
 }
 
-TEST(OrderPlots, SayHowWellASimulationIsKnownToo) {
-  auto one = whole_case();
-  tests::solution_of(one, "fd-kf").error.reset();
-  EXPECT_EQ(names_in(order_plots(one, "case-1")[0]),
-            (Names{"epc-gaussian", "fd-kf to mcs", "error of mcs, by its own account"}));
+TEST(OrderPlots, ShowTheErrorEstimateOfASimulation) {
+  auto case_result = whole_case();
+  tests::solution_of(case_result, "fd-kf").error.reset();
+  EXPECT_EQ(names_in(order_plots(case_result, "case-1")[0]),
+            (Names{"epc-gaussian", "distance of fd-kf to mcs", "error estimate of mcs"}));
 }
 
 TEST(OrderPlots, NeedTwoClosuresOfOneFamilyAndAReference) {
-  auto one = whole_case();
+  auto case_result = whole_case();
   for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4"}) {
-    tests::solution_of(one, id).identity.family = id;
+    tests::solution_of(case_result, id).identity.family = id;
   }
-  EXPECT_TRUE(order_plots(one, "case-1").empty());
-  one = whole_case();
+  EXPECT_TRUE(order_plots(case_result, "case-1").empty());
+  case_result = whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
-    tests::solution_of(one, id).status = transform::Status::failed;
+    tests::solution_of(case_result, id).status = transform::Status::failed;
   }
-  EXPECT_TRUE(order_plots(one, "case-1").empty());
-  EXPECT_TRUE(cost_plots(one, "case-1").empty());
+  EXPECT_TRUE(order_plots(case_result, "case-1").empty());
+  EXPECT_TRUE(cost_plots(case_result, "case-1").empty());
 }
 
 TEST(OrderPlots, LeaveOutAFamilyWithoutOrders) {
-  auto one = whole_case();
-  tests::solution_of(one, "fd-white").identity.role = transform::Role::closure;
-  tests::solution_of(one, "fd-white").identity.family = "toy";
-  const auto plots = order_plots(one, "case-1");
+  auto case_result = whole_case();
+  tests::solution_of(case_result, "fd-white").identity.role = transform::Role::closure;
+  tests::solution_of(case_result, "fd-white").identity.family = "toy";
+  const auto plots = order_plots(case_result, "case-1");
   EXPECT_TRUE(trace_of(plots[0], "toy").is_null());
-  EXPECT_FALSE(trace_of(cost_plots(one, "case-1")[0], "toy").is_null());
+  EXPECT_FALSE(trace_of(cost_plots(case_result, "case-1")[0], "toy").is_null());
 }
 
 TEST(CostPlots, ShowEverySolutionThatIsAwayFromTheReference) {
-  auto one = whole_case();
-  auto& white = tests::solution_of(one, "fd-white");
-  white.identity.look.colour = "#123456";
+  auto case_result = whole_case();
+  auto& white = tests::solution_of(case_result, "fd-white");
+  white.identity.plot_style.colour = "#123456";
   white.seconds = 7;
-  const auto plots = cost_plots(one, "case-1");
+  const auto plots = cost_plots(case_result, "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(names_in(plots[1]), (Names{"epc-gaussian", "fd", "mcs"}));
   const Json fd = trace_of(plots[0], "fd");
@@ -108,11 +108,11 @@ TEST(CostPlots, ShowEverySolutionThatIsAwayFromTheReference) {
   EXPECT_NE(fd.at("textposition")[0], fd.at("textposition")[1]);
 }
 
-TEST(CostPlots, ShowNamesLetterByLetter) {
-  auto one = whole_case();
-  for (auto& solution : one.solutions) solution.identity.family = "<&>";
-  tests::solution_of(one, "fd-white").identity.order = 3;
-  const auto plots = cost_plots(one, "case-1");
+TEST(CostPlots, ShowNamesLiterally) {
+  auto case_result = whole_case();
+  for (auto& solution : case_result.solutions) solution.identity.family = "<&>";
+  tests::solution_of(case_result, "fd-white").identity.order = 3;
+  const auto plots = cost_plots(case_result, "case-1");
   EXPECT_EQ(names_in(plots[0]), (Names{"&lt;&amp;>"}));
 }
 

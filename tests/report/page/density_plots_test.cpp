@@ -18,8 +18,8 @@ Json traces(const Plot& plot) { return tests::figure_of(plot).at("data"); }
 bool is_band(const Json& trace) { return trace.value("hoverinfo", "") == "skip"; }
 
 TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
-  const auto one = tests::whole_case();
-  const auto plots = density_plots(one, "case-1");
+  const auto case_result = tests::whole_case();
+  const auto plots = density_plots(case_result, "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(plots[0].id, "case-1-density-y");
   EXPECT_EQ(plots[1].id, "case-1-density-ydot");
@@ -45,27 +45,29 @@ TEST(DensityPlots, DrawEverySolutionThatHasADensityInThreeRows) {
   }
 }
 
-// What fades out is shown down to 1e-7, what is cut off by walls as far as it goes.
+// A density that decays is shown down to 1e-7, a density between walls down to its minimum.
 TEST(DensityPlots, BeginTheirLogarithmBelowTheData) {
-  auto one = tests::whole_case();
+  auto case_result = tests::whole_case();
   const auto bottom = [&](std::size_t plot) {
-    const auto range =
-        tests::figure_of(density_plots(one, "case-1")[plot]).at("layout").at("yaxis2").at("range");
+    const auto range = tests::figure_of(density_plots(case_result, "case-1")[plot])
+                           .at("layout")
+                           .at("yaxis2")
+                           .at("range");
     return range.at(0).get<double>();
   };
   EXPECT_NEAR(bottom(0), -7, 1e-9);
-  for (auto& curve : one.curves) {
+  for (auto& curve : case_result.curves) {
     for (double& p : curve.density) p = std::max(p, 0.35);
   }
   EXPECT_NEAR(bottom(0), -1, 1e-9);
   EXPECT_NEAR(bottom(1), -1, 1e-9);
 }
 
-TEST(DensityPlots, LookAsTheirIdentitiesSay) {
-  auto one = tests::whole_case();
-  auto& look = tests::solution_of(one, "epc-gaussian-n6").identity.look;
-  look = {.colour = "#123456", .dash = "(3,4)", .width = 7};
-  const auto plots = density_plots(one, "case-1");
+TEST(DensityPlots, HaveThePlotStyleOfTheirSolution) {
+  auto case_result = tests::whole_case();
+  auto& plot_style = tests::solution_of(case_result, "epc-gaussian-n6").identity.plot_style;
+  plot_style = {.colour = "#123456", .dash = "(3,4)", .width = 7};
+  const auto plots = density_plots(case_result, "case-1");
   const Json line = tests::trace_of(plots[0], "epc-gaussian-n6").at("line");
   EXPECT_EQ(line, Json({{"color", "#123456"}, {"width", 7.0}, {"dash", "3px,4px"}}));
   for (const auto& trace : traces(plots[0])) {
@@ -75,21 +77,21 @@ TEST(DensityPlots, LookAsTheirIdentitiesSay) {
 }
 
 TEST(DensityPlots, LegendsHaveTheOrderOfTheTables) {
-  const auto one = tests::whole_case();
-  const auto plots = density_plots(one, "case-1");
+  const auto case_result = tests::whole_case();
+  const auto plots = density_plots(case_result, "case-1");
   int entries = 0;
   for (const auto& trace : traces(plots[0])) {
     const auto rank = trace.at("legendrank").get<std::size_t>();
-    EXPECT_EQ(one.solutions.at(rank).id(), trace.at("legendgroup").get<std::string>());
+    EXPECT_EQ(case_result.solutions.at(rank).id(), trace.at("legendgroup").get<std::string>());
     entries += trace.at("showlegend").get<bool>() ? 1 : 0;
   }
   EXPECT_EQ(entries, 7);
 }
 
-TEST(DensityPlots, EveryArrayThatATraceNamesIsThere) {
-  auto one = tests::whole_case();
-  one.curves.front().abscissa.back() += 1;  // another one than the reference's
-  const auto plots = density_plots(one, "case-1");
+TEST(DensityPlots, HaveEveryArrayOfATrace) {
+  auto case_result = tests::whole_case();
+  case_result.curves.front().abscissa.back() += 1;  // bins different from those of the reference
+  const auto plots = density_plots(case_result, "case-1");
   const Json figure = tests::figure_of(plots[0]), &arrays = figure.at("arrays");
   int curves = 0;
   for (const auto& trace : figure.at("data")) {
@@ -98,9 +100,9 @@ TEST(DensityPlots, EveryArrayThatATraceNamesIsThere) {
       ASSERT_EQ(name.front(), '@');
       EXPECT_TRUE(arrays.contains(name.substr(1))) << name;
     }
-    curves += trace.at("legendgroup") == one.curves.front().solution ? 1 : 0;
+    curves += trace.at("legendgroup") == case_result.curves.front().solution ? 1 : 0;
   }
-  EXPECT_EQ(curves, 2);  // no difference where the bins are others
+  EXPECT_EQ(curves, 2);  // no difference on different bins
 }
 
 TEST(DensityPlots, BandsOfASimulationAreInAllRows) {
@@ -113,19 +115,19 @@ TEST(DensityPlots, BandsOfASimulationAreInAllRows) {
 }
 
 TEST(DensityPlots, WithoutAReferenceHaveTwoRows) {
-  auto one = tests::whole_case();
+  auto case_result = tests::whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
-    tests::solution_of(one, id).status = transform::Status::failed;
+    tests::solution_of(case_result, id).status = transform::Status::failed;
   }
-  const auto plots = density_plots(one, "case-1");
+  const auto plots = density_plots(case_result, "case-1");
   EXPECT_EQ(plots[0].caption, "Displacement y: logarithm of the density; density");
   EXPECT_FALSE(tests::figure_of(plots[0]).at("layout").contains("yaxis3"));
 }
 
 TEST(DensityPlots, AreNoneWithoutCurves) {
-  auto one = tests::whole_case();
-  one.curves.clear();
-  EXPECT_TRUE(density_plots(one, "case-1").empty());
+  auto case_result = tests::whole_case();
+  case_result.curves.clear();
+  EXPECT_TRUE(density_plots(case_result, "case-1").empty());
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case_with_sources.hpp"
 #include "saved_run.hpp"
-#include "with_sources.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -24,7 +24,7 @@ TEST(ErrorMaps, AreOfAllThatHaveTheirSourcesClosuresFirst) {
     EXPECT_EQ(moments[1].error, -2e-3 * size);
     for (const auto& map : moments) {
       EXPECT_EQ(map.values.roots.size(), (maps->y_edges.size() - 1) * (maps->v_edges.size() - 1));
-      // On the wall, the larger one above rest.
+      // The largest value is at the wall, at y' > 0.
       const auto largest = std::ranges::find_if(
           map.values.roots, [&](auto root) { return std::abs(root) == map.values.levels; });
       const auto place = static_cast<std::size_t>(largest - map.values.roots.begin());
@@ -37,22 +37,23 @@ TEST(ErrorMaps, AreOfAllThatHaveTheirSourcesClosuresFirst) {
 
 TEST(ErrorMaps, AreNoneWithoutSourcesOrOnOtherCells) {
   EXPECT_FALSE(error_maps(tests::made_up_case()));
-  auto one = tests::case_with_sources();
-  one.error_sources[1].density.y_edges.back() += 1;
-  EXPECT_FALSE(error_maps(one));
-  one = tests::case_with_sources();
-  one.joints.clear();
-  EXPECT_FALSE(error_maps(one));
+  auto case_result = tests::case_with_sources();
+  case_result.error_sources[1].density.y_edges.back() += 1;
+  EXPECT_FALSE(error_maps(case_result));
+  case_result = tests::case_with_sources();
+  case_result.joints.clear();
+  EXPECT_FALSE(error_maps(case_result));
 }
 
 TEST(ErrorMaps, AreJsonAndEscapedHtml) {
-  auto one = tests::case_with_sources();
-  for (auto& s : one.solutions) {
+  auto case_result = tests::case_with_sources();
+  for (auto& s : case_result.solutions) {
     if (s.id() == "fd-kf") s.identity.id = "<b>";
   }
-  for (auto& own : one.own_errors) own.solution = own.solution == "fd-kf" ? "<b>" : own.solution;
-  for (auto& s : one.error_sources) s.solution = s.solution == "fd-kf" ? "<b>" : s.solution;
-  const auto maps = error_maps(one);
+  for (auto& own : case_result.moment_error_estimates)
+    own.solution = own.solution == "fd-kf" ? "<b>" : own.solution;
+  for (auto& s : case_result.error_sources) s.solution = s.solution == "fd-kf" ? "<b>" : s.solution;
+  const auto maps = error_maps(case_result);
   ASSERT_TRUE(maps);
   const std::string html = error_maps_html(*maps, "case-1");
   EXPECT_TRUE(tests::contains(html, "<option>&lt;b&gt;</option>")) << html;

@@ -10,7 +10,7 @@ namespace {
 using tests::contains;
 
 TEST(Html, EscapesWhatHasAMeaningThere) {
-  EXPECT_EQ(escaped("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
+  EXPECT_EQ(escape_html("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
   EXPECT_EQ(element("p", "1 < 2"), "<p>1 &lt; 2</p>\n");
 }
 
@@ -35,9 +35,9 @@ TEST(Html, ShowsAStatusAsAChip) {
 }
 
 TEST(Html, FoldsWhatIsThere) {
-  EXPECT_EQ(folded("a", "1 < 2", "<p>"),
+  EXPECT_EQ(details_html("a", "1 < 2", "<p>"),
             "<details id=\"a\">\n<summary>1 &lt; 2</summary>\n<p></details>\n");
-  EXPECT_EQ(folded("a", "b", ""), "");
+  EXPECT_EQ(details_html("a", "b", ""), "");
 }
 
 TEST(Html, NamesAloneAreNoTable) {

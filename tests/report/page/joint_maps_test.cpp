@@ -13,8 +13,8 @@ namespace {
 using tests::whole_case;
 
 TEST(JointMaps, OfferTheClosestClosureFirstAndNothingThatIsNotOk) {
-  const auto one = whole_case();
-  const auto maps = joint_maps(one);
+  const auto case_result = whole_case();
+  const auto maps = joint_maps(case_result);
   ASSERT_TRUE(maps);
   EXPECT_EQ(maps->reference, "fd-kf");
   std::vector<std::string> offered;
@@ -24,10 +24,10 @@ TEST(JointMaps, OfferTheClosestClosureFirstAndNothingThatIsNotOk) {
 }
 
 TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
-  const auto one = whole_case();
-  const auto maps = joint_maps(one);
-  ASSERT_EQ(one.joints[one.joints.size() - 2].solution, "fd-kf");
-  const auto& whole = one.joints[one.joints.size() - 2].density;
+  const auto case_result = whole_case();
+  const auto maps = joint_maps(case_result);
+  ASSERT_EQ(case_result.joints[case_result.joints.size() - 2].solution, "fd-kf");
+  const auto& whole = case_result.joints[case_result.joints.size() - 2].density;
   const std::size_t ny = maps->y_edges.size() - 1, nv = maps->v_edges.size() - 1;
   ASSERT_EQ(maps->reference_density.size(), ny * nv);
   EXPECT_EQ(maps->y_edges.front(), 0);
@@ -46,18 +46,18 @@ TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
   EXPECT_NEAR(seen, transform::mass(whole), 1e-4);
 }
 
-TEST(JointMaps, GiveTheDifferenceBackFromItsRoots) {
-  const auto one = whole_case();
-  const auto maps = joint_maps(one);
+TEST(JointMaps, RestoreTheDifferenceFromItsRoots) {
+  const auto case_result = whole_case();
+  const auto maps = joint_maps(case_result);
   const auto& simulated = maps->differences.back();
-  ASSERT_EQ(simulated.solution, "mcs");  // 2 % more on y' > 0
+  ASSERT_EQ(simulated.solution, "mcs");  // 2 % above the reference for y' > 0
   EXPECT_NEAR(simulated.l1, 0.02 / 2, 1e-4);
   const std::size_t ny = maps->y_edges.size() - 1;
   for (std::size_t k = 0; k < simulated.values.roots.size(); ++k) {
     const double q = static_cast<double>(simulated.values.roots[k]) / simulated.values.levels;
     const double back = std::copysign(q * q, q) * simulated.values.largest;
     const double expected = maps->v_edges[k / ny] > -1e-9 ? 0.02 * maps->reference_density[k] : 0;
-    // The root is rounded by half a unit: d((q/n)^2) = 2 q/n dq.
+    // The root is rounded by half a unit: d((q/n)^2) = 2 q/n^2 dq.
     const double n = simulated.values.levels;
     const double rounding =
         std::sqrt(expected * simulated.values.largest) / n + simulated.values.largest / (4 * n * n);
@@ -65,40 +65,40 @@ TEST(JointMaps, GiveTheDifferenceBackFromItsRoots) {
   }
 }
 
-// Atoms are at points of their own, so that what they differ by adds up.
-TEST(JointMaps, CountWhatAtomsOfRestDifferBy) {
-  auto one = whole_case();
-  const double before = joint_maps(one)->differences.back().l1;
-  for (auto& solution : one.solutions) {
+// Differences of atoms add to the L1 distance.
+TEST(JointMaps, AddTheDifferencesOfAtoms) {
+  auto case_result = whole_case();
+  const double before = joint_maps(case_result)->differences.back().l1;
+  for (auto& solution : case_result.solutions) {
     if (solution.id() == "fd-kf") solution.atoms = {{.y = 0, .probability = 0.25}};
     if (solution.id() == "mcs") solution.atoms = {{.y = 0, .probability = 0.125}};
   }
-  EXPECT_NEAR(joint_maps(one)->differences.back().l1, before + 0.125, 1e-12);
+  EXPECT_NEAR(joint_maps(case_result)->differences.back().l1, before + 0.125, 1e-12);
 }
 
 TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
-  auto one = whole_case();
-  const auto joints = std::exchange(one.joints, {});
-  EXPECT_FALSE(joint_maps(one));
-  one.joints = joints;
-  std::erase_if(one.joints, [](const auto& joint) { return joint.solution != "fd-kf"; });
-  EXPECT_FALSE(joint_maps(one));
-  one.joints = joints;
+  auto case_result = whole_case();
+  const auto joints = std::exchange(case_result.joints, {});
+  EXPECT_FALSE(joint_maps(case_result));
+  case_result.joints = joints;
+  std::erase_if(case_result.joints, [](const auto& joint) { return joint.solution != "fd-kf"; });
+  EXPECT_FALSE(joint_maps(case_result));
+  case_result.joints = joints;
   for (const char* id : {"fd-kf", "mcs"}) {
-    tests::solution_of(one, id).status = transform::Status::failed;
+    tests::solution_of(case_result, id).status = transform::Status::failed;
   }
-  EXPECT_FALSE(joint_maps(one));
+  EXPECT_FALSE(joint_maps(case_result));
 }
 
 TEST(JointMaps, LeaveOutOtherCells) {
-  auto one = whole_case();
-  one.joints.back().density.y_edges.back() += 0.1;
-  const auto maps = joint_maps(one);
+  auto case_result = whole_case();
+  case_result.joints.back().density.y_edges.back() += 0.1;
+  const auto maps = joint_maps(case_result);
   ASSERT_TRUE(maps);
   for (const auto& difference : maps->differences) EXPECT_NE(difference.solution, "mcs");
 }
 
-TEST(JointMaps, AreToldInHtmlAndJson) {
+TEST(JointMaps, AreConvertedToHtmlAndJson) {
   auto maps = *joint_maps(whole_case());
   maps.differences.back().solution = "<b>";
   const std::string html = joint_maps_html(maps, "case-1");

@@ -4,39 +4,40 @@
 #include <string>
 #include <vector>
 
-#include "changed_case.hpp"
+#include "gunzip_base64.hpp"
+#include "modified_case.hpp"
 #include "report/page/page.hpp"
 #include "report/page/plot.hpp"
 #include "saved_run.hpp"
-#include "unpacked.hpp"
 
-/// Runs with all that a page can show, and what stands in a page.
+/// Runs with the data for all parts of a page, and readers of a page.
 namespace fpkcheck::tests {
 
-/// A case in which the full equation states its error, so that it is the reference, and the
-/// simulation has a joint density, 2 % above the reference on y' > 0.
+/// A case in which the full equation has an error estimate and is therefore the reference. The
+/// simulation has a joint density 2 % above the reference for y' > 0.
 inline results::Case whole_case(const std::string& name = "case1") {
-  auto one = made_up_case(name);
-  solution_of(one, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
-  auto simulated = one.joints.back();  // fd-kf
+  auto case_result = made_up_case(name);
+  solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
+  auto simulated = case_result.joints.back();  // fd-kf
   simulated.solution = "mcs";
   auto& [y_edges, v_edges, averages] = simulated.density;
   for (std::size_t k = 0; k < averages.size(); ++k) {
     if (v_edges[k % simulated.density.nv()] > -1e-9) averages[k] *= 1.02;
   }
-  one.joints.push_back(simulated);
-  return one;
+  case_result.joints.push_back(simulated);
+  return case_result;
 }
 
 inline results::Run whole_run(const std::string& name = "case1") {
   return {results::this_program("fpkcheck run"), {whole_case(name)}};
 }
 
-/// What page.js reads.
+/// The JSON input of page.js.
 inline nlohmann::json plots_in(const std::string& page) {
   const std::string opening = "<script type=\"application/gzip\" id=\"plots\">";
   const auto begin = page.find(opening) + opening.size();
-  return nlohmann::json::parse(unpacked(page.substr(begin, page.find("</script>", begin) - begin)));
+  return nlohmann::json::parse(
+      gunzip_base64(page.substr(begin, page.find("</script>", begin) - begin)));
 }
 
 /// The figure of a plot.
@@ -44,7 +45,7 @@ inline nlohmann::json figure_of(const report::Plot& plot) {
   return nlohmann::json::parse(plot.figure);
 }
 
-/// The trace of this name.
+/// The trace with this name.
 inline nlohmann::json trace_of(const report::Plot& plot, const std::string& name) {
   const auto figure = figure_of(plot);
   for (const auto& trace : figure.at("data")) {
@@ -66,7 +67,7 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
   return count;
 }
 
-/// Cells of the row with this name in the first table of this caption, their texts joined by "|".
+/// The cells of the row with this name in the first table with this caption, joined by "|".
 inline std::string row_in(const std::string& html, const std::string& caption,
                           const std::string& name) {
   const auto table = html.find("<caption>" + caption + "</caption>");
@@ -86,7 +87,7 @@ inline std::string row_in(const std::string& html, const std::string& caption,
   return text.substr(0, text.rfind('|'));
 }
 
-/// The headers of that table, joined by "|".
+/// The headers of the first table with this caption, joined by "|".
 inline std::string headers_in(const std::string& html, const std::string& caption) {
   const auto table = html.find("<caption>" + caption + "</caption>");
   if (table == std::string::npos) return "no table";

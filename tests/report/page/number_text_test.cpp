@@ -34,7 +34,7 @@ TEST(NumberText, IsShort) {
   EXPECT_EQ(seconds_text(130.4), "130");
 }
 
-TEST(NumberText, SaysADashForWhatIsNotFinite) {
+TEST(NumberText, ShowsADashForNonFiniteNumbers) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   for (const double value : {kNotANumber, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(number_text(value, 4), kNoValue);

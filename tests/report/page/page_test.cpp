@@ -24,12 +24,13 @@ TEST(Page, HasTheSectionsOfAWholeRun) {
   const std::string html = page(run);
   for (const char* heading :
        {"<section id=\"verdict\">", "<h2>The problem</h2>", "<h2>case1 <small>c = 0.1",
-        ">What differs</h3>", ">Results</h3>", ">Error budget</h3>", ">Convergence</h3>",
-        "<summary>Joint densities</summary>", "<summary>Distance against cost</summary>",
-        "<summary>Diagnostics</summary>", "<h2>Timings, and how to repeat this</h2>"}) {
+        ">Densities and differences</h3>", ">Results</h3>", ">Error budget</h3>",
+        ">Convergence</h3>", "<summary>Joint densities</summary>",
+        "<summary>L1 distance against computing time</summary>", "<summary>Diagnostics</summary>",
+        "<h2>Timings and command</h2>"}) {
     EXPECT_EQ(occurrences(html, heading), 1u) << heading;
   }
-  // The answer stands before the problem, and that before the cases.
+  // The answer precedes the problem, the problem the cases.
   EXPECT_LT(html.find("class=\"answer\""), html.find("<h2>The problem"));
   EXPECT_LT(html.find("class=\"strip\""), html.find("<h2>The problem"));
   EXPECT_LT(html.find("<h2>The problem"), html.find("<h2>case1"));
@@ -44,7 +45,7 @@ TEST(Page, HasTheSectionsOfAWholeRun) {
 
 TEST(Page, StatesTheReferenceOnce) {
   const std::string html = page(whole_run());
-  EXPECT_EQ(occurrences(html, "Reference: fd-kf, which is known best"), 1u);
+  EXPECT_EQ(occurrences(html, "Reference: fd-kf, the solution with the smallest"), 1u);
 }
 
 TEST(Page, IsSelfContained) {
@@ -55,26 +56,26 @@ TEST(Page, IsSelfContained) {
   EXPECT_TRUE(contains(html, "default-src 'none'"));
 }
 
-TEST(Page, ShowsNamesLetterByLetter) {
+TEST(Page, ShowsNamesLiterally) {
   const std::string hostile = "</script><script>alert(1)</script>&amp;\"'";
   auto run = whole_run(hostile);
   run.program.command = "fpkcheck run '" + hostile + "'";
-  auto& one = run.cases[0];
-  for (auto& solution : one.solutions) {
+  auto& case_result = run.cases[0];
+  for (auto& solution : case_result.solutions) {
     solution.identity.family += hostile;
     solution.identity.meaning = hostile;
     solution.reason = "because 1 < 2 " + hostile;
-    solution.observations = transform::Observer().text(hostile, hostile).take();
+    solution.metrics = transform::MetricBuilder().text(hostile, hostile).take();
   }
-  // A solution under another name, wherever it is named.
+  // Renames a solution wherever its id occurs.
   const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
   const auto rename = [&](std::string& id) { id = id == old ? renamed : id; };
-  rename(solution_of(one, old).identity.id);
-  for (auto& pair : one.pairs) rename(pair.a);
-  for (auto& row : one.budget) rename(row.solution);
-  for (auto& curve : one.curves) rename(curve.solution);
-  for (auto& joint : one.joints) rename(joint.solution);
-  one.limits = hostile;
+  rename(solution_of(case_result, old).identity.id);
+  for (auto& pair : case_result.pairs) rename(pair.a);
+  for (auto& row : case_result.budget) rename(row.solution);
+  for (auto& curve : case_result.curves) rename(curve.solution);
+  for (auto& joint : case_result.joints) rename(joint.solution);
+  case_result.limits = hostile;
   const std::string html = page(run);
   EXPECT_EQ(occurrences(html, "<script"), 3u);
   EXPECT_EQ(occurrences(html, "</script>"), 3u);
@@ -82,7 +83,7 @@ TEST(Page, ShowsNamesLetterByLetter) {
   EXPECT_TRUE(contains(html,
                        "<h2>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;&amp;amp;"
                        "&quot;&#39; <small>"));
-  // plotly.js takes names for a kind of HTML.
+  // plotly.js interprets names as a subset of HTML.
   bool found = false;
   const auto plots = plots_in(html);
   for (const auto& trace : plots.at(0).at("plots").at(0).at("figure").at("data")) {
@@ -101,19 +102,19 @@ TEST(Page, OfAnOlderRunLeavesOutWhatWasNotSaved) {
   EXPECT_FALSE(contains(html, "Joint densities"));
   EXPECT_FALSE(contains(html, ">Error budget</h3>"));
   EXPECT_TRUE(plots_in(html).at(0).at("maps").is_null());
-  EXPECT_TRUE(contains(html, ">What differs</h3>"));
+  EXPECT_TRUE(contains(html, ">Densities and differences</h3>"));
 }
 
-TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
+TEST(Page, ShowsDashesWithoutAnyDensity) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   auto run = made_up_run();
-  auto& one = run.cases[0];
-  one.curves.clear();
-  one.joints.clear();
-  one.pairs.clear();
-  one.budget.clear();
-  one.limits.clear();
-  for (auto& solution : one.solutions) {
+  auto& case_result = run.cases[0];
+  case_result.curves.clear();
+  case_result.joints.clear();
+  case_result.pairs.clear();
+  case_result.budget.clear();
+  case_result.limits.clear();
+  for (auto& solution : case_result.solutions) {
     solution.status = transform::Status::failed;
     solution.density.reset();
     solution.estimated_marginals.clear();
@@ -121,21 +122,22 @@ TEST(Page, SaysADashForNoNumberAndIsMadeWithoutAnyDensity) {
     solution.moments.y2 = kNotANumber;
   }
   const std::string html = page(run);
-  EXPECT_FALSE(contains(html, ">What differs</h3>"));
+  EXPECT_FALSE(contains(html, ">Densities and differences</h3>"));
   EXPECT_FALSE(contains(html, ">Convergence</h3>"));
   EXPECT_TRUE(contains(html, "fd-kf failed</strong>"));
   EXPECT_FALSE(contains(html, ">nan<"));
   EXPECT_TRUE(plots_in(html).at(0).at("plots").empty());
 }
 
-TEST(Page, SaysThatNothingCanBeJudgedWithoutAReference) {
+TEST(Page, StatesThatThereIsNoReference) {
   auto run = made_up_run();
   for (auto& solution : run.cases[0].solutions) {
     if (solution.identity.role == transform::Role::closure) continue;
     solution.status = transform::Status::failed;
   }
   const std::string html = page(run);
-  EXPECT_TRUE(contains(html, "<p class=\"answer\">Nothing here solves the problem itself"));
+  EXPECT_TRUE(
+      contains(html, "<p class=\"answer\">There is no reference: no solution of the full problem"));
   EXPECT_TRUE(contains(html, "<p>There is no reference"));
 }
 
@@ -143,7 +145,7 @@ TEST(Page, LeadsToEveryPartOfEveryCase) {
   auto run = whole_run();
   for (int k = 2; k <= 50; ++k) run.cases.push_back(run.cases[0]);
   const std::string html = page(run);
-  // Beside each other only a few; the menu has all.
+  // Direct links for a few cases only; the menu has all.
   EXPECT_EQ(occurrences(html, "<a href=\"#case-50\">"), 2u);  // menu, matrix
   for (auto at = html.find("<a href=\"#"); at != std::string::npos;
        at = html.find("<a href=\"#", at + 1)) {
@@ -153,7 +155,7 @@ TEST(Page, LeadsToEveryPartOfEveryCase) {
   }
 }
 
-TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
+TEST(Page, MentionsCirclesOnlyWithASimulation) {
   auto run = made_up_run();
   EXPECT_TRUE(contains(page(run), "Circles in a grey band"));
   solution_of(run.cases[0], "mcs").status = transform::Status::failed;
@@ -163,17 +165,17 @@ TEST(Page, SpeaksOfCirclesOnlyWithASimulation) {
 TEST(Page, OfASavedRunIsThatOfTheRun) {
   auto run = whole_run();
   for (auto& solution : run.cases[0].solutions) {
-    solution.observations = transform::Observer()
-                                .work("steps", std::int64_t{3})
-                                .result("tail.kind", std::string("confined"))
-                                .result("last", 1e7)
-                                .take();
+    solution.metrics = transform::MetricBuilder()
+                           .work("steps", std::int64_t{3})
+                           .result("tail.kind", std::string("confined"))
+                           .result("last", 1e7)
+                           .take();
     solution.options = {{"order", std::int64_t{6}}};
   }
-  // Files have this one beside the stated error, before all others.
+  // Files store this metric beside the error estimate, before all other metrics.
   solution_of(run.cases[0], "fd-kf")
-      .observations.push_back({.path = "error.observed_order", .value = 5.25});
-  // Of single precision, as a run has them.
+      .metrics.push_back({.path = "error.observed_order", .value = 5.25});
+  // Single precision, as in the files of a run.
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;
@@ -182,7 +184,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
 }
 
-TEST(Page, SaysFirstThatItsRunWasStopped) {
+TEST(Page, StatesFirstThatTheRunWasStopped) {
   auto run = whole_run();
   EXPECT_FALSE(contains(page(run), "was stopped"));
   run.stopped = "This run was stopped. Missing: <b>.";
@@ -192,26 +194,26 @@ TEST(Page, SaysFirstThatItsRunWasStopped) {
 
 TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderAMegabyteEach) {
   // More closures, up to fifteen solutions.
-  auto one = whole_run().cases[0];
+  auto case_result = whole_run().cases[0];
   for (int n = 10; n < 24; n += 2) {
     const std::string id = "epc-moment-n" + std::to_string(n);
-    auto closure = solution_of(one, "epc-gaussian-n6");
+    auto closure = solution_of(case_result, "epc-gaussian-n6");
     closure.identity.id = id;
-    one.solutions.insert(one.solutions.begin(), closure);
-    auto joint = one.joints.front();
+    case_result.solutions.insert(case_result.solutions.begin(), closure);
+    auto joint = case_result.joints.front();
     joint.solution = id;
-    one.joints.push_back(joint);
+    case_result.joints.push_back(joint);
     for (const auto variable : transform::kVariables) {
-      auto curve = *one.curve("epc-gaussian-n6", variable);
+      auto curve = *case_result.curve("epc-gaussian-n6", variable);
       curve.solution = id;
-      one.curves.push_back(curve);
+      case_result.curves.push_back(curve);
     }
   }
-  ASSERT_EQ(one.solutions.size(), 15u);
-  EXPECT_LT(page({results::this_program("fpkcheck run"), {one}}).size(), 1'000'000u);
+  ASSERT_EQ(case_result.solutions.size(), 15u);
+  EXPECT_LT(page({results::this_program("fpkcheck run"), {case_result}}).size(), 1'000'000u);
   results::Run run{results::this_program("fpkcheck run"), {}};
   for (int c = 0; c < 4; ++c) {
-    run.cases.push_back(one);
+    run.cases.push_back(case_result);
     run.cases.back().problem.name = "case" + std::to_string(c);
   }
   EXPECT_LT(page(run).size(), 1'600'000u);

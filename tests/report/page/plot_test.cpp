@@ -32,7 +32,7 @@ TEST(Plot, TextsOfPlotlyShowEveryLetter) {
   EXPECT_EQ(plotly_text("epc-gaussian-n6"), "epc-gaussian-n6");
 }
 
-TEST(Plot, LegendsSayWhatIsNotOkLetterByLetter) {
+TEST(Plot, LegendsShowTheStatusLiterally) {
   transform::Solution solution{.identity = tests::closure_identity("gaussian", 4)};
   solution.status = transform::Status::ok;
   EXPECT_EQ(legend_name(solution), "epc-gaussian-n4");

@@ -15,31 +15,33 @@ using tests::row_in;
 using tests::solution_of;
 using tests::whole_run;
 
-TEST(ProblemText, SaysOnceWhatAllCasesShareAndPutsTheRestIntoATable) {
+TEST(ProblemText, ListsCommonParametersOnceAndTheRestInATable) {
   auto run = whole_run();
   run.cases.push_back(run.cases[0]);
   run.cases[1].problem = tests::make_problem({.cubic = 0.25, .mean = 0.125, .law = "laplace"});
   run.cases[1].problem.name = "<other>";
   const std::string html = problem_html(run);
-  EXPECT_EQ(headers_in(html, "What varies"), "parameter|case1|&lt;other&gt;");
-  EXPECT_EQ(row_in(html, "What varies", "\u03bc, cubic stiffness"), "0.1|0.25");
-  EXPECT_EQ(row_in(html, "What varies", "law of the amplitudes"), "gaussian|laplace");
-  EXPECT_EQ(row_in(html, "What varies", "E[Y], mean amplitude"), "0|0.125");
-  EXPECT_TRUE(contains(html, "<p>In all cases: c, damping = 0.1; k, stiffness = 1; r, "));
-  // Every parameter in one of both places.
-  const std::string shared = html.substr(html.find("<p>In all cases"));
+  const std::string caption = "Parameters that differ between cases";
+  EXPECT_EQ(headers_in(html, caption), "parameter|case1|&lt;other&gt;");
+  EXPECT_EQ(row_in(html, caption, "\u03bc, cubic stiffness"), "0.1|0.25");
+  EXPECT_EQ(row_in(html, caption, "law of the amplitudes"), "gaussian|laplace");
+  EXPECT_EQ(row_in(html, caption, "E[Y], mean amplitude"), "0|0.125");
+  EXPECT_TRUE(
+      contains(html, "<p>Parameters of all cases: c, damping = 0.1; k, stiffness = 1; r, "));
+  // Every parameter is in the sentence or in the table.
+  const std::string shared = html.substr(html.find("<p>Parameters of all cases"));
   EXPECT_EQ(occurrences(html, "<th scope=\"row\">") +
                 occurrences(shared.substr(0, shared.find("</p>")), " = "),
-            problem::shown_parameters(run.cases[0].problem).size());
-  EXPECT_EQ(what_varies(run, run.cases[1]),
+            problem::displayed_parameters(run.cases[0].problem).size());
+  EXPECT_EQ(varying_parameters(run, run.cases[1]),
             "\u03bc = 0.25, law of the amplitudes = laplace, E[Y] = 0.125");
 }
 
 TEST(ProblemText, OfOneCaseHasNoTable) {
   const auto run = whole_run();
   EXPECT_FALSE(contains(problem_html(run), "<table"));
-  EXPECT_TRUE(contains(problem_html(run), "<p>Here: c, damping = 0.1; "));
-  EXPECT_EQ(what_varies(run, run.cases[0]), "");
+  EXPECT_TRUE(contains(problem_html(run), "<p>Parameters: c, damping = 0.1; "));
+  EXPECT_EQ(varying_parameters(run, run.cases[0]), "");
 }
 
 TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
@@ -51,7 +53,7 @@ TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
   EXPECT_TRUE(contains(html, "<dt>fd-km4, fd-kf</dt><dd>What fd makes.</dd>"));
   EXPECT_TRUE(contains(html, "<dt>solves white/\u2026</dt><dd>Excitation: white noise.</dd>"));
   EXPECT_TRUE(contains(html, "<dt>solves \u2026/delta</dt>"));
-  EXPECT_FALSE(contains(html, "km4-pade"));  // of no solution here
+  EXPECT_FALSE(contains(html, "km4-pade"));  // no solution has this equation
   EXPECT_FALSE(contains(html, "given/-"));
   for (const auto& status : transform::kStatusNames) {
     EXPECT_TRUE(contains(html, fmt::format("<b>{}</b>", status.name)));
@@ -61,7 +63,7 @@ TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
   }
 }
 
-TEST(Glossary, SaysWhatAFileDoesNotTell) {
+TEST(Glossary, StatesUnknownEquationAndImpact) {
   auto run = whole_run();
   auto& identity = solution_of(run.cases[0], "fd-white").identity;
   identity.equation.reset();

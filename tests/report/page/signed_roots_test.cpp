@@ -27,8 +27,8 @@ TEST(SignedRoots, OfNothingAreNothing) {
 }
 
 TEST(SignedRoots, AreTheSumsOfTheirSteps) {
-  EXPECT_EQ(steps_of(std::vector{5, 7, -1}), (std::vector{5, 2, -8}));
-  EXPECT_TRUE(steps_of({}).empty());
+  EXPECT_EQ(successive_differences(std::vector{5, 7, -1}), (std::vector{5, 2, -8}));
+  EXPECT_TRUE(successive_differences({}).empty());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "made_up_page.hpp"
-#include "report/page/distance_strip.hpp"
+#include "report/page/distance_plot.hpp"
 #include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {
@@ -24,13 +24,13 @@ results::Run two_cases() {
 TEST(VerdictView, HasEverySentenceOfTheVerdict) {
   const auto run = two_cases();
   const std::string html = verdict_html(run, {"case-1", "case-2"});
-  const auto said = verdict(run);
-  EXPECT_EQ(occurrences(html, "<p class=\"answer\">"), said.answer.size());
-  EXPECT_EQ(occurrences(html, "<dt class="), said.lines.size());
+  const auto run_verdict = verdict(run);
+  EXPECT_EQ(occurrences(html, "<p class=\"answer\">"), run_verdict.answer.size());
+  EXPECT_EQ(occurrences(html, "<dt class="), run_verdict.lines.size());
   EXPECT_TRUE(contains(html, "<dt class=\"no\">epc-gaussian-n6</dt><dd>reproduced in part"));
 }
 
-TEST(VerdictView, ColoursACellByHowItStands) {
+TEST(VerdictView, ColoursACellByItsAgreement) {
   const std::string html = verdict_html(two_cases(), {"case-1", "case-2"});
   EXPECT_TRUE(contains(html, "<a href=\"#case-1\">a&lt;b</a>"));
   EXPECT_TRUE(contains(html, "<td class=\"number is-close\" title=\"ok\">0.0031</td>"));
@@ -39,8 +39,8 @@ TEST(VerdictView, ColoursACellByHowItStands) {
   EXPECT_TRUE(contains(html, "title=\"not_converged\">\u2013<sup>x</sup></td>"));
 }
 
-// A colour that no cell has needs none.
-TEST(VerdictView, SaysWhatTheColoursOfTheCellsMean) {
+// The key has only colours that occur in the cells.
+TEST(VerdictView, ExplainsTheColoursOfTheCells) {
   auto run = two_cases();
   const auto key = [&] {
     const std::string html = verdict_html(run, {"case-1", "case-2"});
@@ -52,16 +52,16 @@ TEST(VerdictView, SaysWhatTheColoursOfTheCellsMean) {
   for (const char* colour : {"is-reference", "is-close", "is-off", "is-none"}) {
     EXPECT_EQ(occurrences(key(), std::string("class=\"") + colour), 1u) << colour;
   }
-  for (auto& one : run.cases) {
-    std::erase_if(one.solutions, [](const auto& s) { return !s.is_ok(); });
+  for (auto& case_result : run.cases) {
+    std::erase_if(case_result.solutions, [](const auto& s) { return !s.is_ok(); });
   }
   EXPECT_EQ(occurrences(key(), "is-none"), 0u);
 }
 
-TEST(DistanceStrip, HasAMarkForEachDistanceAndAWordForNone) {
+TEST(DistancePlot, HasAMarkForEachDistanceOrAText) {
   const auto run = two_cases();
-  const std::string svg = distance_strip(run, records(run));
-  // n = 2 and 6, white, km4 and the simulation in both cases; n = 4 is no density.
+  const std::string svg = distance_plot(run, agreement_rows(run));
+  // Circles in both cases: n = 2 and 6, white, km4, the simulation. Crosses: n = 4, inadmissible.
   EXPECT_EQ(occurrences(svg, "<circle"), 10u);
   EXPECT_EQ(occurrences(svg, "class=\"cross\""), 2u);
   EXPECT_TRUE(contains(svg, ">not_converged</text>"));
@@ -69,27 +69,28 @@ TEST(DistanceStrip, HasAMarkForEachDistanceAndAWordForNone) {
   EXPECT_TRUE(contains(svg, "<title>epc-gaussian-n6, a&lt;b: 0.0042</title>"));
 }
 
-TEST(DistanceStrip, PutsMarksWhereTheirDecadeIs) {
+TEST(DistancePlot, PutsMarksWhereTheirDecadeIs) {
   auto run = two_cases();
   run.cases.pop_back();
   for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4", "fd-white", "fd-km4", "mcs"}) {
     set_l1(run.cases[0], id, "fd-kf", 0.1, 0.1);
   }
   set_l1(run.cases[0], "epc-gaussian-n6", "fd-kf", 1e-3, 1e-4);
-  const std::string svg = distance_strip(run, records(run));
+  const std::string svg = distance_plot(run, agreement_rows(run));
   const auto x_of = [&](const std::string& title) {
     const auto circle = svg.rfind("cx=\"", svg.find(title));
     return std::stod(svg.substr(circle + 4));
   };
-  // From 1e-5, which the reference's own 3e-5 asks for, to 0.1: two decades are half the axis.
+  // The axis extends from 1e-5, below the error estimate 3e-5 of the reference, to 0.1: four
+  // decades.
   const double left = 132, right = 546;
   EXPECT_NEAR(x_of("epc-gaussian-n6, a"), (left + right) / 2, 0.1);
   EXPECT_NEAR(x_of("fd-white, a"), right, 0.1);
 }
 
-TEST(DistanceStrip, IsNothingWithoutDistances) {
-  const results::Run run{{}, {tests::with_first(4)}};
-  EXPECT_EQ(distance_strip(run, records(run)), "");
+TEST(DistancePlot, IsNothingWithoutDistances) {
+  const results::Run run{{}, {tests::case_with_first(4)}};
+  EXPECT_EQ(distance_plot(run, agreement_rows(run)), "");
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ TEST(Columns, OfLeastImportanceGoWhereTheRowsDoNotFit) {
   const auto text = rows(table(), 28);
   EXPECT_EQ(text.find("p(y')"), std::string::npos);
   EXPECT_NE(text.find("p(y)"), std::string::npos);
-  EXPECT_NE(rows(table(), 10).find("inadmissible"), std::string::npos);  // always shown
+  EXPECT_NE(rows(table(), 10).find("inadmissible"), std::string::npos);  // never omitted
 }
 
-// Without its escape sequences the coloured table is the plain one: widths are those of letters.
+// Without escape sequences the coloured table equals the plain table: widths count letters only.
 TEST(Columns, AreColouredByStatusAndOtherwiseTheSame) {
   const auto plain = rows(table(), 100), coloured = rows(table(), {100, true});
   EXPECT_EQ(plain.find('\x1b'), std::string::npos);

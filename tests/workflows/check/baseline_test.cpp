@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-TEST(SavedProblem, ComesBackFromASummary) {
+TEST(SavedProblem, IsReadBackFromASummary) {
   std::vector<problem::Problem> problems;
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     problems.push_back(tests::make_problem({.damping = 0.11,
@@ -48,7 +48,7 @@ TEST(SavedProblem, ComesBackFromASummary) {
   }
 }
 
-/// A directory of its own with a small run in it.
+/// A temporary directory with a copy of a small run.
 class BaselineTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -61,10 +61,10 @@ class BaselineTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   static Baseline load(const fs::path& place) {
-    return load_baseline(place, methods::builtin(), {{"threads", std::int64_t{2}}});
+    return load_baseline(place, methods::builtin_registry(), {{"threads", std::int64_t{2}}});
   }
 
-  /// Saves the summary after a change and says how the program takes it.
+  /// Changes the summary, loads it and returns the error message, or "accepted".
   std::string message(const std::function<void(Json&)>& change) {
     std::ifstream in(FPKCHECK_BASELINES "/case1/summary.json");
     Json summary = Json::parse(in);
@@ -87,7 +87,7 @@ class BaselineTest : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
+TEST_F(BaselineTest, ReportsSolutionsThatCannotBeSolvedAgain) {
   const auto first = [](Json& json) -> Json& { return json["cases"][0]["solutions"][0]; };
   expect_message("accepted", [](Json&) {});
   expect_message("b.json: case1: epc-gaussian-n4: options.order is missing",
@@ -97,7 +97,7 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
   expect_message("options.order = 'six' (must be an even number",
                  [&](Json& json) { first(json)["options"]["order"] = "six"; });
   expect_message("order = 5", [&](Json& json) { first(json)["options"]["order"] = 5; });
-  expect_message("options are those of epc-gaussian-n6",
+  expect_message("options belong to epc-gaussian-n6",
                  [&](Json& json) { first(json)["options"]["order"] = 6; });
   expect_message("method 'magic'", [&](Json& json) { first(json)["method"] = "magic"; });
   expect_message("case1: system.stiffness is missing",
@@ -107,17 +107,17 @@ TEST_F(BaselineTest, WhatCannotBeSolvedAgainIsNamed) {
   expect_message("impulse.law = 3 (must be one of",
                  [](Json& json) { json["cases"][0]["impulse"]["law"] = 3; });
   expect_message("schema 2", [](Json& json) { json["schema"] = 2; });
-  expect_message("not a whole summary", [](Json& json) { json.erase("cases"); });
-  expect_message("not a whole summary", [&](Json& json) { first(json).erase("options"); });
-  expect_message("is there twice",
+  expect_message("not a complete summary", [](Json& json) { json.erase("cases"); });
+  expect_message("not a complete summary", [&](Json& json) { first(json).erase("options"); });
+  expect_message("occurs twice",
                  [](Json& json) { json["cases"].push_back(Json(json["cases"][0])); });
   expect_message("no solution that can be solved again",
                  [](Json& json) { json["cases"] = Json::array(); });
 }
 
-TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
+TEST_F(BaselineTest, ASimulationMustBeCompleteWithStandardErrors) {
   const auto mcs = [](Json& json) -> Json& { return json["cases"][0]["solutions"].back(); };
-  expect_message("case1: mcs: the simulation was interrupted (run again, to its end)",
+  expect_message("case1: mcs: the simulation was interrupted: run it again, to its end",
                  [&](Json& json) { mcs(json)["interrupted"] = true; });
   for (const Json& bad : {Json(), Json(0.0), Json(-1e-4)}) {
     expect_message("case1: mcs: standard error of E[y^2] = ",
@@ -125,26 +125,26 @@ TEST_F(BaselineTest, ASimulationMustBeWholeAndKnowItsErrors) {
     expect_message("sampling L1 in 99 of 100 of p(y') = ",
                    [&](Json& json) { mcs(json)["sampling_l1"]["ydot_99"] = bad; });
   }
-  expect_message("not a whole summary",
+  expect_message("not a complete summary",
                  [&](Json& json) { mcs(json)["standard_errors"]["y2"] = "small"; });
 }
 
-TEST_F(BaselineTest, CurvesOfAnotherRunAreRefused) {
+TEST_F(BaselineTest, RefusesCurvesOfAnotherRun) {
   std::ofstream(folder_ / "marginals.csv")
       << "case,solution,variable,abscissa,density,lower,upper\ncase1,fd-kf,y,0.1,1,,\n";
   expect_message("marginals.csv", [](Json&) {});
   expect_message("not of the same run", [](Json&) {});
 }
 
-TEST_F(BaselineTest, WithoutCurvesANoteSaysSo) {
+TEST_F(BaselineTest, HasANoteWithoutCurves) {
   message([](Json&) {});
   const auto baseline = load(folder_ / "b.json");
   EXPECT_FALSE(baseline.has_marginals);
   ASSERT_EQ(baseline.notes.size(), 1u);
-  EXPECT_NE(baseline.notes[0].find("curves are not compared"), std::string::npos);
+  EXPECT_NE(baseline.notes[0].find("marginal densities are not compared"), std::string::npos);
 }
 
-TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
+TEST_F(BaselineTest, RemovesAnExternalSolutionWithANote) {
   EXPECT_EQ(message([](Json& json) {
               json["cases"][0]["solutions"][1]["method"] = "file";
               json["cases"][0]["solutions"][1]["options"] = {{"path", "theirs.csv"}};
@@ -155,7 +155,7 @@ TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
   const std::size_t methods = whole.cases[0].methods.size();
   EXPECT_EQ(baseline.cases[0].methods.size() + 1, methods);
   EXPECT_EQ(baseline.run.cases[0].find("epc-gaussian-n6"), nullptr);
-  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 was given from outside"),
+  EXPECT_NE(baseline.notes.back().find("case1 epc-gaussian-n6 is an external density"),
             std::string::npos);
   const auto& pairs = baseline.run.cases[0].pairs;
   for (const auto& pair : pairs) {
@@ -167,7 +167,7 @@ TEST_F(BaselineTest, ASolutionFromAFileIsLeftOutWithANote) {
   EXPECT_EQ(pairs.size(), whole.run.cases[0].pairs.size() - 2 * (methods - 1));
 }
 
-TEST_F(BaselineTest, OptionsThatAreGivenReplaceThoseOfTheRun) {
+TEST_F(BaselineTest, OptionOverridesReplaceOptionsOfTheRun) {
   const auto threads = [](const Baseline& baseline) {
     for (const auto& [name, value] : baseline.cases[0].methods.back().options) {
       if (name == "threads") return value;
@@ -177,7 +177,7 @@ TEST_F(BaselineTest, OptionsThatAreGivenReplaceThoseOfTheRun) {
   EXPECT_EQ(threads(load(FPKCHECK_BASELINES "/case1")), base::Value(std::int64_t{2}));
 }
 
-TEST_F(BaselineTest, EveryPaperCaseLoadsWholeWithItsCurves) {
+TEST_F(BaselineTest, LoadsEveryPaperCaseWithItsCurves) {
   for (const char* name : {"case1", "case2", "case3", "case4"}) {
     const auto baseline = load(fs::path(FPKCHECK_BASELINES) / name);
     EXPECT_TRUE(baseline.has_marginals);
@@ -188,9 +188,9 @@ TEST_F(BaselineTest, EveryPaperCaseLoadsWholeWithItsCurves) {
   }
 }
 
-/// The paper's first case by its closures alone: what is solved in no time.
+/// The closures of the paper's first case, which are solved in a few milliseconds each.
 Baseline closures() {
-  auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin(), {});
+  auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin_registry(), {});
   auto& one = baseline.run.cases[0];
   const auto is_closure = [](const std::string& id) { return id.starts_with("epc-"); };
   std::erase_if(one.solutions, [&](const auto& s) { return !is_closure(s.id()); });
@@ -201,34 +201,35 @@ Baseline closures() {
   return baseline;
 }
 
-TEST(RunAgain, SolvedByThisProgramTheOldFilesAgree) {
+TEST(RunAgain, AgreesWithTheSavedBaseline) {
   const auto baseline = closures();
   std::vector<methods::RunProgress> told;
-  const auto run = run_again(baseline, "fpkcheck check", 2,
-                             [&](const methods::RunProgress& at) { told.push_back(at); });
+  const auto run = repeat_run(baseline, "fpkcheck check", 2,
+                              [&](const methods::RunProgress& at) { told.push_back(at); });
   EXPECT_EQ(run.program.command, "fpkcheck check");
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
   const auto same = check(baseline.run, run, {});
-  for (const auto& figure : same.moved()) ADD_FAILURE() << figure.solution << " " << figure.name;
-  EXPECT_GT(same.figures.size(), 300u);
+  for (const auto& quantity_change : same.moved())
+    ADD_FAILURE() << quantity_change.solution << " " << quantity_change.name;
+  EXPECT_GT(same.changes.size(), 300u);
 }
 
-TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
+TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
   const auto baseline = closures();
-  const auto again = run_again(baseline, "", 2, {});
+  const auto again = repeat_run(baseline, "", 2, {});
   std::size_t tried = 0;
   for (const auto& closure : baseline.run.cases[0].solutions) {
     auto before = tests::only(baseline.run, closure.id());
     const auto run = tests::only(again, closure.id());
     auto& was = before.cases[0].solutions.at(0);
-    for (auto& o : was.observations) {
-      const auto* now = transform::find(run.cases[0].find(was.id())->observations, o.path);
-      const auto value = transform::number(was.observations, o.path);
+    for (auto& o : was.metrics) {
+      const auto* now = transform::find(run.cases[0].find(was.id())->metrics, o.path);
+      const auto value = transform::number(was.metrics, o.path);
       if (now == nullptr || !value || now->kind == transform::Kind::work) continue;
       const auto kept = o.value;
-      const double size = std::max(std::abs(*value), now->least_scale);
-      o.value = *value + size * (now->delicate ? 3e-6 : 1e-6);
+      const double size = std::max(std::abs(*value), now->min_scale);
+      o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);
       EXPECT_GE(check(before, run, {}).moved().size(), 1u) << was.id() << " " << o.path;
       o.value = kept;
       ++tried;
@@ -237,10 +238,10 @@ TEST(RunAgain, FindsEveryResultOfAClosureThatMovesByAMillionth) {
   EXPECT_GT(tried, 200u);
 }
 
-/// A simulation alone, saved as a run is.
+/// A run of one simulation.
 results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double time = 2e5) {
   const auto problem = tests::make_problem({.intensity = intensity});
-  const auto method = methods::builtin().by_id(
+  const auto method = methods::builtin_registry().method_by_id(
       "mcs",
       {{"time", time}, {"seed", static_cast<std::int64_t>(seed)}, {"streams", std::int64_t{64}}});
   return {results::this_program(""), methods::run_cases({problem}, {*method}, 0, {})};
@@ -248,18 +249,21 @@ results::Run simulated_run(std::uint64_t seed, double intensity = 0.1, double ti
 
 TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   const auto baseline = simulated_run(1);
-  for (std::uint64_t seed = 2; seed <= tests::usually(3u, 6u); ++seed) {
+  for (std::uint64_t seed = 2; seed <= tests::part_unless_thorough(3u, 6u); ++seed) {
     const auto other = check(baseline, simulated_run(seed), {});
-    for (const auto& figure : other.moved()) ADD_FAILURE() << seed << " " << figure.name;
-    // Chance enters: it is not the same run.
-    EXPECT_TRUE(std::ranges::any_of(other.figures, [](const Figure& f) { return f.change > 0.5; }));
+    for (const auto& quantity_change : other.moved())
+      ADD_FAILURE() << seed << " " << quantity_change.name;
+    // The runs differ: otherwise the agreement would prove nothing.
+    EXPECT_TRUE(
+        std::ranges::any_of(other.changes, [](const QuantityChange& f) { return f.change > 0.5; }));
   }
-  constexpr double kShort = 2e4;  // to a bit, however long
+  constexpr double kShort = 2e4;  // identical digits at every length
   const auto same = check(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
-  EXPECT_TRUE(std::ranges::all_of(same.figures, [](const Figure& f) { return f.change == 0; }));
+  EXPECT_TRUE(
+      std::ranges::all_of(same.changes, [](const QuantityChange& f) { return f.change == 0; }));
 }
 
-TEST(SimulationCheck, ImpulsesFivePercentStrongerAreFound) {
+TEST(SimulationCheck, FindsFivePercentStrongerImpulses) {
   constexpr double kTime = 4e4;
   const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
   EXPECT_GE(check(one, stronger, {}).moved().size(), 2u);

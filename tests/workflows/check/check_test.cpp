@@ -22,9 +22,10 @@ using transform::Kind;
 TEST(Check, ARunAgreesWithItselfAndWithItsFiles) {
   for (const results::Run* baseline : {&paper_baseline(), &solved_run()}) {
     const auto same = check(*baseline, solved_run(), {});
-    for (const auto& figure : same.moved()) ADD_FAILURE() << figure.solution << figure.name;
+    for (const auto& quantity_change : same.moved())
+      ADD_FAILURE() << quantity_change.solution << quantity_change.name;
     EXPECT_TRUE(same.agrees());
-    EXPECT_GT(same.figures.size(), 1400u);
+    EXPECT_GT(same.changes.size(), 1400u);
     EXPECT_EQ(same.solutions, baseline->cases[0].solutions.size());
   }
 }
@@ -33,13 +34,13 @@ TEST(Check, FindsEveryCoefficientThatMovesByAMillionth) {
   std::size_t tried = 0;
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
-    for (const auto& o : one.observations) {
+    for (const auto& o : one.metrics) {
       if (o.kind != Kind::coefficient) continue;
       for (const double relative : {1e-6, -1e-6}) {
         const auto moved = moved_by(tests::scaled(one.id(), o.path, relative), {}, runs);
         ASSERT_EQ(moved.size(), 1u) << one.id() << " " << o.path;
         EXPECT_EQ(moved[0].solution, one.id());
-        EXPECT_EQ(moved[0].kind, FigureKind::coefficient);
+        EXPECT_EQ(moved[0].kind, QuantityKind::coefficient);
         EXPECT_NEAR(moved[0].change, 1e-6, 1e-11);
       }
       ++tried;
@@ -57,12 +58,12 @@ TEST(Check, FindsEveryMomentThatMovesByAMillionth) {
       const auto moved = moved_by(
           [&](results::Run& run) {
             double& moment = solution(run, one.id()).moments.*of.moment;
-            // E[y'] is 0 but for errors: a millionth of a deviation.
+            // E[y'] = 0 up to errors of the method: change it by 1e-6 of the deviation.
             moment = of.moment == of.size ? moment * (1 + 1e-6) : moment + 1e-6 * deviation;
           },
           {}, runs);
       ASSERT_EQ(moved.size(), 1u) << one.id() << " " << of.symbol;
-      EXPECT_EQ(moved[0].kind, FigureKind::moment);
+      EXPECT_EQ(moved[0].kind, QuantityKind::moment);
       EXPECT_EQ(moved[0].name, of.symbol);
     }
   }
@@ -72,19 +73,20 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
   std::size_t tried = 0;
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
-    for (const auto& o : one.observations) {
-      const auto value = transform::number(one.observations, o.path);
-      if (o.kind != Kind::result || !o.error_at.empty() || !value) continue;
-      const double step = std::max(std::abs(*value), o.least_scale) * (o.delicate ? 3e-6 : 1e-6);
+    for (const auto& o : one.metrics) {
+      const auto value = transform::number(one.metrics, o.path);
+      if (o.kind != Kind::result || !o.standard_error_path.empty() || !value) continue;
+      const double step =
+          std::max(std::abs(*value), o.min_scale) * (o.is_rounding_sensitive ? 3e-6 : 1e-6);
       const auto moved = moved_by(
           [&](results::Run& run) {
             observation(solution(run, one.id()), o.path).value = *value + step;
           },
           {}, runs);
-      // With another power it is another coefficient: one is lost, one is new.
+      // A changed power names another coefficient: the old one is missing, the new one is added.
       const bool is_power = o.path.starts_with("coefficients");
       ASSERT_EQ(moved.size(), is_power ? 2u : 1u) << one.id() << " " << o.path;
-      EXPECT_EQ(moved[0].kind, is_power ? FigureKind::coefficient : FigureKind::detail);
+      EXPECT_EQ(moved[0].kind, is_power ? QuantityKind::coefficient : QuantityKind::detail);
       if (!is_power) {
         EXPECT_EQ(moved[0].name, o.path);
       }
@@ -94,12 +96,12 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
   EXPECT_GT(tried, 300u);
 }
 
-TEST(Check, FindsEveryWordAndFlagThatIsAnother) {
+TEST(Check, FindsEveryChangedWordAndFlag) {
   std::size_t tried = 0;
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
-    for (const auto& o : one.observations) {
-      if (o.kind == Kind::work || transform::number(one.observations, o.path)) continue;
+    for (const auto& o : one.metrics) {
+      if (o.kind == Kind::work || transform::number(one.metrics, o.path)) continue;
       const auto moved = moved_by(
           [&](results::Run& run) {
             observation(solution(run, one.id()), o.path).value = "another";
@@ -112,7 +114,7 @@ TEST(Check, FindsEveryWordAndFlagThatIsAnother) {
   EXPECT_GT(tried, 10u);
 }
 
-TEST(Check, FindsWhatOnlyOneOfTheRunsHas) {
+TEST(Check, FindsQuantitiesThatOneRunLacks) {
   using Solutions = std::vector<transform::Solution>;
   const auto erase = [](auto& list, int place) { list.erase(list.begin() + place); };
   const auto without_solution = moved_by([&](results::Run& run) {
@@ -129,7 +131,7 @@ TEST(Check, FindsWhatOnlyOneOfTheRunsHas) {
   EXPECT_THROW(check(paper_baseline(), other, {}), InputError);
 }
 
-TEST(Check, DoesNotMindRounding) {
+TEST(Check, ToleratesRounding) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> relative(-1e-12, 1e-12);
   const auto disturb = [&](auto&... numbers) { (scale(numbers, relative(random)), ...); };
@@ -144,7 +146,7 @@ TEST(Check, DoesNotMindRounding) {
       if (s.error) disturb(s.error->y_l1, s.error->ydot_l1);
       if (s.error) disturb_moments(s.error->moments);
       if (s.standard_errors) disturb_moments(s.standard_errors->moments);
-      for (auto& o : s.observations) {
+      for (auto& o : s.metrics) {
         if (std::holds_alternative<double>(o.value)) disturb(o);
       }
     }
@@ -164,13 +166,13 @@ TEST(Check, DoesNotMindRounding) {
   EXPECT_TRUE(moved.empty()) << moved.front().solution << " " << moved.front().name;
 }
 
-TEST(Check, HowASolutionCameAboutIsNotCompared) {
+TEST(Check, IgnoresWorkOptionsAndTimes) {
   EXPECT_TRUE(moved_by([](results::Run& run) {
                 for (auto& one : run.cases[0].solutions) {
                   one.seconds = 1e3;
                   one.reason = "in other words";
                   one.options = {};
-                  for (auto& o : one.observations) {
+                  for (auto& o : one.metrics) {
                     if (o.kind == Kind::work) o.value = std::int64_t{7};
                   }
                 }
@@ -178,7 +180,7 @@ TEST(Check, HowASolutionCameAboutIsNotCompared) {
               }).empty());
 }
 
-TEST(Check, ToleranceIsWhatIsAskedFor) {
+TEST(Check, UsesTheGivenTolerance) {
   const auto shift = [](results::Run& run) { scale(solution(run, "fd-kf").moments.y4, 3e-7); };
   EXPECT_EQ(moved_by(shift).size(), 1u);
   EXPECT_EQ(moved_by(shift, {.deterministic = 1e-6}).size(), 0u);
@@ -191,14 +193,14 @@ TEST(Check, WithoutMarginalsCurvesAreNotCompared) {
   EXPECT_TRUE(check(paper_baseline(), other, {}, false).agrees());
 }
 
-TEST(Check, OfEveryKindTheNearestToItsAllowanceIsTold) {
+TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {
   results::Run other = solved_run();
   scale(solution(other, "fd-kf").moments.y2, 3e-9);
   scale(solution(other, "fd-km4").moments.y2, 5e-9);
   scale(solution(other, "fd-white").moments.y2, 1e-6);
   const auto compared = check(paper_baseline(), other, {});
-  for (const auto& summary : by_kind(compared)) {
-    if (summary.kind != FigureKind::moment) continue;
+  for (const auto& summary : summarise_by_kind(compared)) {
+    if (summary.kind != QuantityKind::moment) continue;
     EXPECT_EQ(summary.moved, 1u);
     ASSERT_NE(summary.largest, nullptr);
     EXPECT_EQ(summary.largest->solution, "fd-km4");

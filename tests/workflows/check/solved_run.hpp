@@ -11,12 +11,12 @@
 #include "paper_cases.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/check.hpp"
-#include "workflows/check/claims.hpp"
+#include "workflows/check/quantities.hpp"
 
-/// Runs to be held against each other; nothing is solved here.
+/// Runs to compare with each other; nothing is solved here.
 namespace fpkcheck::tests {
 
-/// The paper's first case as the repository holds it: of observations, files have the values alone.
+/// The paper's first case from the repository: files store the values of metrics alone.
 inline const results::Run& paper_baseline() {
   static const results::Run run = results::load_run(FPKCHECK_BASELINES "/case1");
   return run;
@@ -29,15 +29,15 @@ inline transform::Solution& solution(results::Run& run, std::string_view id) {
   throw std::logic_error("no " + std::string(id));
 }
 
-inline transform::Observation& observation(transform::Solution& one, std::string_view path) {
-  for (auto& found : one.observations) {
+inline transform::Metric& observation(transform::Solution& one, std::string_view path) {
+  for (auto& found : one.metrics) {
     if (found.path == path) return found;
   }
   throw std::logic_error(one.id() + " has no " + std::string(path));
 }
 
-/// Says of an observation what its solver says of it.
-inline void describe(transform::Observation& o) {
+/// Sets the kind, scale and error path of a metric as its solver does.
+inline void set_metric_kind(transform::Metric& o) {
   using transform::Kind;
   const std::string_view path = o.path;
   const auto is_one_of = [&](std::initializer_list<std::string_view> paths) {
@@ -82,50 +82,50 @@ inline void describe(transform::Observation& o) {
     o.kind = Kind::error;
   } else if (path.starts_with("coefficients") && path.ends_with("].a")) {
     o.kind = Kind::coefficient;
-    o.least_scale = 2e-8;
+    o.min_scale = 2e-8;
   } else if (is_one_of({"support.edge_density", "support.cut_off"})) {
-    o.least_scale = 1e-6;
-    o.delicate = true;
+    o.min_scale = 1e-6;
+    o.is_rounding_sensitive = true;
   } else if (path == "error.observed_order") {
-    o.delicate = true;
+    o.is_rounding_sensitive = true;
   } else if (is_one_of({"wall_density"})) {
-    o.least_scale = 1e-6;
+    o.min_scale = 1e-6;
   } else if (path.ends_with("].mean")) {
-    o.error_at = beside("mean", "standard_error");
+    o.standard_error_path = beside("mean", "standard_error");
   } else if (path.ends_with("].rate")) {
-    o.error_at = beside("rate", "standard_error");
+    o.standard_error_path = beside("rate", "standard_error");
   } else if (path.starts_with("quantiles") && path.ends_with("].value")) {
-    o.error_at = beside("value", "standard_error");
-    o.delicate = true;
+    o.standard_error_path = beside("value", "standard_error");
+    o.is_rounding_sensitive = true;
   } else if (path == "excess_power.relative") {
-    o.error_at = "excess_power.standard_error";
+    o.standard_error_path = "excess_power.standard_error";
   }
 }
 
-/// The same run as if it had just been solved: its observations say what they are.
+/// The same run as if this program had solved it: its metrics have their kinds.
 inline const results::Run& solved_run() {
   static const results::Run run = [] {
     results::Run solved = paper_baseline();
     for (auto& one : solved.cases.at(0).solutions) {
       const bool is_simulation = one.standard_errors.has_value();
-      for (auto& o : one.observations) {
-        describe(o);
-        if (is_simulation && o.path == "impact_rate") o.error_at = "impact_rate_error";
-        // A handful of events.
+      for (auto& o : one.metrics) {
+        set_metric_kind(o);
+        if (is_simulation && o.path == "impact_rate") o.standard_error_path = "impact_rate_error";
+        // Delicate where the rate comes from a handful of events.
         if (!o.path.ends_with("].rate")) continue;
-        const double rate = *number(one.observations, o.path);
-        o.delicate = !(1.96 * *number(one.observations, o.error_at) <= rate / 2);
+        const double rate = *number(one.metrics, o.path);
+        o.is_rounding_sensitive = !(1.96 * *number(one.metrics, o.standard_error_path) <= rate / 2);
       }
-      // What is new: older files have the interval alone.
+      // Older files have the interval alone: the standard error is derived from it.
       for (const char* list : {"quantiles.y", "quantiles.ydot"}) {
         for (int k = 0;; ++k) {
           const std::string entry = std::string(list) + '[' + std::to_string(k) + "].";
-          const auto lower = number(one.observations, entry + "lower");
-          const auto upper = number(one.observations, entry + "upper");
+          const auto lower = number(one.metrics, entry + "lower");
+          const auto upper = number(one.metrics, entry + "upper");
           if (!lower || !upper) break;
-          one.observations.push_back({.path = entry + "standard_error",
-                                      .value = (*upper - *lower) / (2 * 1.96),
-                                      .kind = transform::Kind::error});
+          one.metrics.push_back({.path = entry + "standard_error",
+                                 .value = (*upper - *lower) / (2 * 1.96),
+                                 .kind = transform::Kind::error});
         }
       }
     }
@@ -136,13 +136,13 @@ inline const results::Run& solved_run() {
 
 using Change = std::function<void(results::Run&)>;
 
-/// A run as files have it, and as it was solved.
+/// The run as read from files, and as solved by this program.
 struct TwoRuns {
   results::Run files = paper_baseline();
   results::Run solved = solved_run();
 };
 
-/// What a run has of one solution alone, where nothing else matters.
+/// The run reduced to one solution, without pairs and budget.
 inline results::Run only(results::Run run, const std::string& id) {
   results::Case& one = run.cases.at(0);
   std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
@@ -155,29 +155,29 @@ inline TwoRuns alone(const std::string& id) {
   return {.files = only(paper_baseline(), id), .solved = only(solved_run(), id)};
 }
 
-/// What moves when a run differs from the baseline by a change alone.
-inline std::vector<check::Figure> moved_by(const Change& change,
-                                           const check::Tolerances& tolerances = {},
-                                           const TwoRuns& runs = {}) {
+/// The compared quantities that change when the new run differs by `change` alone.
+inline std::vector<check::QuantityChange> moved_by(const Change& change,
+                                                   const check::Tolerances& tolerances = {},
+                                                   const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
   const auto forth = check::check(runs.files, changed, tolerances).moved();
-  // Which of the two changed must not matter.
+  // The result must be the same with the runs exchanged.
   EXPECT_EQ(check::check(changed, runs.solved, tolerances).moved().size(), forth.size());
   return forth;
 }
 
-inline std::vector<check::FigureKind> kinds(const std::vector<check::Figure>& figures) {
-  std::vector<check::FigureKind> result;
-  for (const auto& figure : figures) result.push_back(figure.kind);
+inline std::vector<check::QuantityKind> kinds(const std::vector<check::QuantityChange>& changes) {
+  std::vector<check::QuantityKind> result;
+  for (const auto& quantity_change : changes) result.push_back(quantity_change.kind);
   return result;
 }
 
 inline void scale(double& number, double relative) { number *= 1 + relative; }
 
-/// A number that a solver observes, whole or not.
-inline void scale(transform::Observation& o, double relative) {
-  const transform::Observations alone{o};
+/// Scales a metric of type double or integer.
+inline void scale(transform::Metric& o, double relative) {
+  const transform::Metrics alone{o};
   o.value = transform::number(alone, o.path).value() * (1 + relative);
 }
 
@@ -185,11 +185,11 @@ inline Change scaled(const std::string& id, const std::string& path, double rela
   return [=](results::Run& run) { scale(observation(solution(run, id), path), relative); };
 }
 
-/// A case of one solution, made of nothing but observations.
-inline results::Case case_of(transform::Observations observations) {
+/// A case with one solution that has these metrics alone.
+inline results::Case case_of(transform::Metrics metrics) {
   transform::Solution one{.identity = {.id = "solution", .method = "toy"}};
   one.status = transform::Status::ok;
-  one.observations = std::move(observations);
+  one.metrics = std::move(metrics);
   return {.problem = paper_case(1),
           .solutions = {one},
           .pairs = {},

@@ -15,7 +15,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-TEST(Claims, CoverEveryPanelOfFigures2To5AndBothDensitiesOfEveryCase) {
+TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
   std::set<std::string> panels;
   std::set<std::pair<int, transform::Variable>> densities;
   for (const auto& claim : claims()) {
@@ -31,7 +31,7 @@ TEST(Claims, CoverEveryPanelOfFigures2To5AndBothDensitiesOfEveryCase) {
   EXPECT_EQ(densities.size(), 8u);
 }
 
-TEST(Claims, SayInEachCaseWhatBecomesOfEachOrder) {
+TEST(Claims, CoverEachOrderInEachCase) {
   for (int number = 1; number <= 4; ++number) {
     for (const int order : {2, 4, 6, 8}) {
       EXPECT_TRUE(std::ranges::any_of(claims(),
@@ -44,39 +44,40 @@ TEST(Claims, SayInEachCaseWhatBecomesOfEachOrder) {
   }
 }
 
-TEST(Claims, AreToldApartByCaseAndWordsAndQuoteThePaper) {
+TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
   std::set<std::pair<std::vector<int>, std::string>> seen;
   for (const auto& claim : claims()) {
-    EXPECT_TRUE(seen.insert({claim.cases, words(claim)}).second) << words(claim);
+    EXPECT_TRUE(seen.insert({claim.cases, claim_text(claim)}).second) << claim_text(claim);
     EXPECT_FALSE(claim.quote.empty());
     EXPECT_EQ(claim.panels.find_first_not_of("abcd"), std::string::npos);
-    // A panel shows one of the densities.
+    // Each panel shows one of the two densities.
     for (const auto variable : claim.variables) {
-      const bool of_y = variable == transform::Variable::y;
+      const bool is_y = variable == transform::Variable::y;
       if (claim.panels.empty()) continue;
-      EXPECT_NE(claim.panels.find_first_of(of_y ? "ab" : "cd"), std::string::npos) << words(claim);
+      EXPECT_NE(claim.panels.find_first_of(is_y ? "ab" : "cd"), std::string::npos)
+          << claim_text(claim);
     }
     const bool compares = claim.relation == Relation::closer ||
                           claim.relation == Relation::closer_in_l1 ||
                           claim.relation == Relation::closer_in_tail;
-    EXPECT_EQ(compares, claim.rival != 0) << words(claim);
+    EXPECT_EQ(compares, claim.rival != 0) << claim_text(claim);
   }
 }
 
-TEST(Claims, AreOfTheMethodsAndCasesThatTheProgramHas) {
-  const auto methods = methods::builtin().select(kMethods, {});
+TEST(Claims, ReferToExistingMethodsAndCases) {
+  const auto methods = methods::builtin_registry().select(kRequiredMethods, {});
   for (const auto& claim : claims()) {
     EXPECT_TRUE(std::ranges::any_of(methods, [&](const methods::Method& method) {
       return method.identity.id == closure_id(claim.order);
-    })) << words(claim);
+    })) << claim_text(claim);
   }
-  ASSERT_EQ(problem::named_cases().size(), 4u);
+  ASSERT_EQ(problem::paper_cases().size(), 4u);
   for (int number = 1; number <= 4; ++number) {
-    EXPECT_EQ(problem::named_cases()[static_cast<std::size_t>(number) - 1].name, case_name(number));
+    EXPECT_EQ(problem::paper_cases()[static_cast<std::size_t>(number) - 1].name, case_name(number));
   }
 }
 
-TEST(Criteria, AgreementIsTheAccuracyThatClosuresAreHeldTo) {
+TEST(Criteria, AgreementIsTheDefaultAccuracyOfClosures) {
   EXPECT_EQ(epc::Options{}.accuracy, kAgreementL1);
 }
 

@@ -32,7 +32,7 @@ TEST(PaperFigures, AreFigs2To5WithThePapersNames) {
   }
 }
 
-TEST(PaperFigures, HoldThePeaksOfClosuresThatAreNotOk) {
+TEST(PaperFigures, CoverThePeaksOfClosuresThatAreNotOk) {
   auto run = tests::run_with_distances();
   const auto before = figures(run).front().script;
   tests::closure(run, 1, 2).status = transform::Status::inaccurate;
@@ -42,7 +42,7 @@ TEST(PaperFigures, HoldThePeaksOfClosuresThatAreNotOk) {
   EXPECT_NE(figures(run).front().script.find("set yrange [0:83.16]"), std::string::npos);
 }
 
-TEST(PaperFigures, LeaveOutWhatTheRunDoesNotHave) {
+TEST(PaperFigures, LeaveOutMissingSolutions) {
   auto run = tests::run_with_distances();
   run.cases.erase(run.cases.begin());
   std::erase_if(tests::case_in(run, 1).curves,

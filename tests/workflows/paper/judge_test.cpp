@@ -15,7 +15,7 @@ namespace {
 using tests::budget_row;
 using tests::case_in;
 using tests::closure;
-using tests::judged;
+using tests::find_judgement;
 using tests::run_with_distances;
 using transform::Status;
 using transform::Variable;
@@ -26,8 +26,8 @@ constexpr const char* kBetter = "n=6 is better than n=2 in p(y')";
 constexpr const char* kNotFound = "n=8 is not found by Newton's method";
 constexpr double kJustAbove = 1 + 1e-9;
 
-Outcome outcome(const results::Run& run, int number, const char* words) {
-  return judged(run, number, words).outcome;
+Outcome outcome(const results::Run& run, int number, const char* claim_text) {
+  return find_judgement(run, number, claim_text).outcome;
 }
 
 TEST(Judge, AgreementNeedsBothNumbersWithinTheirLimits) {
@@ -35,22 +35,22 @@ TEST(Judge, AgreementNeedsBothNumbersWithinTheirLimits) {
             Outcome::established);
   EXPECT_EQ(outcome(run_with_distances(kAgreementL1 * kJustAbove, 0.1), 1, kAgrees),
             Outcome::not_established);
-  const auto tail = judged(run_with_distances(0.01, 0.21), 1, kAgrees);
+  const auto tail = find_judgement(run_with_distances(0.01, 0.21), 1, kAgrees);
   EXPECT_EQ(tail.outcome, Outcome::not_established);
   EXPECT_EQ(tail.note, "tail 0.21 is above 0.2");
   EXPECT_EQ(tail.l1.value, 0.01);
   EXPECT_EQ(tail.tail.limit, kAgreementInTail);
 }
 
-TEST(Judge, ToDifferOneNumberIsEnough) {
+TEST(Judge, OneNumberAboveItsLimitIsADifference) {
   EXPECT_EQ(outcome(run_with_distances(0.03, 0.1), 1, kDiffers), Outcome::established);
   EXPECT_EQ(outcome(run_with_distances(0.01, 0.3), 1, kDiffers), Outcome::established);
-  const auto neither = judged(run_with_distances(0.01, 0.1), 1, kDiffers);
+  const auto neither = find_judgement(run_with_distances(0.01, 0.1), 1, kDiffers);
   EXPECT_EQ(neither.outcome, Outcome::not_established);
   EXPECT_EQ(neither.note, "L1 0.01 is not above 0.02, tail 0.1 is not above 0.2");
 }
 
-TEST(Judge, InTheTailTheTailAloneDecides) {
+TEST(Judge, ForClaimsOnTheTailTheTailAloneDecides) {
   auto run = run_with_distances(0.03, 0.1);
   EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), Outcome::established);
   EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), Outcome::not_established);
@@ -59,11 +59,11 @@ TEST(Judge, InTheTailTheTailAloneDecides) {
   EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), Outcome::established);
 }
 
-TEST(Judge, TheBetterOneIsSoByMoreThanTheReferenceLeavesOpen) {
+TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
   auto run = run_with_distances();
   auto& own = budget_row(run, 3, 6, Variable::ydot);
   const auto& rival = budget_row(run, 3, 2, Variable::ydot);
-  const double open = 0.0015;  // what the simulation says of itself in p(y')
+  const double open = 0.0015;  // error of the simulation in p(y')
   own.total_tail = rival.total_tail / 2;
   own.total = rival.total - 1.1 * open;
   EXPECT_EQ(outcome(run, 3, kBetter), Outcome::established);
@@ -72,7 +72,7 @@ TEST(Judge, TheBetterOneIsSoByMoreThanTheReferenceLeavesOpen) {
   own.total = rival.total / 2;
   own.total_tail = rival.total_tail * kJustAbove;
   EXPECT_EQ(outcome(run, 3, kBetter), Outcome::not_established);
-  // Finite differences and the simulation differ by as much.
+  // Finite volumes and the simulation differ by more than the two closures.
   own.total_tail = rival.total_tail - 0.01;
   own.parts.back().links = {compare::Link::discretisation};
   own.parts.back().tail = 0.02;
@@ -91,18 +91,18 @@ TEST(Judge, BetterInOnePanelIsDecidedByItsNumberAlone) {
   EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y'), tail"), Outcome::established);
 }
 
-TEST(Judge, PraiseOfWhatIsNoDensityIsEstablishedWithABut) {
-  const auto good = judged(run_with_distances(), 4, "n=4 agrees with MCS in p(y')");
+TEST(Judge, AgreementOfAnInadmissibleClosureIsQualified) {
+  const auto good = find_judgement(run_with_distances(), 4, "n=4 agrees with MCS in p(y')");
   EXPECT_EQ(good.outcome, Outcome::qualified);
-  EXPECT_EQ(good.note, "n=4 meets its equations yet is no probability density (inadmissible)");
+  EXPECT_EQ(good.note, "n=4 solves its equations but is no probability density (inadmissible)");
   EXPECT_EQ(good.status, Status::inadmissible);
   EXPECT_NE(good.reason.find("the leading form"), std::string::npos);
-  const auto bad = judged(run_with_distances(0.03), 4, "n=4 agrees with MCS in p(y')");
+  const auto bad = find_judgement(run_with_distances(0.03), 4, "n=4 agrees with MCS in p(y')");
   EXPECT_EQ(bad.outcome, Outcome::not_established);
   EXPECT_EQ(bad.note,
-            "L1 0.03 is above 0.02; and n=4 meets its equations yet is no probability density "
+            "L1 0.03 is above 0.02; and n=4 solves its equations but is no probability density "
             "(inadmissible)");
-  // That it differs is no praise.
+  // `differs` needs no admissible density.
   EXPECT_EQ(outcome(run_with_distances(0.03), 1, "n=4 differs from MCS in p(y')"),
             Outcome::established);
 }
@@ -112,11 +112,11 @@ TEST(Judge, OfAllCasesTheWorstDecides) {
   EXPECT_EQ(outcome(run, 0, kAgrees), Outcome::established);
   budget_row(run, 3, 6, Variable::y).total = 0.025;
   budget_row(run, 3, 6, Variable::ydot).total = 0.5;
-  const auto all = judged(run, 0, kAgrees);
+  const auto all = find_judgement(run, 0, kAgrees);
   EXPECT_EQ(all.outcome, Outcome::not_established);
   EXPECT_EQ(all.l1.value, 0.025);
   closure(run, 2, 6).status = Status::inadmissible;
-  EXPECT_EQ(judged(run, 0, kAgrees).status, Status::inadmissible);
+  EXPECT_EQ(find_judgement(run, 0, kAgrees).status, Status::inadmissible);
 }
 
 TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
@@ -129,10 +129,10 @@ TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
   EXPECT_EQ(outcome(run, 2, kLess), Outcome::not_established);
 }
 
-TEST(Judge, OrderTwoIsHeldToTheGaussianOfEquivalentLinearisation) {
+TEST(Judge, OrderTwoIsComparedWithEquivalentLinearisation) {
   constexpr const char* kSame = "n=2 is equivalent linearisation";
-  const auto off = judged(run_with_distances(), 0, kSame);
-  EXPECT_EQ(off.outcome, Outcome::not_established);  // the made-up one is another Gaussian
+  const auto off = find_judgement(run_with_distances(), 0, kSame);
+  EXPECT_EQ(off.outcome, Outcome::not_established);  // the made-up solution is another Gaussian
   EXPECT_GT(off.l1.value.value(), kSameGaussianL1);
   auto run = run_with_distances();
   std::erase_if(case_in(run, 2).curves, [](const results::Curve& curve) {
@@ -143,27 +143,27 @@ TEST(Judge, OrderTwoIsHeldToTheGaussianOfEquivalentLinearisation) {
 
 TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
   auto run = run_with_distances();
-  const auto none = judged(run, 1, kNotFound);
+  const auto none = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(none.outcome, Outcome::established);
   EXPECT_NE(none.reason.find("Newton steps"), std::string::npos);
 
   auto& eighth = closure(run, 1, 8);
   eighth.status = Status::inadmissible;
-  eighth.observations = transform::Observer().work("plain_newton_converges", true).take();
-  const auto found = judged(run, 1, kNotFound);
+  eighth.metrics = transform::MetricBuilder().work("plain_newton_converges", true).take();
+  const auto found = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(found.outcome, Outcome::not_established);
   EXPECT_EQ(found.note,
-            "plain Newton steps from equivalent linearisation find a root, which meets its "
-            "equations yet is no probability density (inadmissible)");
+            "plain Newton steps from equivalent linearisation find a root, which solves its "
+            "equations but is no probability density (inadmissible)");
 
-  eighth.observations = transform::Observer().work("plain_newton_converges", false).take();
+  eighth.metrics = transform::MetricBuilder().work("plain_newton_converges", false).take();
   eighth.status = Status::ok;
-  const auto otherwise = judged(run, 1, kNotFound);
+  const auto otherwise = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(otherwise.outcome, Outcome::established);
-  EXPECT_EQ(otherwise.note, "plain Newton steps find none, but other means find a root");
+  EXPECT_EQ(otherwise.note, "plain Newton steps find no root, but other methods find a root");
 }
 
-TEST(Judge, WhatCannotBeMeasuredIsUnjudgedAndSaysWhy) {
+TEST(Judge, ClaimsWithoutNumbersAreUnjudgedWithAReason) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::function<void(results::Run&)>, std::string>> losses{
       {[](auto& run) {
@@ -174,15 +174,15 @@ TEST(Judge, WhatCannotBeMeasuredIsUnjudgedAndSaysWhy) {
       {[](auto& run) { closure(run, 1, 6).status = Status::failed; },
        "epc-gaussian-n6 failed in case1"},
       {[](auto& run) { run.cases.erase(run.cases.begin()); }, "the run has no case1"},
-      {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference to measure by"},
+      {[](auto& run) { case_in(run, 1).budget.clear(); }, "case1 has no reference solution"},
       {[](auto& run) { case_in(run, 1).solutions.back().sampling = {.y = 0.1, .ydot = 0.1}; },
-       "the reference of case1 may itself be off by L1 0.1 (simulate longer)"},
+       "the reference of case1 has an error of up to L1 0.1: simulate longer"},
       {[=](auto& run) { budget_row(run, 1, 6, Variable::y).total_tail = nan; },
-       "no bin of the tail is known well"}};
+       "no bin of the tail is positive and resolved in all solutions"}};
   for (const auto& [lose, why] : losses) {
     auto run = run_with_distances();
     lose(run);
-    const auto one = judged(run, 1, kAgrees);
+    const auto one = find_judgement(run, 1, kAgrees);
     EXPECT_EQ(one.outcome, Outcome::unjudged) << why;
     EXPECT_EQ(one.note, why);
   }

@@ -8,12 +8,12 @@
 #include "made_up_solutions.hpp"
 #include "workflows/paper/judge.hpp"
 
-/// Runs of the paper's cases that nobody solved, with distances that the tests choose.
+/// Runs of the paper's cases with invented solutions and distances that the tests choose.
 namespace fpkcheck::tests {
 
 /// Error budgets of the closures n = 2, 4, 6 to `mcs`, all with these distances.
 inline results::Run run_with_distances(double l1 = 0.01, double tail = 0.1) {
-  // Made once: what differs between the tests is set by them.
+  // Shared by the tests; each test changes its own copy.
   static const results::Case made_up = made_up_case();
   results::Run run{results::this_program("fpkcheck paper"), {4, made_up}};
   for (int number = 1; number <= 4; ++number) {
@@ -51,14 +51,15 @@ inline transform::Solution& closure(results::Run& run, int number, int order) {
   throw std::logic_error("no such closure");
 }
 
-/// What is said of a claim, found by its case (0: all four) and words.
-inline paper::Judgement judged(const results::Run& run, int number, const std::string& words) {
+/// The judgement of a claim, by the number of its case (0: all four) and its text.
+inline paper::Judgement find_judgement(const results::Run& run, int number,
+                                       const std::string& claim_text) {
   for (const auto& one : paper::judge(run)) {
     const auto& cases = one.claim.cases;
     const bool is_here = number == 0 ? cases.size() == 4 : cases == std::vector<int>{number};
-    if (is_here && paper::words(one.claim) == words) return one;
+    if (is_here && paper::claim_text(one.claim) == claim_text) return one;
   }
-  throw std::logic_error("no claim '" + words + "'");
+  throw std::logic_error("no claim '" + claim_text + "'");
 }
 
 }  // namespace fpkcheck::tests

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "legend_of_script.hpp"
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::study {
@@ -13,23 +13,23 @@ using tests::contains;
 
 TEST(GridFigure, HasALineForEachSchemeEachFormulationAndTheSimulation) {
   const std::string script = figure(tests::made_up_grid_study(), "study-grid");
-  EXPECT_TRUE(contains(script, "'finite differences, order 3'"));
-  EXPECT_TRUE(contains(script, "'finite differences, order 5'"));
+  EXPECT_TRUE(contains(script, "'finite volumes, order 3'"));
+  EXPECT_TRUE(contains(script, "'finite volumes, order 5'"));
   EXPECT_TRUE(contains(script, "'closure, gaussian, n = 2, 4, ..'"));
   EXPECT_TRUE(contains(script, "'closure, moment, n = 2, 4, ..'"));
   EXPECT_TRUE(contains(script, "'simulation'"));
-  // What is not ok is not drawn: of the first formulation there is one point.
+  // Solutions that are not ok are not drawn: one point of the first formulation remains.
   EXPECT_TRUE(contains(script, "$other_0 << EOD\n0 6.7 0.0044 0.03\nEOD\n")) << script;
-  // Lines have the colours that the methods have everywhere.
+  // Lines have the colours of their methods.
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#D55E00'"));
   EXPECT_TRUE(contains(script, "NaN with linespoints lc rgb '#CC79A7'"));
 }
 
-TEST(GridFigure, TellsWhatEveryLineIs) {
+TEST(GridFigure, HasALegendEntryForEveryLine) {
   for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
     const auto script = figure(tests::made_up_grid_study(), "study-grid", width);
-    EXPECT_GT(tests::drawn_by(script).size(), 10u);
-    const auto untold = tests::without_entry(script);
+    EXPECT_GT(tests::plot_elements(script).size(), 10u);
+    const auto untold = tests::elements_without_entry(script);
     EXPECT_TRUE(untold.empty()) << untold.front();
   }
 }

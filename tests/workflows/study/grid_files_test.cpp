@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(GridFiles, JsonHasTheTruthTheLimitsTheGridsAndTheOthers) {
+TEST(GridFiles, JsonHasTheLimitsTheGridsAndTheOtherMethods) {
   const auto found =
       nlohmann::json::parse(json(tests::made_up_grid_study(), "fpkcheck study grid"));
   EXPECT_EQ(found.at("study"), "grid");
@@ -34,9 +34,9 @@ TEST(GridFiles, JsonHasTheTruthTheLimitsTheGridsAndTheOthers) {
   EXPECT_EQ(others.at(3).at("sampling_l1").at("ydot"), 0.0015);
 }
 
-TEST(GridFiles, JsonSaysWhyThereIsNoTruth) {
+TEST(GridFiles, JsonHasTheReasonWithoutALimit) {
   auto study = tests::made_up_grid_study();
-  study.limits.back() = {.order = 5, .none = "nothing converges"};
+  study.limits.back() = {.order = 5, .failure = "nothing converges"};
   const auto found = nlohmann::json::parse(json(study, ""));
   EXPECT_TRUE(found.at("truth").at("order").is_null());
   EXPECT_EQ(found.at("truth").at("reason"), "nothing converges");

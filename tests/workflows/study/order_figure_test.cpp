@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "legend_of_script.hpp"
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::study {
@@ -11,7 +11,7 @@ namespace {
 
 using tests::contains;
 
-TEST(OrderFigure, DrawsFormulationsInTheirColoursAndWhatIsNotOkApart) {
+TEST(OrderFigure, DrawsFormulationsInTheirColoursAndSeparatesStatuses) {
   const std::string script = figure(tests::made_up_order_study(), "study-order");
   EXPECT_TRUE(contains(script, "$ok_0 << EOD\n2 0.004 0.008\nEOD\n")) << script;
   EXPECT_TRUE(contains(script, "$not_0 << EOD\n4 0.026 0.052\nEOD\n")) << script;
@@ -25,15 +25,15 @@ TEST(OrderFigure, DrawsFormulationsInTheirColoursAndWhatIsNotOkApart) {
 
 TEST(OrderFigure, HasNoThirdPanelWithoutABranch) {
   auto study = tests::made_up_order_study();
-  study.rows[2].solution.observations.clear();
+  study.rows[2].solution.metrics.clear();
   EXPECT_FALSE(contains(figure(study, "study-order"), "(c) branches"));
 }
 
-TEST(OrderFigure, TellsWhatEveryLineAndMarkIs) {
+TEST(OrderFigure, HasALegendEntryForEveryLineAndMark) {
   for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
     const auto script = figure(tests::made_up_order_study(), "study-order", width);
-    EXPECT_GT(tests::drawn_by(script).size(), 8u);
-    const auto untold = tests::without_entry(script);
+    EXPECT_GT(tests::plot_elements(script).size(), 8u);
+    const auto untold = tests::elements_without_entry(script);
     EXPECT_TRUE(untold.empty()) << untold.front();
   }
 }

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(OrderFiles, JsonHasTheReferenceAndWhatEachClosureTells) {
+TEST(OrderFiles, JsonHasTheReferenceAndTheMetricsOfEachClosure) {
   const auto found =
       nlohmann::json::parse(json(tests::made_up_order_study(), "fpkcheck study order"));
   EXPECT_EQ(found.at("study"), "order");
@@ -28,7 +28,7 @@ TEST(OrderFiles, JsonHasTheReferenceAndWhatEachClosureTells) {
   EXPECT_EQ(lost.at("branch").at("points").at(1).at("fold"), true);
 }
 
-TEST(OrderFiles, CsvLeavesEmptyWhatARowDoesNotHave) {
+TEST(OrderFiles, CsvHasEmptyCellsForMissingValues) {
   const std::string text = csv(tests::made_up_order_study());
   EXPECT_EQ(text,
             "formulation,order,status,iterations,residual,condition,l1_y,l1_ydot,tail_y,tail_ydot,"

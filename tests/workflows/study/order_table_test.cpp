@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(OrderTable, ShowsWhatClosuresTellAndWhatTheirOrdersAreWorth) {
+TEST(OrderTable, ShowsMetricsAndConvergence) {
   const std::string text = tests::in_one_line(table(tests::made_up_order_study(), 120));
   for (const char* expected :
        {"L1 to fd-kf", "gaussian 2 ok 14 - 1e-15 falls 1e-14 - 0.00400 0.00800 0.04 - 2",
@@ -13,16 +13,17 @@ TEST(OrderTable, ShowsWhatClosuresTellAndWhatTheirOrdersAreWorth) {
         "moment 6 ok 42 - 1e-15 rises 1e-14 - 0.00200 0.00400 0.12 - 6",
         "gaussian n = 4 inadmissible: Q_n rises",
         "gaussian n = 8: the branch of solutions from the exact density of white noise without "
-        "impact losses folds at 65.5 %, gets as far as 65.5 % of the way, and comes back to white "
+        "impact losses folds at 65.5 %, covers 65.5 % of the way, and returns to white "
         "noise at another root.",
         "gaussian is ok at n = 2: L1 0.004 in p(y), 0.008 in p(y').",
-        "moment is ok at n = 4 and 6; from n = 4 to 6 the L1 distance goes from 0.008 to 0.002 in "
-        "p(y) and from 0.016 to 0.004 in p(y'). On average n + 2 divides it by 4.0 and 4.0."}) {
+        "moment is ok at n = 4 and 6; from n = 4 to 6 the L1 distance changes from 0.008 to 0.002 "
+        "in p(y) and from 0.016 to 0.004 in p(y'). On average each n + 2 divides it by 4.0 and "
+        "4.0."}) {
     EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n" << text;
   }
 }
 
-TEST(OrderTable, SaysWhereNoOrderGivesADensityAndTheReferenceIsNotOk) {
+TEST(OrderTable, ReportsMissingDensitiesAndAReferenceThatIsNotOk) {
   auto study = tests::made_up_order_study();
   study.rows.erase(study.rows.begin(), study.rows.begin() + 2);
   study.reference.status = transform::Status::failed;

@@ -4,39 +4,39 @@
 
 #include <cmath>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
 const std::vector<Record> kRows{
-    {{"name", std::string("one")}, {"n", transform::counted(7)}, {"at.x", 0.125}, {"none", {}}},
+    {{"name", std::string("one")}, {"n", transform::count_value(7)}, {"at.x", 0.125}, {"none", {}}},
     {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
 
-TEST(Record, IsALineOfCsvWithNothingForWhatIsAbsentOrNotFinite) {
-  EXPECT_EQ(csv_of(kRows, "name n x=at.x none missing"),
+TEST(Record, IsALineOfCsvWithEmptyCellsForMissingValues) {
+  EXPECT_EQ(csv_text(kRows, "name n x=at.x none missing"),
             "name,n,x,none,missing\none,7,0.125,,\ntwo,,,,\n");
 }
 
-TEST(Record, IsARowOfATableWithDashesForWhatIsAbsentOrNotFinite) {
-  const std::string text = table_of(
+TEST(Record, IsARowOfATableWithDashesForMissingValues) {
+  const std::string text = table_text(
       kRows, {{"", "who", "name", ""}, {"", "n", "n", ""}, {"", "x", "at.x", "{:.1e}"}}, 80);
   EXPECT_EQ(text, "who  n        x\none  7  1.2e-01\ntwo  -        -\n");
 }
 
-TEST(Record, NumbersThatAreNoneAreADash) {
+TEST(Record, MissingNumbersAreADash) {
   EXPECT_EQ(number_text(0.125, "{:.2f}"), "0.12");
   EXPECT_EQ(number_text(std::nullopt, "{:.2f}"), "-");
   EXPECT_EQ(number_text(std::nan(""), "{:.2f}"), "-");
 }
 
 TEST(Record, ListsEndWithAnd) {
-  EXPECT_EQ(listed({}), "");
-  EXPECT_EQ(listed({"2"}), "2");
-  EXPECT_EQ(listed({"2", "4", "6"}), "2, 4 and 6");
+  EXPECT_EQ(join_with_and({}), "");
+  EXPECT_EQ(join_with_and({"2"}), "2");
+  EXPECT_EQ(join_with_and({"2", "4", "6"}), "2, 4 and 6");
 }
 
-TEST(Record, ReasonsAreGivenForWhatIsNotOk) {
+TEST(Record, ReasonsAreShownForSolutionsThatAreNotOk) {
   const auto who = tests::closure_identity("moment", 4);
   EXPECT_EQ(reason_text("it", tests::ok(who, 1), 80), "");
   EXPECT_EQ(reason_text("it", tests::not_ok(who, transform::Status::failed), 80),

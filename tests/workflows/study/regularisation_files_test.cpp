@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
-TEST(RegularisationFiles, JsonKeepsWhatIsAbsentAsNullAndWhatGrowsAsARate) {
+TEST(RegularisationFiles, JsonHasNullForMissingValuesAndGrowthRates) {
   const auto found = nlohmann::json::parse(json(tests::made_up_regularisation_study(), "fpkcheck"));
   EXPECT_EQ(found.at("system").at("restitution"), 0.98);
   EXPECT_EQ(found.at("default_length"), 0.4);

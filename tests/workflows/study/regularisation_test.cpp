@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "made_up.hpp"
+#include "made_up_studies.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -16,16 +16,16 @@ TEST(RegularisationStudy, HasTheGrowthOfEachRow) {
   EXPECT_FALSE(study.rows[7].growth_rate);
 }
 
-TEST(RegularisationStudy, IsReachedWhereTheDefaultLengthHasADensityOnTheFinestStep) {
+TEST(RegularisationStudy, HasConvergedIfTheDefaultLengthHasADensityOnTheFinestStep) {
   auto study = tests::made_up_regularisation_study();
-  EXPECT_TRUE(reached(study));
+  EXPECT_TRUE(has_converged(study));
   study.rows[6].growth_rate = 1;
-  EXPECT_FALSE(reached(study));
+  EXPECT_FALSE(has_converged(study));
   study = tests::made_up_regularisation_study();
   study.rows[6].l1_y.reset();
-  EXPECT_FALSE(reached(study));
+  EXPECT_FALSE(has_converged(study));
   study.rows.clear();
-  EXPECT_FALSE(reached(study));
+  EXPECT_FALSE(has_converged(study));
 }
 
 }  // namespace

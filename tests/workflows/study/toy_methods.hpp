@@ -8,7 +8,7 @@
 #include "made_up_solutions.hpp"
 #include "methods/registry.hpp"
 
-/// Methods from outside the tree that solve nothing: registering them is all that a study needs.
+/// Methods from outside the tree, without a solver: registration alone makes them available.
 namespace fpkcheck::tests {
 
 struct ToyOptions {
@@ -25,7 +25,7 @@ inline const base::Description<ToyOptions>& toy_description() {
   return description;
 }
 
-/// What a toy solver is: ids are FAMILY, FAMILY-white, with -nN where there is an order.
+/// Properties of a toy solver. Its ids are FAMILY and FAMILY-white, with -nN where it has an order.
 struct Toy {
   std::string solver, family;
   transform::Role role;
@@ -45,19 +45,19 @@ struct Toy {
   }
 };
 
-/// The density of a closure comes nearer to that of the others with its order.
+/// The density of a closure approaches that of the other methods with increasing order.
 inline methods::Solver toy_solver(const Toy& toy) {
   methods::Solver solver{.name = toy.solver,
                          .summary = "",
                          .usage = "",
                          .families = {},
-                         .parameters = &toy_description(),
-                         .usual_options = {},
+                         .option_descriptions = &toy_description(),
+                         .default_options = {},
                          .options_of = {},
                          .method = {}};
   solver.families.push_back(
       {toy.family, toy.role, "A toy.", {toy.identity({}).id}, [](const transform::Identity&) {
-         return transform::Look{};
+         return transform::PlotStyle{};
        }});
   solver.options_of = [toy](std::string_view id) -> std::optional<base::Values> {
     for (const auto equation : {problem::Equation::kf, problem::Equation::white}) {
@@ -73,11 +73,11 @@ inline methods::Solver toy_solver(const Toy& toy) {
     toy_description().validate(options);
     return methods::Method{
         toy.identity(options), values, false,
-        [=](const problem::Problem&, const methods::Setting& setting) {
+        [=](const problem::Problem&, const methods::SolveContext& context) {
           const double off = toy.role == transform::Role::closure ? 0.5 / options.order : 0;
           return solution(toy.identity(options),
-                          smooth({2.3 + off, 0.06, 2.4, 0}, setting.axes.y_edges.back(),
-                                 setting.axes.v_edges.back()));
+                          smooth_density({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
+                                         context.axes.v_edges.back()));
         }};
   };
   return solver;

@@ -16,31 +16,31 @@ std::vector<double> numbers(const Axis& axis) {
 }
 
 TEST(Axis, RangesHaveBothEndsAndEvenSteps) {
-  EXPECT_EQ(numbers(axis_from("system.restitution", "0.5:0.99:8", "x")),
+  EXPECT_EQ(numbers(parse_axis("system.restitution", "0.5:0.99:8", "x")),
             (std::vector<double>{0.5, 0.57, 0.64, 0.71, 0.78, 0.85, 0.92, 0.99}));
-  EXPECT_EQ(numbers(axis_from("system.restitution", "1:0.8:3", "x")),
+  EXPECT_EQ(numbers(parse_axis("system.restitution", "1:0.8:3", "x")),
             (std::vector<double>{1, 0.9, 0.8}));
 }
 
 TEST(Axis, LogarithmicRangesHaveEvenRatios) {
-  EXPECT_EQ(numbers(axis_from("impulse.rate", "log:0.01:100:5", "x")),
+  EXPECT_EQ(numbers(parse_axis("impulse.rate", "log:0.01:100:5", "x")),
             (std::vector<double>{0.01, 0.1, 1, 10, 100}));
 }
 
 TEST(Axis, ListsKeepTheirOrderAndMayHaveWords) {
-  EXPECT_EQ(numbers(axis_from("impulse.rate", "3, 1 ,2", "x")), (std::vector<double>{3, 1, 2}));
-  EXPECT_EQ(axis_from("impulse.law", "laplace,gaussian", "x").values,
+  EXPECT_EQ(numbers(parse_axis("impulse.rate", "3, 1 ,2", "x")), (std::vector<double>{3, 1, 2}));
+  EXPECT_EQ(parse_axis("impulse.law", "laplace,gaussian", "x").values,
             (std::vector<Value>{std::string("laplace"), std::string("gaussian")}));
 }
 
-TEST(Axis, WithoutACountItIsARangeToBeFilled) {
-  const Axis axis = axis_from("impulse.rate", "log:0.1:10", "x");
+TEST(Axis, WithoutACountIsARangeWithoutValues) {
+  const Axis axis = parse_axis("impulse.rate", "log:0.1:10", "x");
   EXPECT_TRUE(axis.values.empty());
-  EXPECT_NEAR(axis.at(0.5), 1, 1e-12);
+  EXPECT_NEAR(axis.value_at(0.5), 1, 1e-12);
   EXPECT_EQ(axis.text(), "impulse.rate = log:0.1:10");
 }
 
-TEST(Axis, WhatIsWrongIsNamed) {
+TEST(Axis, ReportsInvalidInput) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> bad{
       {{"system.wall", "1,2"}, "unknown key 'system.wall'"},
       {{"system.restitution", "0.5:1.1:3"}, "system.restitution = 1.1"},
@@ -59,7 +59,7 @@ TEST(Axis, WhatIsWrongIsNamed) {
   for (const auto& [input, message] : bad) {
     SCOPED_TRACE(input.first + "=" + input.second);
     try {
-      axis_from(input.first, input.second, "--vary");
+      parse_axis(input.first, input.second, "--vary");
       ADD_FAILURE() << "was accepted";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();

@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Seconds that grow as a power of the rate and are others under another law.
+// Seconds that are a power of the rate, with another factor for another law.
 double seconds_at(const Plan& plan, std::size_t point) {
   const double rate = std::get<double>(plan.points[point][0]);
   const bool laplace = plan.points[point][1] == base::Value(std::string("laplace"));
@@ -19,12 +19,13 @@ double seconds_at(const Plan& plan, std::size_t point) {
 }
 
 TEST(CostModel, FindsPowersAndWords) {
-  const Plan plan = tests::plan_of({axis_from("impulse.rate", "log:0.1:10:21", "x"),
-                                    axis_from("impulse.law", "gaussian,laplace", "x")});
+  const Plan plan = tests::plan_of({parse_axis("impulse.rate", "log:0.1:10:21", "x"),
+                                    parse_axis("impulse.law", "gaussian,laplace", "x")});
   std::vector<std::size_t> all(plan.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<CostModel::Measured> measured;
-  for (const auto point : spread(all, 24)) measured.push_back({point, seconds_at(plan, point)});
+  std::vector<CostModel::Measurement> measured;
+  for (const auto point : spread_sample(all, 24))
+    measured.push_back({point, seconds_at(plan, point)});
   const CostModel model(plan, measured);
   double sum = 0, expected = 0;
   for (const auto point : all) {
@@ -35,28 +36,28 @@ TEST(CostModel, FindsPowersAndWords) {
   EXPECT_NEAR(expected / sum, 1, 0.03);
 }
 
-TEST(CostModel, WithoutMeasurementsAllTakeAsLong) {
+TEST(CostModel, WithoutMeasurementsAllTimesAreEqual) {
   const Plan plan = tests::small_plan();
   EXPECT_EQ(CostModel(plan, {}).all(), std::vector<double>(6, 1.0));
 }
 
-TEST(CostModel, WhatWasMeasuredIsItself) {
+TEST(CostModel, MeasuredPointsKeepTheirTimes) {
   const Plan plan = tests::small_plan();
-  const std::vector<CostModel::Measured> measured{{3, 7.0}, {0, 1.0}};
+  const std::vector<CostModel::Measurement> measured{{3, 7.0}, {0, 1.0}};
   EXPECT_EQ(CostModel(plan, measured).expected(3), 7);
 }
 
-TEST(Spread, GivesEachOnceAndReachesEverywhere) {
+TEST(Spread, GivesEachPointOnceFromAllRegions) {
   std::vector<std::size_t> all(1000);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto chosen = spread(all, 20);
+  const auto chosen = spread_sample(all, 20);
   ASSERT_EQ(chosen.size(), 20);
   std::set<std::size_t> tenths;
   for (const auto point : chosen) tenths.insert(point / 100);
   EXPECT_EQ(tenths.size(), 10);
   EXPECT_EQ(std::set<std::size_t>(chosen.begin(), chosen.end()).size(), 20);
-  EXPECT_EQ(spread({5, 7}, 20).size(), 2);
-  EXPECT_TRUE(spread({}, 20).empty());
+  EXPECT_EQ(spread_sample({5, 7}, 20).size(), 2);
+  EXPECT_TRUE(spread_sample({}, 20).empty());
 }
 
 }  // namespace

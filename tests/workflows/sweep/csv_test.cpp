@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "made_up_sweep.hpp"
-#include "workflows/sweep/result/groups.hpp"
+#include "workflows/sweep/result/dimensionless_groups.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -17,7 +17,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 std::string groups_text(std::size_t point) {
-  const auto [impulses, damping, cubic] = groups_of(tests::small_plan().problem_at(point));
+  const auto [impulses, damping, cubic] =
+      dimensionless_groups(tests::small_plan().problem_at(point));
   return fmt::format("{:.4g},{:.4g},{:.4g}", impulses, damping, cubic);
 }
 
@@ -34,7 +35,7 @@ TEST(SweepCsv, HasARowForEachPointAndMethod) {
   EXPECT_EQ(lines[10], "2,0.9,fd-kf,ok,,0,4.1,0,0,8.2,0,,,fd-kf,5.1,,,,," + groups);
 }
 
-TEST(SweepCsv, QuotesReasonsAndLeavesOutWhatIsNoNumber) {
+TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
   auto results = tests::results_of(tests::small_plan());
   results.points[0].methods[0].reason = "a \"b\", c";
   results.points[0].methods[0].status = transform::Status::inadmissible;

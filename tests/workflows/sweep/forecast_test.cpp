@@ -19,19 +19,19 @@ TEST(Makespan, IsThatOfTheDispatch) {
   EXPECT_EQ(makespan(seconds, 100, Dispatch::in_order), 4);
 }
 
-TEST(Forecast, TellsTheWholeFromASample) {
-  const Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9:1:40", "x")});
+TEST(Forecast, PredictsAPlanFromASample) {
+  const Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:40", "x")});
   const auto found = forecast(plan, {}, 1);
   EXPECT_EQ(found.sample.size(), 24);
   EXPECT_EQ(found.seconds.size(), 40);
   EXPECT_GT(found.megabytes, 1);
   const std::string text = forecast_text(plan, found, 2, {8}, {100, false});
   EXPECT_NE(text.find("40 points, 1 method:"), std::string::npos);
-  EXPECT_NE(text.find("told from 24 points"), std::string::npos) << text;
+  EXPECT_NE(text.find("predicted from 24 points"), std::string::npos) << text;
   EXPECT_NE(text.find("    8 "), std::string::npos) << text;
 }
 
-// Where all was solved before nothing is told.
+// With all points solved before, nothing is predicted.
 TEST(Forecast, OfASolvedPlanIsMeasured) {
   const Plan plan = tests::small_plan();
   const auto found = forecast(plan, tests::results_of(plan).points, 1);

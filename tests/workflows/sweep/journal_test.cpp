@@ -16,7 +16,7 @@ class JournalFile : public testing::Test {
  protected:
   JournalFile() {
     Journal journal(file_, plan_);
-    EXPECT_TRUE(journal.found().points.empty());
+    EXPECT_TRUE(journal.initial_content().points.empty());
     for (const std::size_t point : {4, 0, 2}) journal.append(tests::result_of(plan_, point));
   }
 
@@ -28,47 +28,48 @@ class JournalFile : public testing::Test {
   const std::filesystem::path file_ = directory_.path() / "journal";
 };
 
-TEST_F(JournalFile, GoesOnWhereItWas) {
+TEST_F(JournalFile, ResumesWithTheStoredPoints) {
   {
     Journal again(file_, plan_);
-    EXPECT_EQ(again.found().damaged, 0);
-    ASSERT_EQ(again.found().points.size(), 3);
+    EXPECT_EQ(again.initial_content().damaged, 0);
+    ASSERT_EQ(again.initial_content().points.size(), 3);
     again.append(tests::result_of(plan_, 5));
   }
   const auto content = read_journal(file_);
-  EXPECT_EQ(csv(sweep_results(plan_, content.points)),
-            csv(sweep_results(plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
-                                      tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
+  EXPECT_EQ(
+      csv(make_sweep_results(plan_, content.points)),
+      csv(make_sweep_results(plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
+                                     tests::result_of(plan_, 4), tests::result_of(plan_, 5)})));
 }
 
-// Wherever a process is killed.
-TEST_F(JournalFile, CutOffAnywhereItLosesItsLastPointAtMost) {
+// A process may be killed at any byte of a line.
+TEST_F(JournalFile, TruncatedLosesItsLastPointAtMost) {
   const std::string whole = text();
   const auto last = whole.rfind('\n', whole.size() - 2) + 1;
   for (auto length = last + 1; length < whole.size(); length += 7) {
     rewrite(whole.substr(0, length));
     Journal journal(file_, plan_);
-    EXPECT_EQ(journal.found().points.size(), 2);
-    EXPECT_EQ(journal.found().damaged, 1);
+    EXPECT_EQ(journal.initial_content().points.size(), 2);
+    EXPECT_EQ(journal.initial_content().damaged, 1);
     journal.append(tests::result_of(plan_, 2));
     EXPECT_EQ(text(), whole);
   }
-  // In its first line: as if it had not begun.
+  // Cut in the first line: as a new journal.
   rewrite(whole.substr(0, 100));
-  EXPECT_TRUE(Journal(file_, plan_).found().points.empty());
+  EXPECT_TRUE(Journal(file_, plan_).initial_content().points.empty());
 }
 
-TEST_F(JournalFile, DamagedLinesAreLeftOut) {
+TEST_F(JournalFile, IgnoresDamagedLines) {
   std::string damaged = text();
   damaged[damaged.find("fd-kf", damaged.find('\n')) + 1] = 'x';
   rewrite(damaged);
   Journal journal(file_, plan_);
-  EXPECT_EQ(journal.found().points.size(), 2);
-  EXPECT_EQ(journal.found().damaged, 1);
+  EXPECT_EQ(journal.initial_content().points.size(), 2);
+  EXPECT_EQ(journal.initial_content().damaged, 1);
 }
 
-TEST_F(JournalFile, OfAnotherPlanIsRefused) {
-  const Plan other = tests::plan_of({axis_from("impulse.rate", "1,2", "x")});
+TEST_F(JournalFile, RefusesAnotherPlan) {
+  const Plan other = tests::plan_of({parse_axis("impulse.rate", "1,2", "x")});
   try {
     Journal journal(file_, other);
     ADD_FAILURE();
@@ -82,7 +83,7 @@ TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
   EXPECT_THROW(Journal(file_, plan_), InputError);
 }
 
-TEST_F(JournalFile, WhatIsNoJournalIsRefused) {
+TEST_F(JournalFile, RefusesOtherFiles) {
   for (const char* content : {"hello\n", "12345678 {}\n", "\n", "00000000 {\"schema\":1}\n"}) {
     rewrite(content);
     EXPECT_THROW(Journal(file_, plan_), InputError) << content;
@@ -103,8 +104,8 @@ TEST_F(JournalFile, TheFirstOfTwoLinesOfAPointCounts) {
   EXPECT_EQ(content.points[1].reference, "fd-kf");
 }
 
-// What is not a number stays one, and reasons may hold anything.
-TEST_F(JournalFile, KeepsWhatIsOdd) {
+// NaN remains NaN, and reasons may contain any bytes.
+TEST_F(JournalFile, KeepsNaNAndAnyReason) {
   auto odd = tests::result_of(plan_, 1);
   odd.methods[0].moments->y2 = std::numeric_limits<double>::quiet_NaN();
   odd.methods[0].status = transform::Status::failed;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""A sweep killed at random moments and begun again: kills.py PROGRAM [--rounds N] [--seed K]
+"""A sweep killed at random moments and started again: kills.py PROGRAM [--rounds N] [--seed K]
 
-Starts a sweep, ends it by SIGKILL, SIGTERM or SIGINT at a random moment, gives the same command
-again until it is done, and asserts that the table is that of a sweep that nobody stopped, but for
-times, and that nothing else is left.
+Starts a sweep, ends it by SIGKILL, SIGTERM or SIGINT at a random moment, and repeats the command
+until it succeeds. Asserts that the table equals that of an uninterrupted sweep except for the times,
+and that no temporary files remain.
 """
 
 import argparse
@@ -54,27 +54,27 @@ def main():
             process.send_signal(with_what)
             _, said = process.communicate(timeout=60)
             if process.returncode == 0:
-                continue  # it was done before
+                continue  # finished before the signal
             in_time += 1
             if process.returncode not in (STOPPED[with_what], -with_what):
                 failures.append(f"round {number}: exit code {process.returncode}: {said}")
-            # At most the points in flight are solved again: those that the journal has are not.
+            # At most the points in progress are solved again; points in the journal are not.
             journal = os.path.join(out, "journal")
             before = open(journal).read().splitlines() if os.path.exists(journal) else []
             subprocess.run([given.program, *SWEEP, "--out", out], check=True,
                            stderr=subprocess.DEVNULL)
             after = open(journal).read().splitlines()
-            sure = before[:-1]  # its last line may be half of one
+            sure = before[:-1]  # the last line may be incomplete
             if after[:len(sure)] != sure:
-                failures.append(f"round {number}: the journal lost what it had")
+                failures.append(f"round {number}: the journal lost lines")
             if table(out) != expected:
-                failures.append(f"round {number}: the table is another one")
+                failures.append(f"round {number}: the table differs")
             names = sorted(os.listdir(out))
             if [name for name in names if "partial" in name or name.startswith(".")]:
                 failures.append(f"round {number}: left behind: {names}")
     for failure in failures:
         print(failure)
-    print(f"{in_time} of {given.rounds} were stopped on their way; {len(failures)} failures")
+    print(f"{in_time} of {given.rounds} were stopped before their end; {len(failures)} failures")
     return 1 if failures or in_time == 0 else 0
 
 

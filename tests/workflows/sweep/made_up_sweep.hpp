@@ -8,32 +8,32 @@
 #include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
-/// Plans and results that nobody solved.
+/// Plans and results with invented numbers.
 namespace fpkcheck::tests {
 
 inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
                            sweep::Design design = sweep::Design::product,
                            const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
-  plan.methods = methods::builtin().select(methods, {});
-  plan.points = sweep::points_of(plan.axes, design, 0);
+  plan.methods = methods::builtin_registry().select(methods, {});
+  plan.points = sweep::make_points(plan.axes, design, 0);
   return plan;
 }
 
-/// Of a closure whose error nobody measures: milliseconds a point.
+/// A plan with one closure and without its error estimate: milliseconds for each point.
 inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
   sweep::Plan plan = plan_of(std::move(axes));
-  plan.methods = methods::builtin().select("epc-gaussian-n2", {{"accuracy", {}}});
+  plan.methods = methods::builtin_registry().select("epc-gaussian-n2", {{"accuracy", {}}});
   return plan;
 }
 
 /// Two rates and three restitutions.
 inline sweep::Plan small_plan() {
-  return plan_of({sweep::axis_from("impulse.rate", "1,2", "test"),
-                  sweep::axis_from("system.restitution", "0.8:1:3", "test")});
+  return plan_of({sweep::parse_axis("impulse.rate", "1,2", "test"),
+                  sweep::parse_axis("system.restitution", "0.8:1:3", "test")});
 }
 
-/// Numbers by which a point and a method are known again.
+/// Numbers that identify the point and the method.
 inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) {
   sweep::PointResult result{.point = point,
                             .seconds = 2 + 2 * static_cast<double>(point),
@@ -52,7 +52,7 @@ inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) 
 inline sweep::SweepResults results_of(const sweep::Plan& plan) {
   std::vector<sweep::PointResult> points;
   for (std::size_t p = 0; p < plan.points.size(); ++p) points.push_back(result_of(plan, p));
-  return sweep::sweep_results(plan, points);
+  return sweep::make_sweep_results(plan, points);
 }
 
 }  // namespace fpkcheck::tests

@@ -34,7 +34,7 @@ TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
 
 TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
   const Plan plan = tests::plan_of(
-      {axis_from("impulse.law", "gaussian,laplace", "x"), axis_from("system.cubic", "1,2", "x")},
+      {parse_axis("impulse.law", "gaussian,laplace", "x"), parse_axis("system.cubic", "1,2", "x")},
       Design::list);
   auto file = reader_of(tests::results_of(plan));
   EXPECT_EQ(file.dimensions("v2"), (std::vector<std::string>{"point", "solution"}));

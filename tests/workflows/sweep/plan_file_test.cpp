@@ -33,7 +33,7 @@ constexpr const char* kCase =
     "[system]\ndamping = 0.2\nstiffness = 1\ncubic = 0\nrestitution = 0.9\n"
     "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.1\n";
 
-TEST_F(PlanFile, HoldsACaseAndWhatIsVaried) {
+TEST_F(PlanFile, HasACaseAndVariedKeys) {
   const auto plan = read_plan(
       file(std::string("[sweep]\nmethods = epc,fd-kf ; all of them\ndesign = sobol\npoints = 7\n"
                        "accuracy = 0.1\n[vary]\nsystem.cubic = 0:1\nimpulse.rate=log:1:2\n") +
@@ -57,7 +57,7 @@ TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
   EXPECT_EQ(read_plan("case2", {}).base.name, "case2");
 }
 
-TEST_F(PlanFile, WhatIsWrongIsNamedWithItsLine) {
+TEST_F(PlanFile, ReportsInvalidInputWithItsLine) {
   EXPECT_NE(complaint("[sweep]\ncase = case1\n[system]\ndamping = 1\n").find(":2: a case beside"),
             std::string::npos);
   EXPECT_NE(complaint("[sweep]\ncase = case1\ncase = case2\n").find(":3: key 'sweep.case'"),

@@ -10,20 +10,20 @@ namespace fpkcheck::sweep {
 namespace {
 
 std::string difference(const Plan& before, const Plan& now) {
-  return difference_of(plan_json(before), plan_json(now));
+  return plan_difference(plan_json(before), plan_json(now));
 }
 
-TEST(PlanJson, IsReadBackAsItWas) {
-  const Plan plan = tests::plan_of({axis_from("impulse.law", "gaussian,laplace", "x"),
-                                    axis_from("system.cubic", "log:1:100:3", "x")});
+TEST(PlanJson, IsReadBackUnchanged) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.law", "gaussian,laplace", "x"),
+                                    parse_axis("system.cubic", "log:1:100:3", "x")});
   const auto json = results::Json::parse(plan_json(plan).dump());
-  const Plan again = plan_in(json, methods::builtin());
+  const Plan again = plan_from_json(json, methods::builtin_registry());
   EXPECT_EQ(again.points, plan.points);
   EXPECT_EQ(difference(plan, again), "");
   EXPECT_EQ(again.methods[1].id(), "fd-kf");
 }
 
-TEST(PlanJson, WhatDiffersIsNamed) {
+TEST(PlanJson, ReportsTheFirstDifference) {
   const Plan plan = tests::small_plan();
   const auto with = [&](auto change) {
     Plan other = tests::small_plan();
@@ -41,7 +41,7 @@ TEST(PlanJson, WhatDiffersIsNamed) {
             }).find("case system damping: 0.1 then, 0.2 now"),
             std::string::npos);
   const std::string option = with([](Plan& p) {
-    p.methods = methods::builtin().select("epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
+    p.methods = methods::builtin_registry().select("epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
   });
   EXPECT_NE(option.find("\"epc-gaussian-n2\" options accuracy: 0.02 then, 0.5 now"),
             std::string::npos)

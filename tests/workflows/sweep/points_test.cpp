@@ -11,28 +11,28 @@
 namespace fpkcheck::sweep {
 namespace {
 
-const Axis kRates = axis_from("impulse.rate", "1,2", "x");
-const Axis kLosses = axis_from("system.restitution", "0.8,0.9,1", "x");
+const Axis kRates = parse_axis("impulse.rate", "1,2", "x");
+const Axis kLosses = parse_axis("system.restitution", "0.8,0.9,1", "x");
 
 TEST(Points, OfAProductTheLastAxisVariesFastest) {
-  const Points points = points_of({kRates, kLosses}, Design::product, 0);
+  const Points points = make_points({kRates, kLosses}, Design::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
 }
 
-TEST(Points, OfAListAreTheValuesTogether) {
-  const Axis two = axis_from("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(points_of({kRates, two}, Design::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
-  EXPECT_THROW(points_of({kRates, kLosses}, Design::list, 0), InputError);
+TEST(Points, OfAListHaveTheKthValues) {
+  const Axis two = parse_axis("system.restitution", "0.8,0.9", "x");
+  EXPECT_EQ(make_points({kRates, two}, Design::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_THROW(make_points({kRates, kLosses}, Design::list, 0), InputError);
 }
 
-// Each half, quarter, .. of each range gets its share: what random points do not.
+// Each sixteenth of each range gets the same number of points, unlike random points.
 TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
-  const std::vector<Axis> axes{axis_from("impulse.rate", "log:0.1:10", "x"),
-                               axis_from("system.restitution", "0.5:1", "x"),
-                               axis_from("system.cubic", "1:2", "x")};
-  const Points points = points_of(axes, Design::sobol, 255);
+  const std::vector<Axis> axes{parse_axis("impulse.rate", "log:0.1:10", "x"),
+                               parse_axis("system.restitution", "0.5:1", "x"),
+                               parse_axis("system.cubic", "1:2", "x")};
+  const Points points = make_points(axes, Design::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -50,20 +50,21 @@ TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
   }
 }
 
-TEST(Points, WhatDoesNotFitIsRefused) {
-  EXPECT_THROW(points_of({}, Design::product, 0), InputError);
-  EXPECT_THROW(points_of({kRates, kRates}, Design::product, 0), InputError);
-  EXPECT_THROW(points_of({kRates}, Design::product, 5), InputError);
-  EXPECT_THROW(points_of({kRates}, Design::sobol, 5), InputError);
-  EXPECT_THROW(points_of({axis_from("impulse.rate", "1:2", "x")}, Design::product, 0), InputError);
-  EXPECT_THROW(points_of({axis_from("impulse.rate", "1:2", "x")}, Design::sobol, 0), InputError);
-  EXPECT_THROW(points_of({axis_from("impulse.rate", "1:2:2000", "x"),
-                          axis_from("system.cubic", "1:2:2000", "x")},
-                         Design::product, 0),
+TEST(Points, RefusesInconsistentInput) {
+  EXPECT_THROW(make_points({}, Design::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates, kRates}, Design::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates}, Design::product, 5), InputError);
+  EXPECT_THROW(make_points({kRates}, Design::sobol, 5), InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, Design::product, 0),
+               InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, Design::sobol, 0), InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2:2000", "x"),
+                            parse_axis("system.cubic", "1:2:2000", "x")},
+                           Design::product, 0),
                InputError);
 }
 
-TEST(Plan, AProblemHasTheValuesOfItsPointAndTheRestOfTheCase) {
+TEST(Plan, AProblemHasTheValuesOfItsPoint) {
   const Plan plan = tests::small_plan();
   const auto problem = plan.problem_at(4);
   EXPECT_EQ(problem.impulses.arrival_rate(), 2);

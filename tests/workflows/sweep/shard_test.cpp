@@ -33,16 +33,16 @@ TEST(Shard, IsReadFromTheNameOfItsJournal) {
 TEST(Shard, HoldsItsPoints) {
   for (std::size_t i = 1; i <= 4; ++i) {
     for (const auto point : Shard{i, 4}.points(10)) {
-      EXPECT_EQ(Shard::holding(point, 4).number, i);
+      EXPECT_EQ(Shard::containing(point, 4).number, i);
     }
   }
 }
 
 TEST(Shard, IsReadFromITheSlashAndN) {
-  EXPECT_EQ(shard_from("3/16").journal_name(), "journal.3-of-16");
+  EXPECT_EQ(parse_shard("3/16").journal_name(), "journal.3-of-16");
   EXPECT_EQ(Shard{}.journal_name(), "journal");
   for (const char* bad : {"", "3", "0/4", "5/4", "1/", "/4", "1/4x", "-1/4", "1.5/4"}) {
-    EXPECT_THROW(shard_from(bad), InputError) << bad;
+    EXPECT_THROW(parse_shard(bad), InputError) << bad;
   }
 }
 

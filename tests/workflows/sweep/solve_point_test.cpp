@@ -13,12 +13,12 @@ namespace {
 
 using transform::Status;
 
-// As `run` has it.
-TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
+// With residuals the result is that of `run`.
+TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
   plan.closure_errors = ClosureErrors::residuals;
   plan.methods =
-      methods::builtin().select("epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
+      methods::builtin_registry().select("epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
   const auto point = solve_point(plan, 1);
   const auto run = methods::run_cases({plan.problem_at(1)}, plan.methods, 1, {});
   EXPECT_EQ(point.result.reference, "fd-kf");
@@ -38,15 +38,15 @@ TEST(SolvePoint, IsWhatARunOfThatCaseGivesWhereResidualsMeasureClosures) {
   EXPECT_FALSE(point.result.methods[2].l1);
 }
 
-TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
-  // In case 1 n = 2 is off by 0.0044 and 0.030, and n = 6 by 0.0023 and 0.0047.
-  plan.methods =
-      methods::builtin().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf", {{"stepper", "direct"}});
+TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
+  plan.methods = methods::builtin_registry().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
+                                                    {{"stepper", "direct"}});
   const auto found = solve_point(plan, 1).result.methods;
   ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
   EXPECT_EQ(found[0].status, Status::inaccurate);
-  EXPECT_NE(found[0].reason.find("off from fd-kf by L1 0.0044 in p(y) and 0.03 in p(y')"),
+  EXPECT_NE(found[0].reason.find("its L1 distance from fd-kf is 0.0044 in p(y) and 0.03 in p(y')"),
             std::string::npos)
       << found[0].reason;
   EXPECT_EQ(found[1].status, Status::ok);
@@ -56,9 +56,9 @@ TEST(SolvePoint, JudgesAClosureByItsDistanceToTheReferenceAndWhatThatStates) {
   }
 }
 
-TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
-  Plan plan = tests::plan_of({axis_from("system.restitution", "0.9,0.98", "x")});
-  plan.methods = methods::builtin().select("epc-gaussian-n2", {});
+TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  plan.methods = methods::builtin_registry().select("epc-gaussian-n2", {});
   const auto by_default = solve_point(plan, 1).result.methods[0];
   plan.closure_errors = ClosureErrors::residuals;
   const auto by_residuals = solve_point(plan, 1).result.methods[0];
@@ -67,9 +67,9 @@ TEST(SolvePoint, HasClosuresMeasuredByResidualsWhereThereIsNoReference) {
   EXPECT_EQ(by_default.error, by_residuals.error);
 }
 
-// A mean that leaves nothing for the variance: E[Y]^2 must be below intensity / rate = 0.1.
-TEST(SolvePoint, ValuesThatDoNotFitTogetherAreAResult) {
-  const Plan plan = tests::plan_of({axis_from("impulse.mean", "0,0.5", "x")});
+// No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
+TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.mean", "0,0.5", "x")});
   const auto point = solve_point(plan, 1).result;
   ASSERT_EQ(point.methods.size(), 2);
   EXPECT_EQ(point.methods[0].status, Status::failed);
@@ -78,7 +78,7 @@ TEST(SolvePoint, ValuesThatDoNotFitTogetherAreAResult) {
 }
 
 TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
-  Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9,0.98", "x")});
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9,0.98", "x")});
   methods::Method greedy = plan.methods[0];
   greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
   plan.methods.insert(plan.methods.begin(), greedy);
@@ -87,24 +87,24 @@ TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
   EXPECT_TRUE(point.methods[1].moments);
 }
 
-TEST(SolveLeft, KeepsEveryPointAndItsMarginals) {
+TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   const tests::TemporaryDirectory directory;
-  Plan plan = tests::quick_plan({axis_from("system.restitution", "0.9:1:5", "x")});
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:5", "x")});
   plan.marginals = true;
   std::size_t told = 0;
   {
-    Progress progress(plan, directory.path(), {}, [&](const Queue::Standing& at) {
+    JournaledQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
-    solve_left(plan, progress, 2);
+    solve_remaining(plan, progress, 2);
     EXPECT_EQ(progress.points().size(), 5);
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
-  Progress again(plan, directory.path(), {}, {});
+  JournaledQueue again(plan, directory.path(), {}, {});
   EXPECT_FALSE(again.next());
-  EXPECT_EQ(again.standing().done, 5);
+  EXPECT_EQ(again.state().done, 5);
 }
 
 }  // namespace

@@ -23,36 +23,36 @@ Ids promised_ids(const Advice& advice) {
 }
 
 Ids promised_ids(const ValidityMap& map, double accuracy = 0.01,
-                 const Place& place = made_up_place()) {
-  return promised_ids(advice(place, accuracy, map));
+                 const MapCoordinates& coordinates = made_up_place()) {
+  return promised_ids(advice(coordinates, accuracy, map));
 }
 
 const Ids kAll{"epc-moment-n4", "epc-polar-n6", "fd-kf"}, kButTheQuickest{"epc-polar-n6", "fd-kf"};
 
-TEST(Advice, HasTheQuickestFirst) {
+TEST(Advice, HasTheFastestFirst) {
   EXPECT_EQ(promised_ids(made_up_map()), kAll);
   auto map = made_up_map();
-  for (auto& point : map.points) point.answers[0]->seconds = 10;
+  for (auto& point : map.points) point.method_results[0]->seconds = 10;
   EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "fd-kf", "epc-moment-n4"}));
 }
 
-TEST(Advice, HasTheMostAccurateFirstOfThoseThatAreAboutAsQuick) {
+TEST(Advice, HasTheMostAccurateFirstAmongSimilarTimes) {
   auto map = made_up_map();
-  for (auto& point : map.points) point.answers[1]->seconds = 0.044;
+  for (auto& point : map.points) point.method_results[1]->seconds = 0.044;
   EXPECT_EQ(promised_ids(map), (Ids{"epc-polar-n6", "epc-moment-n4", "fd-kf"}));
-  for (auto& point : map.points) point.answers[1]->seconds = 0.046;
+  for (auto& point : map.points) point.method_results[1]->seconds = 0.046;
   EXPECT_EQ(promised_ids(map), kAll);
-  // Whatever is not promised is no matter.
-  for (auto& point : map.points) point.answers[1] = answer(0.0004, 0.03, Status::inaccurate);
+  // Methods that are not promised do not matter.
+  for (auto& point : map.points) point.method_results[1] = answer(0.0004, 0.03, Status::inaccurate);
   EXPECT_EQ(promised_ids(map), (Ids{"epc-moment-n4", "fd-kf"}));
   EXPECT_EQ(advice(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
 }
 
-TEST(Advice, TellsWhatWasNearby) {
+TEST(Advice, HasTheResultsOfNearbyPoints) {
   const auto found = advice(made_up_place(), 0.01, made_up_map());
-  EXPECT_EQ(found.nearest, 0);
-  EXPECT_EQ(found.near, 5);
-  EXPECT_FALSE(found.outside());
+  EXPECT_EQ(found.nearest_distance, 0);
+  EXPECT_EQ(found.nearby_points, 5);
+  EXPECT_FALSE(found.is_outside_map());
   const auto best = found.promised().front();
   EXPECT_EQ(best.points, 5);
   EXPECT_EQ(best.ok, 5);
@@ -60,75 +60,75 @@ TEST(Advice, TellsWhatWasNearby) {
   EXPECT_EQ(best.seconds, 0.03);
 }
 
-TEST(Advice, DoesNotPromiseWhatWasOffAtOnePointNearby) {
+TEST(Advice, DoesNotPromiseAMethodWithALargeErrorNearby) {
   auto map = made_up_map();
-  map.points[4].answers[0]->l1 = 0.011;
+  map.points[4].method_results[0]->l1 = 0.011;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // Elsewhere it may be as it likes.
-  map.points[4].place = made_up_place(10, 0.5);
+  // Results at distant points do not matter.
+  map.points[4].coordinates = made_up_place(10, 0.5);
   EXPECT_EQ(promised_ids(map), kAll);
 }
 
-TEST(Advice, DoesNotPromiseWhatWasNotOkAtOnePointNearby) {
+TEST(Advice, DoesNotPromiseAMethodThatIsNotOkNearby) {
   auto map = made_up_map();
-  map.points[0].answers[0]->status = Status::inaccurate;
+  map.points[0].method_results[0]->status = Status::inaccurate;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  map.points[0].answers[0] = MappedAnswer{Status::not_converged, {}, false, 0.03};
+  map.points[0].method_results[0] = MappedResult{Status::not_converged, {}, false, 0.03};
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
 }
 
-TEST(Advice, CountsWhatTheReferenceMayBeOffBy) {
+TEST(Advice, AddsTheErrorOfTheReference) {
   auto map = made_up_map();
-  map.points[2].answers[2]->l1 = 0.007;
+  map.points[2].method_results[2]->l1 = 0.007;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // Of the reference itself once.
+  // For the reference itself its error estimate counts once.
   EXPECT_EQ(promised_ids(map, 0.0075), (Ids{"epc-polar-n6", "fd-kf"}));
   EXPECT_EQ(promised_ids(map, 0.0069), Ids{});
 }
 
-TEST(Advice, AsksEachMethodAtFourPointsOrMore) {
+TEST(Advice, NeedsFourPointsForEachMethod) {
   auto map = made_up_map();
-  map.points[0].answers[0] = std::nullopt;
+  map.points[0].method_results[0] = std::nullopt;
   EXPECT_EQ(promised_ids(map), kAll);
-  map.points[1].answers[0] = std::nullopt;
+  map.points[1].method_results[0] = std::nullopt;
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  // A fourth one that is far away is asked too.
+  // A distant fourth point counts too.
   map.points.push_back(
       {made_up_place(10, 0.5), {answer(0.5, 0.03), answer(0.5, 0.3), answer(0, 1)}});
   EXPECT_EQ(promised_ids(map), kButTheQuickest);
-  map.points.back().answers[0]->l1 = 0.004;
+  map.points.back().method_results[0]->l1 = 0.004;
   EXPECT_EQ(promised_ids(map), kAll);
 }
 
-TEST(Advice, SaysThatAProblemIsOutsideTheMap) {
+TEST(Advice, DetectsAProblemOutsideTheMap) {
   const auto far = advice(made_up_place(10, 0.7), 0.01, made_up_map());
-  EXPECT_TRUE(far.outside());
-  EXPECT_NEAR(far.nearest, 2, 1e-12);
+  EXPECT_TRUE(far.is_outside_map());
+  EXPECT_NEAR(far.nearest_distance, 2, 1e-12);
   EXPECT_TRUE(far.promised().empty());
 
   const auto mean = advice(tests::make_problem({.mean = 0.1}), 0.01, shipped_validity_map());
-  EXPECT_TRUE(mean.outside());
+  EXPECT_TRUE(mean.is_outside_map());
   EXPECT_TRUE(mean.promised().empty());
-  EXPECT_FALSE(advice(tests::make_problem(), 0.01, shipped_validity_map()).outside());
+  EXPECT_FALSE(advice(tests::make_problem(), 0.01, shipped_validity_map()).is_outside_map());
 }
 
-TEST(Advice, TellsWhoMisleads) {
+TEST(Advice, CountsUnderestimatedErrors) {
   auto map = made_up_map();
-  map.points[1].answers[0] = MappedAnswer{Status::ok, 0.02, true, 0.03};
-  const auto misstated = [&](double accuracy) {
+  map.points[1].method_results[0] = MappedResult{Status::ok, 0.02, true, 0.03};
+  const auto underestimated = [&](double accuracy) {
     const auto found = advice(made_up_place(), accuracy, map);
-    return std::ranges::find(found.methods, "epc-moment-n4", &MethodNearby::id)->misstated;
+    return std::ranges::find(found.methods, "epc-moment-n4", &NearbyResults::id)->underestimated;
   };
-  EXPECT_EQ(misstated(0.01), 1);
-  // By less than anybody asked for.
-  EXPECT_EQ(misstated(0.02), 0);
+  EXPECT_EQ(underestimated(0.01), 1);
+  // The error is below the accuracy.
+  EXPECT_EQ(underestimated(0.02), 0);
 }
 
-TEST(Advice, AStricterAccuracyPromisesNothingMore) {
+TEST(Advice, AStricterAccuracyPromisesNoMoreMethods) {
   const auto& map = shipped_validity_map();
   for (std::size_t k = 0; k < map.points.size(); k += 37) {
     const auto sorted_ids = [&](double accuracy) {
-      Ids ids = promised_ids(map, accuracy, map.points[k].place);
+      Ids ids = promised_ids(map, accuracy, map.points[k].coordinates);
       std::ranges::sort(ids);
       return ids;
     };
@@ -141,15 +141,16 @@ TEST(Advice, AStricterAccuracyPromisesNothingMore) {
   }
 }
 
-// Lengths in a third, times in a half, as in tests/workflows/sweep/groups_test.cpp.
+// Units of length and time reduced to a third and a half, as in
+// tests/workflows/sweep/dimensionless_groups_test.cpp.
 TEST(Advice, DoesNotDependOnUnits) {
   const auto one = advice(tests::make_problem({}), 0.005, shipped_validity_map());
   const auto other = advice(
       tests::make_problem(
           {.damping = 0.2, .stiffness = 4, .cubic = 0.1 * 36, .rate = 2, .intensity = 0.1 * 8 / 9}),
       0.005, shipped_validity_map());
-  EXPECT_NEAR(one.nearest, other.nearest, 1e-9);
-  EXPECT_EQ(one.near, other.near);
+  EXPECT_NEAR(one.nearest_distance, other.nearest_distance, 1e-9);
+  EXPECT_EQ(one.nearby_points, other.nearby_points);
   EXPECT_FALSE(one.promised().empty());
   EXPECT_EQ(promised_ids(one), promised_ids(other));
 }

@@ -14,21 +14,21 @@ using tests::made_up_map;
 using tests::made_up_place;
 using transform::Status;
 
-const AdviceSetting kSetting{.name = "mine",
+const AdviceContext kSetting{.name = "mine",
                              .command = [](const std::string& id) { return "solve by " + id; },
-                             .otherwise = {"solve carefully"},
-                             .registry = methods::builtin()};
+                             .fallback_commands = {"solve carefully"},
+                             .registry = methods::builtin_registry()};
 
-TEST(AdviceText, SaysWhatToTypeAndWhatMisleads) {
+TEST(AdviceText, HasTheCommandAndTheWarnings) {
   auto map = made_up_map();
   map.methods[1] = "fd-km4";
-  map.points[3].answers[1] = MappedAnswer{Status::ok, 0.06, true, 0.3};
+  map.points[3].method_results[1] = MappedResult{Status::ok, 0.06, true, 0.3};
   EXPECT_EQ(advice_text(advice(made_up_place(), 0.01, map), kSetting, 80),
             R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness
-cubic, r = 0.9, gaussian impulses. Nearest of the map's points: 0 away; 5 within
-1.
+cubic, r = 0.9, gaussian impulses. Nearest point of the map: distance 0; 5
+points within 1.
 
-For L1 0.01 of p(y) and p(y'), the quickest that kept it nearby:
+Recommended for L1 0.01 of p(y) and p(y'), met at all nearby points:
   solve by epc-moment-n4
 
                --- at the points nearby ----
@@ -39,53 +39,55 @@ fd-kf               5   5    0.0001        1
 Or:
   solve by fd-kf
 
-Misleads there, being ok but further off than twice what it states: fd-km4
-(solves km4/map, off by up to 0.06 at 1 of 5).
+Status ok there, but error above twice the stated error: fd-km4 (solves km4/map,
+error up to 0.06 at 1 of 5 points).
 
-No guarantee: nobody looked between the points (docs/validity.md). What the
-answer says of itself, status and stated error, is of this very problem.
+No guarantee: the map has no data between its points (docs/validity.md). Status
+and stated error of a solution refer to this problem itself.
 )");
 }
 
-TEST(AdviceText, SaysWhoIsOffAndWhoHasNoDensity) {
+TEST(AdviceText, ListsLargeErrorsAndMissingDensities) {
   auto map = made_up_map();
-  map.points[3].answers[0] = MappedAnswer{Status::inaccurate, 0.06, false, 0.3};
+  map.points[3].method_results[0] = MappedResult{Status::inaccurate, 0.06, false, 0.3};
   for (auto& point : map.points) {
-    point.answers[1] = MappedAnswer{Status::inadmissible, 0.7, false, 0.3};
+    point.method_results[1] = MappedResult{Status::inadmissible, 0.7, false, 0.3};
   }
   const auto text = advice_text(advice(made_up_place(), 0.01, map), kSetting, 200);
-  EXPECT_NE(text.find("Off by more than 5 % somewhere there, and says so: epc-moment-n4 (0.06).\n"),
-            text.npos);
+  EXPECT_NE(
+      text.find("Error above 5 % at some of these points, as stated: epc-moment-n4 (0.06).\n"),
+      text.npos);
   EXPECT_NE(text.find("No probability density at any of these points: epc-polar-n6.\n"), text.npos);
 }
 
-TEST(AdviceText, OutsideTheMapHasMethodsThatTellTheirOwnErrors) {
-  Place mean = made_up_place();
-  mean.mean_share = -0.3;
+TEST(AdviceText, OutsideTheMapHasMethodsWithErrorEstimates) {
+  MapCoordinates mean = made_up_place();
+  mean.relative_mean = -0.3;
   EXPECT_EQ(
       advice_text(advice(mean, 0.01, made_up_map()), kSetting, 200),
-      R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness cubic, r = 0.9, gaussian impulses, their mean -0.3 of their size. Outside the map: no point of it has impulses with a mean.
+      R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness cubic, r = 0.9, gaussian impulses, mean -0.3 times the root mean square. Outside the map: none of its points has impulses
+with a mean.
 
-Nothing is promised for L1 0.01. These tell their own errors:
+No method met L1 0.01 at all nearby points. These methods estimate their own errors:
   solve carefully
 
-What the answer says of itself, status and stated error, is of this very problem.
+Status and stated error of a solution refer to this problem itself.
 )");
   const auto far = advice_text(advice(made_up_place(10, 0.7), 0.01, made_up_map()), kSetting, 200);
-  EXPECT_NE(far.find("Outside the map: its nearest point is 2 away (1 is near)."), far.npos);
+  EXPECT_NE(far.find("Outside the map: the nearest point has distance 2 (limit 1)."), far.npos);
 }
 
 TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
-  const auto json_of = [](const Place& place) {
+  const auto json_of = [](const MapCoordinates& coordinates) {
     return nlohmann::json::parse(
-        advice_json(advice(place, 0.01, made_up_map()), kSetting, "asked"));
+        advice_json(advice(coordinates, 0.01, made_up_map()), kSetting, "asked"));
   };
   const auto near = json_of(made_up_place());
   EXPECT_EQ(near["recommended"], "epc-moment-n4");
   EXPECT_EQ(near["methods"].size(), 3);
   EXPECT_EQ(near["methods"][1]["command"], "solve by epc-polar-n6");
   EXPECT_EQ(near["outside"], false);
-  Place law = made_up_place();
+  MapCoordinates law = made_up_place();
   law.law = "uniform";
   const auto outside = json_of(law);
   EXPECT_TRUE(outside["nearest"].is_null());

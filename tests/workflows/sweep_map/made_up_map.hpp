@@ -5,24 +5,24 @@
 
 #include "workflows/sweep/map/validity_map.hpp"
 
-/// Maps that nobody solved.
+/// Maps with invented results.
 namespace fpkcheck::tests {
 
 /// Ten impulses per decay time, damping ratio 0.05, linear, r = 0.9, gaussian.
-inline sweep::Place made_up_place(double impulses = 10, double restitution = 0.9) {
+inline sweep::MapCoordinates made_up_place(double impulses = 10, double restitution = 0.9) {
   return {.groups = {.impulses_per_decay_time = impulses, .damping_ratio = 0.05, .cubic_share = 0},
           .restitution = restitution,
           .law = "gaussian",
-          .mean_share = 0};
+          .relative_mean = 0};
 }
 
-inline sweep::MappedAnswer answer(double l1, double seconds,
+inline sweep::MappedResult answer(double l1, double seconds,
                                   transform::Status status = transform::Status::ok) {
-  return {.status = status, .l1 = l1, .misstated = false, .seconds = seconds};
+  return {.status = status, .l1 = l1, .underestimated = false, .seconds = seconds};
 }
 
-/// A quick closure, a slow one and the reference at five points about made_up_place(), 0.1 apart in
-/// the logarithm of the impulses per decay time.
+/// A fast closure, a slow closure and the reference at five points around made_up_place(), 0.1
+/// apart in the logarithm of the impulses per decay time.
 inline sweep::ValidityMap made_up_map() {
   sweep::ValidityMap map{.methods = {"epc-moment-n4", "epc-polar-n6", "fd-kf"}, .points = {}};
   for (const double impulses :

@@ -13,30 +13,31 @@
 #include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/map/advice.hpp"
 
-// What the promises of the shipped map are worth (docs/validity.md).
+// Reliability of the promises of the shipped map (docs/validity.md).
 namespace fpkcheck::sweep {
 namespace {
 
-// What is promised for each point by all others, by the quickest method.
+// Each point of the map with the promises made by all other points; the recommended method is
+// checked.
 struct LeftOut {
   int points = 0, promised = 0, approximate = 0;
-  int said = 0, missed = 0;  // not ok, and ok but further off
-  double worst = 0;          // L1 in units of the accuracy
+  int said = 0, missed = 0;  // not ok; ok, but L1 above the accuracy
+  double worst = 0;          // largest L1 in units of the accuracy
 };
 
 LeftOut left_out(double accuracy) {
   LeftOut found;
   ValidityMap map = shipped_validity_map();
   for (auto& point : map.points) {
-    const Place place = point.place;
-    point.place.law = "left out";
-    const auto promised = advice(place, accuracy, map).promised();
-    point.place = place;
+    const MapCoordinates coordinates = point.coordinates;
+    point.coordinates.law = "left out";
+    const auto promised = advice(coordinates, accuracy, map).promised();
+    point.coordinates = coordinates;
     ++found.points;
     if (promised.empty()) continue;
     ++found.promised;
     const auto m = std::ranges::find(map.methods, promised.front().id) - map.methods.begin();
-    const auto& answer = point.answers[static_cast<std::size_t>(m)];
+    const auto& answer = point.method_results[static_cast<std::size_t>(m)];
     if (!answer || promised.front().id == map.methods.back()) continue;
     ++found.approximate;
     found.said += answer->is_ok() ? 0 : 1;
@@ -60,7 +61,7 @@ TEST(Promises, HoldAtPointsThatAreLeftOut) {
   }
 }
 
-// A problem of the box that the plans cover, in units of its own.
+// A random problem within the box of the plans, in random units.
 problem::Problem problem_inside(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;
@@ -84,7 +85,7 @@ problem::Problem problem_inside(std::uint64_t number) {
 
 TEST(Promises, HoldForProblemsBetweenThePoints) {
   constexpr double kAccuracy = 0.01;
-  const int wanted = tests::thorough() ? 40 : 6;
+  const int wanted = tests::is_thorough() ? 40 : 6;
   int solved = 0;
   for (std::uint64_t number = 1; solved < wanted && number < 1000; ++number) {
     const auto problem = problem_inside(number);
@@ -93,7 +94,8 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
     SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
     const std::string id = promised.front().id;
     Plan plan{.base = problem, .axes = {}, .points = {{}}};
-    plan.methods = methods::builtin().select(id + ",fd-kf", {{"stepper", std::string("direct")}});
+    plan.methods =
+        methods::builtin_registry().select(id + ",fd-kf", {{"stepper", std::string("direct")}});
     const auto result = solve_point(plan, 0).result;
     ASSERT_EQ(result.reference, "fd-kf");
     const auto& closure = result.methods.front();

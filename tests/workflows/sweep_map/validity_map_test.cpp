@@ -31,26 +31,26 @@ TEST(ReadValidityMap, ReadsPlacesAndAnswers) {
       "map");
   EXPECT_EQ(map.methods, (std::vector<std::string>{"epc-polar-n6", "fd-kf"}));
   ASSERT_EQ(map.points.size(), 2);
-  const auto& place = map.points[0].place;
-  EXPECT_EQ(place.groups.impulses_per_decay_time, 10);
-  EXPECT_EQ(place.groups.damping_ratio, 0.05);
-  EXPECT_EQ(place.restitution, 0.9);
-  EXPECT_EQ(place.law, "laplace");
-  EXPECT_EQ(map.points[1].place.groups.cubic_share, 0.3);
-  const auto& answer = map.points[0].answers[0];
+  const auto& coordinates = map.points[0].coordinates;
+  EXPECT_EQ(coordinates.groups.impulses_per_decay_time, 10);
+  EXPECT_EQ(coordinates.groups.damping_ratio, 0.05);
+  EXPECT_EQ(coordinates.restitution, 0.9);
+  EXPECT_EQ(coordinates.law, "laplace");
+  EXPECT_EQ(map.points[1].coordinates.groups.cubic_share, 0.3);
+  const auto& answer = map.points[0].method_results[0];
   EXPECT_EQ(answer->status, Status::ok);
   EXPECT_EQ(answer->l1, 7.1e-5);
   EXPECT_EQ(answer->seconds, 0.31);
-  EXPECT_FALSE(answer->misstated);
-  EXPECT_EQ(map.points[1].answers[0]->status, Status::not_converged);
-  EXPECT_FALSE(map.points[1].answers[0]->l1);
+  EXPECT_FALSE(answer->underestimated);
+  EXPECT_EQ(map.points[1].method_results[0]->status, Status::not_converged);
+  EXPECT_FALSE(map.points[1].method_results[0]->l1);
 }
 
-TEST(ReadValidityMap, KnowsEveryLetterAndWhoWasNotAsked) {
+TEST(ReadValidityMap, ReadsEveryLetterAndEmptyCells) {
   const auto status_of = [](const std::string& cell) {
     return read_validity_map(kHeader + "1,1,0,1,gaussian,0," + cell + ",.1o1\n", "map")
         .points[0]
-        .answers[0];
+        .method_results[0];
   };
   EXPECT_EQ(status_of(".1i5")->status, Status::inaccurate);
   EXPECT_EQ(status_of(".1a5")->status, Status::inadmissible);
@@ -58,20 +58,20 @@ TEST(ReadValidityMap, KnowsEveryLetterAndWhoWasNotAsked) {
   EXPECT_EQ(status_of("f5")->status, Status::failed);
   EXPECT_EQ(status_of("u5")->status, Status::not_offered);
   EXPECT_TRUE(status_of(".1x5")->is_ok());
-  EXPECT_TRUE(status_of(".1x5")->misstated);
+  EXPECT_TRUE(status_of(".1x5")->underestimated);
   EXPECT_FALSE(status_of(""));
 }
 
-TEST(ReadValidityMap, HasALetterOfItsOwnForEveryStatus) {
-  // Where two shared one, the reader would know the first of them alone.
+TEST(ReadValidityMap, HasADistinctLetterForEveryStatus) {
+  // A shared letter would be read as the first of its statuses alone.
   std::set<std::pair<Status, bool>> read;
   for (char letter = 'a'; letter <= 'z'; ++letter) {
-    if (letter == 'e') continue;  // of an exponent
+    if (letter == 'e') continue;  // occurs in exponents
     try {
       const auto map =
           read_validity_map(kHeader + "1,1,0,1,gaussian,0,.1" + letter + "5,.1o1\n", "map");
-      const auto& answer = *map.points[0].answers[0];
-      EXPECT_TRUE(read.emplace(answer.status, answer.misstated).second) << letter;
+      const auto& answer = *map.points[0].method_results[0];
+      EXPECT_TRUE(read.emplace(answer.status, answer.underestimated).second) << letter;
     } catch (const InputError&) {
     }
   }
@@ -80,7 +80,7 @@ TEST(ReadValidityMap, HasALetterOfItsOwnForEveryStatus) {
   EXPECT_EQ(read, expected);
 }
 
-TEST(ReadValidityMap, RefusesWhatIsNone) {
+TEST(ReadValidityMap, RefusesOtherFiles) {
   EXPECT_EQ(refusal_of(""), "map is no map of validity (make one by scripts/validity)");
   EXPECT_EQ(refusal_of("a,b\n1,2\n"), "map is no map of validity (make one by scripts/validity)");
   const auto row_refusal = [](const std::string& row) { return refusal_of(kHeader + row); };
@@ -103,11 +103,12 @@ TEST(ReadValidityMap, RefusesWhatIsNone) {
             "map:2: no L1 of the last method (it is the reference)");
 }
 
-TEST(ShippedValidityMap, IsOfMethodsThatTheProgramHas) {
+TEST(ShippedValidityMap, HasExistingMethods) {
   const auto& map = shipped_validity_map();
   EXPECT_GT(map.points.size(), 100);
   EXPECT_EQ(map.methods.back(), "fd-kf");
-  for (const auto& id : map.methods) EXPECT_TRUE(methods::builtin().by_id(id)) << id;
+  for (const auto& id : map.methods)
+    EXPECT_TRUE(methods::builtin_registry().method_by_id(id)) << id;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(Distances, HasACurveAndALegendEntryForEachMethodButTheReference) {
 TEST(Distances, MarksAreOpenWhereTheAnswerIsNotOk) {
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   const std::string script = distances_of(results);
-  const auto looks = report::series_looks(std::vector{results.plan.methods[0].identity});
+  const auto looks = report::series_styles(std::vector{results.plan.methods[0].identity});
   EXPECT_TRUE(contains(script, fmt::format("0.6 0.4 0.3 {} ", looks[0].open))) << script;
   EXPECT_TRUE(contains(script, fmt::format("0.7 0.4 0.3 {} ", looks[0].filled))) << script;
   EXPECT_TRUE(contains(legend_of(script), "'open: not ok'"));
@@ -45,13 +45,13 @@ TEST(Distances, MarksAreOpenWhereTheAnswerIsNotOk) {
   EXPECT_FALSE(contains(legend_of(distances_of(all_ok)), "'open: not ok'"));
 }
 
-TEST(Distances, ShowWhatIsStatedOfErrors) {
+TEST(Distances, ShowErrorEstimates) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   const std::string script = distances_of(results);
   EXPECT_TRUE(contains(script, "$floor_0 << EOD\n0.6 2e-05 3e-05\n")) << script;
   EXPECT_TRUE(contains(legend_of(script), "'error of the reference'"));
   EXPECT_TRUE(contains(script, "$curve_0_0 using 1:5 with linespoints"));
-  EXPECT_TRUE(contains(legend_of(script), "'own stated error'"));
+  EXPECT_TRUE(contains(legend_of(script), "'error estimate'"));
   for (auto& point : results.points) {
     for (auto& method : point.methods) method.error.reset();
   }
@@ -98,7 +98,7 @@ TEST(Distances, OverWordsAreMarksSideBySide) {
   const std::string script = distances_of(tests::made_up_sweep({tests::kTwoLaws}));
   EXPECT_TRUE(contains(script, "'gaussian' 0, 'laplace' 1"));
   EXPECT_FALSE(contains(script, "linespoints")) << script;
-  // Four methods over 0.7 of the room.
+  // Four methods over 0.7 of a word's width.
   EXPECT_TRUE(contains(script, "$curve_0_0 << EOD\n-0.2625 ")) << script;
   EXPECT_TRUE(contains(script, "$curve_0_1 << EOD\n-0.0875 ")) << script;
 }

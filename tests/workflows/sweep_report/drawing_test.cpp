@@ -1,17 +1,17 @@
 #include <gtest/gtest.h>
 
 #include "base/files/pending_files.hpp"
-#include "legend_of_script.hpp"
 #include "made_up_sweep.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "saved_run.hpp"
+#include "script_legend.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/sweep/report/figure/pictures.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-// Of every kind of plan, with all that may be wrong in it.
+// Sweeps of every kind of plan, each also with failures and missing points.
 std::vector<SweepResults> all_kinds() {
   using tests::kFiveRestitutions;
   using tests::kThreeRates;
@@ -31,7 +31,7 @@ std::vector<SweepResults> all_kinds() {
       tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, Design::sobol, 9)));
   kinds.push_back(
       tests::made_up_sweep(tests::made_up_plan({restitutions, rates, cubics}, Design::sobol, 9)));
-  // A single cell, and a row of them.
+  // A single cell, and a row of cells.
   kinds.push_back(tests::made_up_sweep({{"system.restitution", "0.6"}, {"impulse.rate", "1"}}));
   kinds.push_back(tests::made_up_sweep({kFiveRestitutions, {"impulse.rate", "1"}}));
   for (std::size_t k = kinds.size(); k-- > 0;) {
@@ -47,7 +47,7 @@ std::vector<SweepResults> all_kinds() {
   return kinds;
 }
 
-TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutComplaint) {
+TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutWarnings) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const tests::TemporaryDirectory directory;
   std::size_t kind = 0;
@@ -66,12 +66,12 @@ TEST(SweepDrawing, GnuplotDrawsEveryKindWithoutComplaint) {
   }
 }
 
-TEST(SweepDrawing, TellsWhatEverythingIsInEveryKind) {
+TEST(SweepDrawing, HasLegendEntriesForEveryKind) {
   for (const auto& results : all_kinds()) {
     for (const auto width : {report::FigureWidth::screen, report::FigureWidth::one_column}) {
       for (const auto& picture : sweep_pictures(results, width)) {
-        EXPECT_FALSE(tests::drawn_by(picture.script).empty()) << picture.stem;
-        const auto untold = tests::without_entry(picture.script);
+        EXPECT_FALSE(tests::plot_elements(picture.script).empty()) << picture.stem;
+        const auto untold = tests::elements_without_entry(picture.script);
         EXPECT_TRUE(untold.empty()) << picture.stem << untold.front();
       }
     }

@@ -12,7 +12,7 @@ using tests::contains;
 
 KeyAxis axis_of(const tests::KeyAndValues& axis) { return {tests::made_up_plan({axis}), 0}; }
 
-TEST(KeyAxis, IsLogarithmicWhereTheValuesAreSpacedSo) {
+TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
   const std::string even = axis_of(tests::kFiveRestitutions).commands('x');
   EXPECT_FALSE(contains(even, "logscale")) << even;
   EXPECT_TRUE(contains(
@@ -26,22 +26,22 @@ TEST(KeyAxis, IsLogarithmicWhereTheValuesAreSpacedSo) {
   EXPECT_FALSE(axis_of({"impulse.rate", "0.1,0.2,0.3"}).is_logarithmic());
 }
 
-TEST(KeyAxis, PutsWordsOneAfterAnother) {
+TEST(KeyAxis, PlacesWordsAtEqualDistances) {
   const KeyAxis laws = axis_of(tests::kTwoLaws);
   EXPECT_TRUE(laws.is_words());
-  EXPECT_EQ(laws.at(std::string("laplace")), 1);
+  EXPECT_EQ(laws.coordinate(std::string("laplace")), 1);
   const std::string text = laws.commands('x');
   EXPECT_TRUE(contains(text, "'gaussian' 0, 'laplace' 1")) << text;
   EXPECT_TRUE(contains(text, "[-0.5:1.5]")) << text;
 }
 
-TEST(KeyAxis, OfCellsHasRoundNumbersWhereTheyLie) {
+TEST(KeyAxis, OfCellsHasRoundNumbersAtTheirPositions) {
   const KeyAxis restitution = axis_of(tests::kFiveRestitutions);
   EXPECT_EQ(restitution.cell_of(0.8), 2u);
-  // 0.7 is between the first cell, 0, and the third one.
+  // 0.7 is between the first cell, 0, and the third cell.
   EXPECT_TRUE(contains(restitution.cell_commands('x'), "'0.7' 1,"));
   EXPECT_TRUE(contains(axis_of(tests::kThreeRates).cell_commands('y'), "'1' 1,"));
-  // From above too: cells are in the order of the numbers.
+  // The cells are in the order of the numbers, also for a decreasing range.
   EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_of(0.6), 0u);
 }
 

@@ -10,12 +10,12 @@
 #include "made_up_solutions.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
-/// Sweeps that no solver made, with numbers that can be told apart.
+/// Sweeps with invented results and distinguishable numbers.
 namespace fpkcheck::tests {
 
 using KeyAndValues = std::pair<std::string, std::string>;
 
-/// Places of its methods.
+/// Indices of the methods.
 enum MadeUpMethod { made_up_gaussian, made_up_moment, made_up_white, made_up_reference };
 
 inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
@@ -26,19 +26,20 @@ inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
   sweep::Plan plan{.base = paper_case(1), .axes = {}, .design = design};
   plan.sobol_points = sobol_points;
   plan.base.name = "case1";
-  for (const auto& [key, values] : axes) plan.axes.push_back(sweep::axis_from(key, values, "test"));
+  for (const auto& [key, values] : axes)
+    plan.axes.push_back(sweep::parse_axis(key, values, "test"));
   for (const auto& who : {closure_identity("gaussian", 4), closure_identity("moment", 4),
                           identity("fd-white", "fd", Equation::white, Impact::map),
                           identity("fd-kf", "fd", Equation::kf, Impact::map)}) {
     plan.methods.emplace_back();
     plan.methods.back().identity = who;
   }
-  plan.points = sweep::points_of(plan.axes, design, sobol_points);
+  plan.points = sweep::make_points(plan.axes, design, sobol_points);
   return plan;
 }
 
-/// Distances of moment fall from 0.2 to 0.002 over the points, fd-white is 0.03 off everywhere, and
-/// gaussian 0.4, but for its second point it is inadmissible. fd-kf is the reference.
+/// Distances of moment fall from 0.2 to 0.002 over the points, those of fd-white are 0.03, those of
+/// gaussian 0.4. gaussian is inadmissible except at the second point. fd-kf is the reference.
 inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
   using transform::Status;
   std::vector<sweep::PointResult> points;
@@ -70,14 +71,14 @@ inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
     if (k == 1) point.methods[made_up_gaussian].moments = moments;
     points.push_back(std::move(point));
   }
-  return sweep::sweep_results(std::move(plan), std::move(points));
+  return sweep::make_sweep_results(std::move(plan), std::move(points));
 }
 
 inline sweep::SweepResults made_up_sweep(const std::vector<KeyAndValues>& axes) {
   return made_up_sweep(made_up_plan(axes));
 }
 
-/// The answer that is not there: the solver broke down.
+/// The result of a solver that failed.
 inline sweep::MethodResult made_up_failure(const std::string& reason = "it broke down") {
   return {.status = transform::Status::failed, .reason = reason, .seconds = 0.1};
 }

@@ -31,7 +31,7 @@ TEST(Map, HasAPanelForEachMethodButTheReference) {
     EXPECT_TRUE(contains(script, fmt::format("set title '{}'", id))) << script;
   }
   EXPECT_FALSE(contains(script, "'fd-kf'"));
-  // The larger one of both marginals, where the keys have their first values.
+  // The larger distance of both marginals, for the first values of the keys.
   EXPECT_TRUE(contains(script, "$map_1 << EOD\n0 0 0.2\n")) << script;
   EXPECT_TRUE(contains(script, "set colorbox"));
 }
@@ -42,12 +42,12 @@ TEST(Map, HasContoursWhereDistancesCrossOneAndFivePerCent) {
   EXPECT_TRUE(contains(script, "$contour_five_1 using 1:2 with lines"));
   EXPECT_TRUE(contains(script, "title say('1 %'"));
   EXPECT_TRUE(contains(script, "title say('5 %'"));
-  // 0.03 everywhere is on one side of both.
+  // The constant 0.03 is on one side of each level.
   EXPECT_FALSE(contains(script, "$contour_one_2"));
   EXPECT_FALSE(contains(script, "$contour_five_2"));
 }
 
-TEST(Map, MarksEachKindOfStatusByAShapeOfItsOwn) {
+TEST(Map, MarksEachStatusByADistinctShape) {
   auto results = two_keys();
   std::set<int> types;
   std::size_t point = 0;
@@ -61,15 +61,16 @@ TEST(Map, MarksEachKindOfStatusByAShapeOfItsOwn) {
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     const bool is_marked = contains(script, fmt::format("$mark_1_{} using", point_type(status)));
     EXPECT_EQ(is_marked, status != Status::ok) << name;
-    EXPECT_EQ(contains(script, fmt::format("title '{}'", report::without_marks(std::string(name)))),
+    EXPECT_EQ(contains(script,
+                       fmt::format("title '{}'", report::escape_enhanced_text(std::string(name)))),
               status != Status::ok)
         << name;
   }
 }
 
-TEST(Map, OutlinesWhatIsNotOk) {
+TEST(Map, OutlinesCellsThatAreNotOk) {
   const std::string script = map_of(two_keys());
-  // Of gaussian the cell (0, 1) alone is ok.
+  // For gaussian the cell (0, 1) alone is ok.
   const auto begin = script.find("$outline_0 << EOD\n");
   ASSERT_NE(begin, std::string::npos);
   const std::string outline = script.substr(begin, script.find("EOD\n", begin + 18) - begin);
@@ -79,7 +80,7 @@ TEST(Map, OutlinesWhatIsNotOk) {
   EXPECT_FALSE(contains(script, "$outline_1"));
 }
 
-TEST(Map, MarksOfFineCellsDoNotRunIntoEachOther) {
+TEST(Map, MarksOfFineCellsDoNotOverlap) {
   const auto results = two_keys();
   const SweepView view(results);
   const MapData map(view);
@@ -87,18 +88,18 @@ TEST(Map, MarksOfFineCellsDoNotRunIntoEachOther) {
     std::set<int> types;
     const std::string text = map.mark_blocks(tests::made_up_gaussian, across, up, types);
     EXPECT_EQ(types, std::set{point_type(Status::inadmissible)});
-    return std::ranges::count(text, '\n') - 2;  // less the frame of the block
+    return std::ranges::count(text, '\n') - 2;  // minus the first and last line of the block
   };
-  EXPECT_EQ(marks(20, 20), 14);  // all but the one that is ok
+  EXPECT_EQ(marks(20, 20), 14);  // all cells but the one that is ok
   EXPECT_EQ(marks(1, 1), 1);
   EXPECT_EQ(marks(2, 3), 6);
 }
 
-TEST(Map, LeavesOpenWhatHasNoDistance) {
+TEST(Map, LeavesCellsWithoutADistanceEmpty) {
   auto results = two_keys();
   EXPECT_FALSE(contains(map_of(results), "white: no distance"));
   results.points[3].methods[tests::made_up_moment] = tests::made_up_failure();
-  results.points.erase(results.points.begin());  // was not solved
+  results.points.erase(results.points.begin());  // a missing point
   const std::string script = map_of(results);
   EXPECT_TRUE(contains(script, "$map_1 << EOD\n0 0 NaN\n1 0 NaN\n2 0 0.")) << script;
   EXPECT_TRUE(contains(script, "title 'white: no distance'"));

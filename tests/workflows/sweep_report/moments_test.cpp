@@ -25,7 +25,7 @@ TEST(Moments, OfAllMethodsAreDrawnAndInTheLegend) {
   }
 }
 
-TEST(Moments, HaveAxesThatHoldWhatIsOk) {
+TEST(Moments, HaveAxesThatCoverOkSolutions) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   EXPECT_TRUE(contains(moments_of(results), "set yrange [0.394:0.506]"));  // not the 9
   for (auto& point : results.points) {

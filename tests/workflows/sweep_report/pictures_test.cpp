@@ -44,7 +44,7 @@ TEST(SweepPictures, WithoutAReferenceHaveNoDistances) {
   EXPECT_EQ(stems(results), std::vector<std::string>{"sweep-moments"});
 }
 
-TEST(SweepPictures, OfNothingToCompareAreNone) {
+TEST(SweepPictures, AreEmptyWithoutComparisons) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points.clear();
   EXPECT_TRUE(sweep_pictures(results).empty());

@@ -7,7 +7,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-TEST(Reasons, AreTheSameWhateverTheirNumbers) {
+TEST(Reasons, AreGroupedWithoutTheirNumbers) {
   EXPECT_EQ(without_numbers("residual 1.5e-03 > 1e-6 after 20 steps"),
             "residual ... > ... after ... steps");
   EXPECT_EQ(without_numbers("at (-0.5, 3)."), "at (..., ...).");
@@ -17,7 +17,7 @@ TEST(Reasons, AreTheSameWhateverTheirNumbers) {
   EXPECT_EQ(without_numbers(""), "");
 }
 
-TEST(Reasons, AreGroupedTheCommonestFirst) {
+TEST(Reasons, AreGroupedTheMostFrequentFirst) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points[3].methods[tests::made_up_moment] = tests::made_up_failure();
   const auto groups = reason_groups(results);

@@ -29,11 +29,11 @@ TEST(Scatter, HasAPanelForEachKeyWithAllMethods) {
     EXPECT_TRUE(contains(script, fmt::format("title '{}'", entry))) << entry;
   }
   EXPECT_FALSE(contains(script, "'fd-kf'"));
-  // What is logarithmic in one panel is not in the next.
+  // A logarithmic axis of one panel must not affect the next panel.
   EXPECT_TRUE(contains(script, "unset logscale x"));
 }
 
-TEST(Scatter, MediansAreOfWhatIsOk) {
+TEST(Scatter, MediansAreOfOkSolutions) {
   auto results = tests::made_up_sweep(
       {{"system.restitution", "0.6,0.7"}, {"impulse.rate", "1,2,3"}, {"system.cubic", "0.1"}});
   for (std::size_t k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   };
   EXPECT_EQ(rows_of("$points_0_2"), 40);
   EXPECT_EQ(rows_of("$median_0_2"), 4);
-  EXPECT_EQ(rows_of("$median_0_0"), 1);  // one point is ok: no median, a row of nothing
+  EXPECT_EQ(rows_of("$median_0_0"), 1);  // one point is ok: no median, a row of NaN
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using tests::contains;
 
-TEST(SweepFiles, TablesReplaceThoseOfBeforeAndTheirPage) {
+TEST(SweepFiles, TablesReplaceEarlierFiles) {
   const tests::TemporaryDirectory directory;
   base::write_file(directory.path() / "report.html", "of other numbers");
   base::write_file(directory.path() / "sweep.csv", "other numbers");

@@ -11,7 +11,7 @@ namespace {
 
 using tests::contains;
 
-TEST(SweepPage, SaysWhatWasVaried) {
+TEST(SweepPage, DescribesTheVariedKeys) {
   const auto results = tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates});
   const std::string page = sweep_page(results, {}, "fpkcheck sweep");
   EXPECT_TRUE(contains(page, "system.restitution from 0.6 to 1 (5 values, evenly spaced)"));
@@ -21,7 +21,7 @@ TEST(SweepPage, SaysWhatWasVaried) {
   EXPECT_FALSE(contains(page, "so far"));
 }
 
-TEST(SweepPage, SaysWhatIsMissing) {
+TEST(SweepPage, ReportsMissingPoints) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points.pop_back();
   EXPECT_TRUE(contains(sweep_page(results, {}, ""), "4 points solved so far"));
@@ -49,7 +49,7 @@ TEST(SweepPage, GroupsReasonsWithAnExample) {
       << page;
 }
 
-TEST(SweepPage, EscapesWhatOthersWrote) {
+TEST(SweepPage, EscapesExternalText) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.plan.base.name = "<b>case</b>";
   results.points[0].methods[0].reason = "<script>alert(1)</script> & more";
@@ -62,7 +62,7 @@ TEST(SweepPage, EscapesWhatOthersWrote) {
   EXPECT_TRUE(contains(page, "&lt;img src=x&gt;"));
 }
 
-TEST(SweepPage, HoldsItsPictures) {
+TEST(SweepPage, EmbedsItsPictures) {
   const std::string page = sweep_page(tests::made_up_sweep({tests::kFiveRestitutions}),
                                       {{"what it shows", "image/svg+xml", "<svg/>"}}, "");
   EXPECT_TRUE(contains(page, "src=\"data:image/svg+xml;base64,PHN2Zy8+\""));

@@ -30,11 +30,11 @@ fd_fpk::Options grids(int order, double refinement) {
           .residual_tolerance = 1e-9};
 }
 
-fd_fpk::Options of_seventh_order(const ReferenceOptions& options) {
+fd_fpk::Options seventh_order_options(const ReferenceOptions& options) {
   return grids(7, options.refinement);
 }
 
-fd_fpk::Options of_fifth_order(const ReferenceOptions& options) {
+fd_fpk::Options fifth_order_options(const ReferenceOptions& options) {
   return grids(5, options.refinement * std::sqrt(2.0));
 }
 
@@ -43,33 +43,33 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
   const auto axes = compare::comparison_axes(problem);
   mcs::Options simulation;
   simulation.time =
-      options.simulation_time.value_or(kTime / problem::scales(problem).slowest_decay);
+      options.simulation_time.value_or(kTime / problem::scales(problem).slowest_decay_rate);
   simulation.seed = options.seed;
   simulation.y_edges = axes.y_edges;
   simulation.v_edges = axes.v_edges;
   return simulation;
 }
 
-// p at x: the average over a bin so narrow that its curvature counts for less than 1e-6.
+// p(x) as the average over a narrow bin: the curvature changes it by less than 1e-6.
 double density_at(const Solution& solution, Variable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
   return transform::marginal(*solution.density, variable, edges).density.front();
 }
 
-// x with two significant digits.
-double rounded(double x) {
+// Rounds x to two significant digits.
+double round_to_two_digits(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;
 }
 
 std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fifth,
                                    Variable variable) {
-  const bool of_y = variable == Variable::y;
-  const double deviation = std::sqrt(of_y ? seventh.moments.y2 : seventh.moments.v2);
-  const double step = rounded(deviation * (of_y ? 0.15 : 0.3));
+  const bool is_y = variable == Variable::y;
+  const double deviation = std::sqrt(is_y ? seventh.moments.y2 : seventh.moments.v2);
+  const double step = round_to_two_digits(deviation * (is_y ? 0.15 : 0.3));
   std::vector<ReferencePoint> result;
-  for (int k = of_y ? 1 : -10; k <= (of_y ? 20 : 10); ++k) {
+  for (int k = is_y ? 1 : -10; k <= (is_y ? 20 : 10); ++k) {
     if (k == 0) continue;
     const double x = k * step;
     result.push_back(
@@ -79,8 +79,8 @@ std::vector<ReferencePoint> points(const Solution& seventh, const Solution& fift
   return result;
 }
 
-double share_within(const Solution& exact, const transform::Marginal& simulated,
-                    Variable variable) {
+double covered_fraction(const Solution& exact, const transform::Marginal& simulated,
+                        Variable variable) {
   const auto reference = transform::marginal(*exact.density, variable, simulated.edges);
   int within = 0, counted = 0;
   for (std::size_t b = 0; b < simulated.size(); ++b) {
@@ -96,22 +96,22 @@ double share_within(const Solution& exact, const transform::Marginal& simulated,
 
 int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
-  // Half a unit of the last digit.
+  // Digits that agree to half a unit of the last digit.
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // A double as long as it may be infinite or, of 0/0, no number.
+  // Kept as a double: it may be infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 
 void validate(const problem::Problem& problem, const ReferenceOptions& options) {
-  fd_fpk::validate(of_seventh_order(options));
-  fd_fpk::validate(of_fifth_order(options));
+  fd_fpk::validate(seventh_order_options(options));
+  fd_fpk::validate(fifth_order_options(options));
   mcs::make_plan(problem, long_simulation(problem, options));
 }
 
 Reference reference(const problem::Problem& problem, const ReferenceOptions& options) {
   Reference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
-  const auto seventh = fd_fpk::solve(problem, of_seventh_order(options));
-  const auto fifth = fd_fpk::solve(problem, of_fifth_order(options));
+  const auto seventh = fd_fpk::solve(problem, seventh_order_options(options));
+  const auto fifth = fd_fpk::solve(problem, fifth_order_options(options));
   for (const auto* run : {&seventh, &fifth}) {
     if (run->solution.is_ok() && run->summary.error) continue;
     result.failure = run->solution.reason.empty() ? "no error estimate" : run->solution.reason;
@@ -120,7 +120,7 @@ Reference reference(const problem::Problem& problem, const ReferenceOptions& opt
   const auto simulated = mcs::solve(problem, long_simulation(problem, options));
 
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    if (moment == &Moments::v1) continue;  // 0 whatever the density
+    if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
     result.moments.push_back(
         {name,
          symbol,
@@ -133,8 +133,8 @@ Reference reference(const problem::Problem& problem, const ReferenceOptions& opt
   result.energy_residual = seventh.solution.energy_residual;
   result.simulated_time = simulated.summary.time;
   for (const auto& [variable, marginal] : simulated.solution.estimated_marginals) {
-    (variable == Variable::y ? result.y_bins_within : result.ydot_bins_within) =
-        share_within(seventh.solution, marginal, variable);
+    (variable == Variable::y ? result.y_coverage : result.ydot_coverage) =
+        covered_fraction(seventh.solution, marginal, variable);
   }
   return result;
 }

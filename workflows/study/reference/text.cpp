@@ -10,7 +10,7 @@ namespace {
 constexpr int kMomentDigits = 7;
 constexpr int kDensityDigits = 5;
 
-// A number with so many significant digits, trailing zeros kept.
+// Text with this number of significant digits, including trailing zeros.
 std::string digits(double x, int significant) {
   if (x == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));
@@ -20,7 +20,7 @@ std::string digits(double x, int significant) {
 
 void add_moments(const Reference& r, std::string& text) {
   text +=
-      "| | value | difference of the two | simulation | in standard errors |\n"
+      "| | value | difference of the orders | simulation | deviation in standard errors |\n"
       "|---|---|---|---|---|\n";
   for (const auto& [name, symbol, value, simulated, error] : r.moments) {
     text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
@@ -55,8 +55,8 @@ and `reference.csv` beside it, is the output of
 
 Each value comes from two finite-volume discretisations of different order, seventh and fifth, on
 grids graded to the origin (`theory.md`, section 4): moments are Richardson limits of three grids
-each, densities those of the finest grid. Digits on which the two do not agree are left out. A
-simulation that shares nothing with them stands beside.
+each, densities those of the finest grid. Digits on which the two differ are left out. The last two
+columns compare the values with an independent simulation.
 
 )",
                                  command);
@@ -70,9 +70,9 @@ simulation that shares nothing with them stands beside.
     text += '\n';
     add_points(r, text);
     text += fmt::format(
-        "\nEnergy residual {:.0e}. Simulated time {:.2g}; the 95 % intervals of its histogram hold "
-        "the reference in {:.1f} % of the bins of p(y) and {:.1f} % of those of p(y').\n\n",
-        r.energy_residual, r.simulated_time, 100 * r.y_bins_within, 100 * r.ydot_bins_within);
+        "\nEnergy residual {:.0e}. Simulated time {:.2g}; the 95 % intervals of its histogram "
+        "contain the reference in {:.1f} % of the bins of p(y) and {:.1f} % of those of p(y').\n\n",
+        r.energy_residual, r.simulated_time, 100 * r.y_coverage, 100 * r.ydot_coverage);
   }
   return text;
 }

@@ -9,29 +9,29 @@
 
 #include "report/figure/panel_grid.hpp"
 #include "report/figure/text.hpp"
-#include "workflows/study/picture.hpp"
+#include "workflows/study/plot_series.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
 using fd_fpk::Snapshot;
 
-// Pixels of the maps: no more than can be told apart.
-constexpr int kMostTimes = 400;
-constexpr int kHeights = 200;
+// Pixels of the maps: the resolution of the drawn figure.
+constexpr int kMaxColumns = 400;
+constexpr int kPixelRows = 200;
 
-/// One panel: a density over (t, x), x = y or y'.
-struct Map {
-  std::string block;  ///< of data in the script
+/// A panel: colour map of a density over (t, x), x = y or y'.
+struct DensityMap {
+  std::string block;  ///< name of its data block in the script
   std::string title;
   std::string symbol;
   double from = 0, to = 0;                      ///< drawn range of x
-  std::vector<std::vector<double>> times = {};  ///< for each column of pixels, kHeights densities
+  std::vector<std::vector<double>> times = {};  ///< for each column of pixels, kPixelRows densities
   double largest = 0;
 };
 
-// The cell averages as a piecewise linear function through the cells' centres.
-double at(std::span<const double> edges, std::span<const double> averages, double x) {
+// Interpolates the cell averages linearly between the cells' centres.
+double interpolate(std::span<const double> edges, std::span<const double> averages, double x) {
   const auto centre = [&](std::size_t b) { return (edges[b] + edges[b + 1]) / 2; };
   std::size_t b = std::upper_bound(edges.begin() + 1, edges.end() - 1, x) - edges.begin() - 1;
   if (x < centre(b) && b > 0) --b;
@@ -40,9 +40,9 @@ double at(std::span<const double> edges, std::span<const double> averages, doubl
   return (1 - weight) * averages[b] + weight * averages[b + 1];
 }
 
-Map map_of(const TransientRun& run, Map map, const std::vector<double>& edges,
-           std::vector<double> Snapshot::*marginal) {
-  constexpr double kVisible = 2e-3;  // of the largest density
+DensityMap density_map(const TransientRun& run, DensityMap map, const std::vector<double>& edges,
+                       std::vector<double> Snapshot::*marginal) {
+  constexpr double kVisible = 2e-3;  // fraction of the largest density that is drawn
   const auto& snapshots = run.result.snapshots;
   for (const auto& s : snapshots)
     map.largest = std::max(map.largest, std::ranges::max(s.*marginal));
@@ -55,25 +55,25 @@ Map map_of(const TransientRun& run, Map map, const std::vector<double>& edges,
       map.to = std::max(map.to, edges[b + 1]);
     }
   }
-  // Snapshots are evenly spaced; where there are too many, columns lie between two of them.
+  // Snapshots are evenly spaced; with more snapshots than pixels, columns are interpolated.
   const int last = static_cast<int>(snapshots.size()) - 1;
-  const int columns = std::min(last, kMostTimes - 1);
+  const int columns = std::min(last, kMaxColumns - 1);
   for (int c = 0; c <= columns; ++c) {
     const double place = static_cast<double>(c) * last / columns;
     const int before = std::min(static_cast<int>(place), last - 1);
     const double weight = place - before;
     std::vector<double> column;
-    for (int h = 0; h < kHeights; ++h) {
-      const double x = map.from + (map.to - map.from) * (h + 0.5) / kHeights;
-      column.push_back((1 - weight) * at(edges, snapshots[before].*marginal, x) +
-                       weight * at(edges, snapshots[before + 1].*marginal, x));
+    for (int h = 0; h < kPixelRows; ++h) {
+      const double x = map.from + (map.to - map.from) * (h + 0.5) / kPixelRows;
+      column.push_back((1 - weight) * interpolate(edges, snapshots[before].*marginal, x) +
+                       weight * interpolate(edges, snapshots[before + 1].*marginal, x));
     }
     map.times.push_back(std::move(column));
   }
   return map;
 }
 
-std::string data(const Map& map) {
+std::string data(const DensityMap& map) {
   std::string rows;
   for (const auto& column : map.times) {
     for (std::size_t h = 0; h < column.size(); ++h) {
@@ -92,15 +92,15 @@ std::string settings() {
          "set xlabel say('{/:Italic t}', '$t$')\n";
 }
 
-std::string panel(const Map& map, double until, const report::Place& place) {
+std::string panel(const DensityMap& map, double until, const report::PanelBox& place) {
   const double time_step = until / static_cast<double>(map.times.size() - 1);
-  const double height = (map.to - map.from) / kHeights;
+  const double height = (map.to - map.from) / kPixelRows;
   return fmt::format(
       "set title '{0}'\n{1}"
       "set xrange [0:{2:.6g}]\nset yrange [{3:.6g}:{4:.6g}]\nset cbrange [0:{5:.6g}]\n"
       "set ylabel {6}\nset cblabel {7}\n"
       "plot ${8} using ($2*{9:.8g}):({10:.8g}+$1*{11:.8g}):3 matrix with image notitle\n\n",
-      map.title, margins(place), until, map.from, map.to, map.largest,
+      map.title, margin_commands(place), until, map.from, map.to, map.largest,
       report::gnuplot_text(map.symbol),
       report::gnuplot_text(fmt::format("{{/:Italic p}}({}, {{/:Italic t}})", map.symbol)),
       map.block, time_step, map.from + height / 2, height);
@@ -110,19 +110,19 @@ std::string panel(const Map& map, double until, const report::Place& place) {
 
 std::string transient_figure(const TransientRun& run, const std::string& file_stem,
                              report::FigureWidth width) {
-  constexpr int kOnScreen = 1100, kColourBar = 130;
-  const Map y =
-      map_of(run, {"p_y", "(a) displacement", "{/:Italic y}"}, run.result.y_edges, &Snapshot::y);
-  const Map v =
-      map_of(run, {"p_ydot", "(b) velocity", "{/:Italic y}'"}, run.result.v_edges, &Snapshot::v);
+  constexpr int kScreenWidth = 1100, kColourBar = 130;
+  const DensityMap y = density_map(run, {"p_y", "(a) displacement", "{/:Italic y}"},
+                                   run.result.y_edges, &Snapshot::y);
+  const DensityMap v = density_map(run, {"p_ydot", "(b) velocity", "{/:Italic y}'"},
+                                   run.result.v_edges, &Snapshot::v);
   const double until = run.result.snapshots.back().time;
-  report::PanelGrid grid = report::panel_grid(width, kOnScreen);
+  report::PanelGrid grid = report::panel_grid(width, kScreenWidth);
   grid.rows = 2;
   grid.panel_height = width == report::FigureWidth::one_column ? 200 : 310;
-  grid.beside = kColourBar;
+  grid.panel_right_margin = kColourBar;
   const auto title = report::figure_title(run.problem, grid.size());
   grid.title_height = title.height;
-  return report::figure_output(file_stem, grid.size()) + data(y) + data(v) + settings() +
+  return report::output_commands(file_stem, grid.size()) + data(y) + data(v) + settings() +
          report::PanelGrid::kLabels + title.command + panel(y, until, grid.place(0, 0)) +
          panel(v, until, grid.place(1, 0)) + "unset multiplot\nunset output\n";
 }

@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
 using fd_fpk::Snapshot;
 
 template <class Of>
-std::vector<double> over_time(const TransientRun& run, Of of) {
+std::vector<double> values_over_time(const TransientRun& run, Of of) {
   std::vector<double> values;
   for (const Snapshot& s : run.result.snapshots) values.push_back(std::invoke(of, s));
   return values;
 }
 
-// p(time, x), row by row.
+// Values of p(time, x), row by row.
 std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
   std::vector<double> values;
   for (const Snapshot& s : run.result.snapshots) {
@@ -34,7 +34,7 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
   return values;
 }
 
-/// A coordinate of cells, with its bounds, and the marginal over it.
+/// Writes a coordinate of cells, its bounds, and the marginal density over it.
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {
@@ -47,7 +47,7 @@ void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const 
 
 void write_series(results::NetCdfWriter& file, const TransientRun& run, int time) {
   const auto series = [&](const char* name, const std::string& long_name, auto of) {
-    file.variable(name, {time}, long_name, over_time(run, of));
+    file.variable(name, {time}, long_name, values_over_time(run, of));
   };
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
@@ -93,7 +93,7 @@ void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
   write_attributes(file, run);
   const int time = file.dimension("time", run.result.snapshots.size());
   const int bounds = file.dimension("bounds", 2);
-  file.variable("time", {time}, "time", over_time(run, &Snapshot::time));
+  file.variable("time", {time}, "time", values_over_time(run, &Snapshot::time));
   write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges, &Snapshot::y);
   write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges, &Snapshot::v);
   write_series(file, run, time);

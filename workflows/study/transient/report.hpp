@@ -10,7 +10,7 @@
 
 namespace fpkcheck::study {
 
-/// A density over time with what it was asked for: files, pictures and tables are made from it.
+/// A density over time with its problem and options: the source of its files, figures and tables.
 struct TransientRun {
   std::string command;  ///< the command line
   problem::Problem problem;
@@ -19,22 +19,22 @@ struct TransientRun {
   fd_fpk::TransientResult result;
 };
 
-/// Version of the shape of transient_json.
+/// Version of the schema of transient_json.
 inline constexpr int kTransientSchema = 1;
 
-/// As JSON, everything a density over time tells but the marginals: program, case, options, status,
-/// counts, and what holds at each snapshot.
+/// JSON of a density over time without the marginals: program, case, options, status, counts, and
+/// the quantities of each snapshot.
 std::string transient_json(const TransientRun& run);
 
-/// The terminal table: a line of parameters, a row a snapshot (thinned evenly when there are many),
-/// and the reason when the status is not ok. Plain ASCII.
-/// @param width characters per line of the texts; rows take 78
+/// Table for the terminal: a line of parameters, a row for each snapshot (an even selection when
+/// there are many), and the reason when the status is not ok. Plain ASCII.
+/// @param width characters per line of the sentences; rows take 78
 std::string transient_table(const TransientRun& run, std::size_t width);
 
-/// A gnuplot script that draws (a) p(y, t) and (b) p(y', t) as colour maps over time. It holds its
-/// data, and draws FILE_STEM.png or, with format='svg', 'pdf' or 'tex', that; the gnuplot variable
-/// `target` names another file.
-/// @param run with at least two snapshots
+/// A gnuplot script that draws (a) p(y, t) and (b) p(y', t) as colour maps over time. The script
+/// contains the data. It draws FILE_STEM.png, or the format of format='svg', 'pdf' or 'tex'; the
+/// gnuplot variable `target` names another file.
+/// @param run must have at least two snapshots
 std::string transient_figure(const TransientRun& run, const std::string& file_stem,
                              report::FigureWidth width = report::FigureWidth::screen);
 
@@ -47,19 +47,19 @@ std::string transient_figure(const TransientRun& run, const std::string& file_st
 ///     over time    y1, y2, y4, v1, v2, v4 (moments as in summary.json), yv = E[y y'], energy,
 ///                  power, power_residual, impact_rate, mass, min_density
 ///
-/// The global attributes hold the command, the case, the options, the start and the status. All is
-/// non-dimensional. The file is either whole or as it was.
-/// @param run with at least one snapshot
-/// @throws std::runtime_error on one line when it cannot be written
+/// The global attributes hold the command, the case, the options, the start and the status. All
+/// quantities are non-dimensional. The file is written completely or not changed.
+/// @param run must have at least one snapshot
+/// @throws std::runtime_error with a message of one line when the file cannot be written
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
-/// The name under which a case's picture over time is filed in figures/, without extension.
+/// Stem of the file names in figures/ for a case's figure over time.
 std::string transient_picture_stem(const std::string& case_name);
 
 /// Writes transient.nc and figures/transient-CASE.gp with its pictures into a directory that
-/// make_writable prepared. Each file is either whole or absent; those of an earlier run of the case
-/// do not stay when there is nothing to put in their place.
-/// @param gnuplot the program that draws
+/// prepare_output_directory prepared. Each file is complete or absent. Files of an earlier run of the case are
+/// removed when this run has no data for them.
+/// @param gnuplot program that draws the pictures
 /// @return warnings, one line each, about pictures that could not be drawn
 /// @throws std::runtime_error when a file cannot be written
 std::vector<std::string> write_transient(const std::filesystem::path& directory,

@@ -8,9 +8,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kLeastSeconds = 1e-6;  // has a logarithm
+constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm exists
 
-/// The terms of the polynomial at a point.
+/// Values of the polynomial's basis functions for a point.
 class Terms {
  public:
   explicit Terms(const Plan& plan) : plan_(plan) {
@@ -37,7 +37,7 @@ class Terms {
         linear.push_back(
             greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
       } else {
-        // Of a word a term each.
+        // One indicator function for each word.
         for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
       }
     }
@@ -63,12 +63,12 @@ class Terms {
 
 }  // namespace
 
-CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
+CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     : expected_(plan.points.size(), 1.0) {
   if (measured.empty()) return;
   const Terms terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
-  // A little is asked of the coefficients too, so that few points do not leave any of them free.
+  // Ridge regression, so that all coefficients are determined with few points too.
   constexpr double kRidge = 0.03;
   Eigen::MatrixXd normal = kRidge * Eigen::MatrixXd::Identity(unknowns, unknowns);
   normal(0, 0) = 0;
@@ -76,10 +76,10 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
   for (const auto& [point, seconds] : measured) {
     const Eigen::VectorXd row = terms.at(point);
     normal += row * row.transpose();
-    right += row * std::log(std::max(seconds, kLeastSeconds));
+    right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // The mean of a power is more than the power of the mean: what was measured is to sum up.
+  // exp of the fitted mean logarithm underestimates the mean: scale to the measured sum.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -91,14 +91,16 @@ CostModel::CostModel(const Plan& plan, std::span<const Measured> measured)
   for (const auto& [point, seconds] : measured) expected_[point] = seconds;
 }
 
-std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count) {
-  // Steps by the golden section meet no rhythm of a product of axes.
+std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
+                                       std::size_t count) {
+  // Steps by the golden section do not resonate with the period of a product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
-  const std::size_t most = std::min(count, among.size());
-  for (std::size_t k = 0; chosen.size() < most && k < 4 * among.size(); ++k) {
-    const double part = std::fmod(0.5 + static_cast<double>(k) * kGolden, 1.0);
-    const auto at = among[static_cast<std::size_t>(part * static_cast<double>(among.size()))];
+  const std::size_t most = std::min(count, candidates.size());
+  for (std::size_t k = 0; chosen.size() < most && k < 4 * candidates.size(); ++k) {
+    const double fraction = std::fmod(0.5 + static_cast<double>(k) * kGolden, 1.0);
+    const auto at =
+        candidates[static_cast<std::size_t>(fraction * static_cast<double>(candidates.size()))];
     if (std::ranges::find(chosen, at) == chosen.end()) chosen.push_back(at);
   }
   return chosen;

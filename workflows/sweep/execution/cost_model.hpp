@@ -8,21 +8,21 @@
 
 namespace fpkcheck::sweep {
 
-/// How long the points of a plan take, from some that were measured: the logarithm of the seconds as
-/// a quadratic polynomial of the varied keys (logarithms of those that are spaced so), by least
-/// squares.
+/// Model of the wall-clock times of the points of a plan, fitted to measured points. The logarithm
+/// of the seconds is a quadratic polynomial of the varied keys (of their logarithms on logarithmic
+/// axes), fitted by least squares.
 class CostModel {
  public:
-  /// A point that was solved, and the seconds that it took.
-  struct Measured {
+  /// A solved point and its wall-clock time.
+  struct Measurement {
     std::size_t point;
     double seconds;
   };
 
-  /// @param measured may be empty: then all points are expected to take as long
-  CostModel(const Plan& plan, std::span<const Measured> measured);
+  /// @param measured may be empty: then all points have the same expected time
+  CostModel(const Plan& plan, std::span<const Measurement> measured);
 
-  /// Seconds of a point; its own where it was measured.
+  /// Expected seconds of a point; the measured seconds where it was measured.
   double expected(std::size_t point) const { return expected_[point]; }
   const std::vector<double>& all() const { return expected_; }
 
@@ -30,8 +30,10 @@ class CostModel {
   std::vector<double> expected_;
 };
 
-/// About `count` points spread over a plan: what is measured first.
-/// @param among in increasing order
-std::vector<std::size_t> spread(const std::vector<std::size_t>& among, std::size_t count);
+/// Selects about `count` points, evenly distributed over the candidates: a sample to measure
+/// first.
+/// @param candidates candidates in increasing order
+std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
+                                       std::size_t count);
 
 }  // namespace fpkcheck::sweep

@@ -10,33 +10,35 @@
 #include <set>
 
 #include "base/process/stop.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-// A sample of a plan: enough to fit, few beside the plan.
-constexpr std::size_t kLeastSample = 24, kMostSample = 64;
-constexpr double kPartOfThePlan = 0.06;
+// Size of the sample: enough points for the fit, few in comparison with the plan.
+constexpr std::size_t kMinSample = 24, kMaxSample = 64;
+constexpr double kSampleFraction = 0.06;
 
 std::size_t sample_size(std::size_t points) {
-  return std::clamp(static_cast<std::size_t>(kPartOfThePlan * static_cast<double>(points)),
-                    kLeastSample, kMostSample);
+  return std::clamp(static_cast<std::size_t>(kSampleFraction * static_cast<double>(points)),
+                    kMinSample, kMaxSample);
 }
 
-// By leaving each out in turn: the scatter of the ratio of what was measured to what the others say.
-double relative_standard_error(const Plan& plan, const std::vector<CostModel::Measured>& sample) {
+// By leave-one-out cross-validation: root of the sum of squares of the errors, over the sum of the
+// seconds.
+double relative_standard_error(const Plan& plan,
+                               const std::vector<CostModel::Measurement>& sample) {
   if (sample.size() < 3) return 1;
   if (sample.size() >= plan.points.size()) return 0;
   double squares = 0, sum = 0;
-  for (std::size_t left_out = 0; left_out < sample.size(); ++left_out) {
+  for (std::size_t omitted = 0; omitted < sample.size(); ++omitted) {
     auto others = sample;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
-    const double miss =
-        sample[left_out].seconds - CostModel(plan, others).expected(sample[left_out].point);
-    squares += miss * miss;
-    sum += sample[left_out].seconds;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(omitted));
+    const double residual =
+        sample[omitted].seconds - CostModel(plan, others).expected(sample[omitted].point);
+    squares += residual * residual;
+    sum += sample[omitted].seconds;
   }
   return sum > 0 ? std::sqrt(squares) / sum : 0;
 }
@@ -74,10 +76,10 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   for (std::size_t p = 0; p < plan.points.size(); ++p) {
     if (!known.contains(p)) unknown.push_back(p);
   }
-  const std::size_t wanted = sample_size(plan.points.size());
-  const auto chosen = spread(unknown, wanted - std::min(wanted, known.size()));
+  const std::size_t sample_count = sample_size(plan.points.size());
+  const auto chosen = spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
   std::mutex mutex;
-  methods::side_by_side(chosen.size(), threads, [&](std::size_t k) {
+  methods::parallel_for(chosen.size(), threads, [&](std::size_t k) {
     if (base::stop_requested()) return;
     const double seconds = solve_point(plan, chosen[k]).result.seconds;
     const std::lock_guard lock(mutex);

@@ -11,30 +11,30 @@
 
 namespace fpkcheck::sweep {
 
-/// How points are given to workers.
+/// How points are assigned to workers.
 enum class Dispatch {
-  longest_first,  ///< to whoever is free, the longest expected first
-  in_order,       ///< to whoever is free, as they come
-  shards          ///< every N-th to each, beforehand
+  longest_first,  ///< to the next free worker, the longest expected point first
+  in_order,       ///< to the next free worker, in order
+  shards          ///< in advance, every N-th point to the same worker
 };
 
-/// The time until the last worker is done, when points take so long.
-/// @param seconds of each point
+/// Time until the last worker is done.
+/// @param seconds wall-clock time of each point
 double makespan(std::span<const double> seconds, std::size_t workers, Dispatch dispatch);
 
-/// What a plan will take, told from a sample of its points.
+/// Expected times of a plan, from a sample of its points.
 struct Forecast {
-  std::vector<CostModel::Measured> sample{};
-  std::vector<double> seconds{};  ///< expected of each point
-  double uncertainty = 0;         ///< of their sum: relative standard error
-  double megabytes = 0;  ///< largest resident set, with all threads; 0 where nothing was solved
+  std::vector<CostModel::Measurement> sample{};
+  std::vector<double> seconds{};  ///< expected, for each point
+  double uncertainty = 0;         ///< relative standard error of their sum
+  double megabytes = 0;  ///< largest resident set, all threads together; 0 where nothing was solved
 };
 
-/// Solves a sample of a plan by so many threads, and tells the rest from it and from what was solved
-/// before. Nothing is written.
-/// @param solved before; where these are enough no more is solved
+/// Solves a sample of a plan, and predicts the other points from the sample and from `solved`.
+/// Nothing is written.
+/// @param solved points that were solved before; if they are enough, no more points are solved
 /// @param threads 0 for one per processor
-/// @throws whatever a solver throws
+/// @throws any exception of a solver
 Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads);
 
 }  // namespace fpkcheck::sweep

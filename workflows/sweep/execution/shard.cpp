@@ -5,12 +5,12 @@
 #include <charconv>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-std::optional<Shard> two_numbers(std::string_view text, std::string_view separator) {
+std::optional<Shard> parse_shard_numbers(std::string_view text, std::string_view separator) {
   Shard shard;
   const char *const begin = text.data(), *const end = begin + text.size();
   const auto [middle, first_error] = std::from_chars(begin, end, shard.number);
@@ -26,9 +26,9 @@ std::optional<Shard> two_numbers(std::string_view text, std::string_view separat
 }  // namespace
 
 std::vector<std::size_t> Shard::points(std::size_t total) const {
-  std::vector<std::size_t> own;
-  for (std::size_t p = number - 1; p < total; p += of) own.push_back(p);
-  return own;
+  std::vector<std::size_t> own_points;
+  for (std::size_t p = number - 1; p < total; p += of) own_points.push_back(p);
+  return own_points;
 }
 
 std::string Shard::journal_name() const {
@@ -39,11 +39,11 @@ std::optional<Shard> shard_of_journal(std::string_view name) {
   if (name == "journal") return Shard{};
   constexpr std::string_view kBefore = "journal.";
   if (!name.starts_with(kBefore)) return std::nullopt;
-  return two_numbers(name.substr(kBefore.size()), "-of-");
+  return parse_shard_numbers(name.substr(kBefore.size()), "-of-");
 }
 
-Shard shard_from(std::string_view text) {
-  if (const auto shard = two_numbers(text, "/")) return *shard;
+Shard parse_shard(std::string_view text) {
+  if (const auto shard = parse_shard_numbers(text, "/")) return *shard;
   throw InputError(fmt::format("--shard {} (must be i/N with 1 <= i <= N)", base::in_quotes(text)));
 }
 

@@ -8,22 +8,23 @@
 
 namespace fpkcheck::sweep {
 
-/// One of several parts of a plan that are solved apart from one another.
+/// A part of a plan that is solved independently of the other parts.
 struct Shard {
-  std::size_t number = 1, of = 1;  ///< 1 .. of
+  std::size_t number = 1, of = 1;  ///< number 1 .. of
 
-  /// Its points: each `of`-th, so that neighbours, which take as long, are in different shards.
+  /// Points of this shard: each `of`-th point, so that neighbours, which have similar times, are in
+  /// different shards.
   std::vector<std::size_t> points(std::size_t total) const;
-  /// The shard, of so many, that has this point.
-  static Shard holding(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
-  /// "journal", or "journal.3-of-16".
+  /// The shard, out of `of` shards, that contains this point.
+  static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
+  /// Name of the journal: "journal", or "journal.3-of-16".
   std::string journal_name() const;
 };
 
-/// The shard that writes a journal of this name; nothing where no shard does.
+/// The shard that writes the journal of this name; empty where the name is no journal of a shard.
 std::optional<Shard> shard_of_journal(std::string_view name);
 
 /// @throws InputError where the text is not i/N
-Shard shard_from(std::string_view text);
+Shard parse_shard(std::string_view text);
 
 }  // namespace fpkcheck::sweep

@@ -17,16 +17,15 @@
 #include <utility>
 
 #include "base/process/stop.hpp"
-#include "methods/side_by_side.hpp"
+#include "methods/parallel_for.hpp"
 #include "workflows/sweep/result/point_json.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-/// Waits between two looks for messages: the longer the less there is to do, since each look takes
-/// time from the thread that solves beside it. Nobody waits for an answer meanwhile: each thread has
-/// a point in reserve.
-class Patience {
+/// Exponential backoff between two polls for messages: each poll takes time from the solver threads
+/// on the same processor. The wait delays no thread, since each thread has a point in reserve.
+class Backoff {
  public:
   void wait() {
     std::this_thread::sleep_for(next_);
@@ -39,31 +38,33 @@ class Patience {
   std::chrono::microseconds next_ = kShortest;
 };
 
-// What the text of a message begins with.
-namespace word {
-constexpr char kWant = 'w';    // to the first: a point is wanted
-constexpr char kSolved = 's';  // to the first: what became of one; another is wanted
-constexpr char kFailed = 'f';  // to the first: an exception, in words; the last from this rank
-constexpr char kBye = 'b';     // to the first: the last from this rank
-constexpr char kPoint = 'p';   // from the first: its number
-constexpr char kNoMore = 'n';  // from the first: there are none left
-}  // namespace word
+// First letter of a message: its type.
+namespace message_type {
+constexpr char kRequest = 'w';   // worker to coordinator: request for a point
+constexpr char kSolved = 's';    // worker to coordinator: result of a point, and the next request
+constexpr char kFailed = 'f';    // worker to coordinator: text of an exception; final message
+constexpr char kFinished = 'b';  // worker to coordinator: final message
+constexpr char kPoint = 'p';     // coordinator to worker: number of a point
+constexpr char kNoPointsLeft = 'n';  // coordinator to worker: no points remain
+}  // namespace message_type
 
-std::string text_of_point(std::size_t point) { return fmt::format("{}{}", word::kPoint, point); }
+std::string point_message(std::size_t point) {
+  return fmt::format("{}{}", message_type::kPoint, point);
+}
 
-std::size_t point_in_text(const std::string& text) {
+std::size_t parse_point_message(const std::string& text) {
   std::size_t point = 0;
   std::from_chars(text.data() + 1, text.data() + text.size(), point);
   return point;
 }
 
-/// The threads of a rank that solve, beside the one that talks to other ranks.
-class Solvers {
+/// The solver threads of a rank; another thread exchanges messages with the other ranks.
+class SolverThreads {
  public:
-  /// @param next blocks until there is a point; nothing at the end
-  /// @param done told of each
-  Solvers(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
-          std::function<void(SolvedPoint&&)> done)
+  /// @param next blocks until there is a point; empty at the end
+  /// @param done called with each solved point
+  SolverThreads(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
+                std::function<void(SolvedPoint&&)> done)
       : running_(threads) {
     for (int t = 0; t < threads; ++t) {
       threads_.emplace_back([this, &plan, next, done] {
@@ -88,140 +89,141 @@ class Solvers {
   std::atomic<int> running_;
   std::mutex mutex_;
   std::exception_ptr failure_;
-  std::vector<std::jthread> threads_;  // the last member: they end before the others go
+  std::vector<std::jthread> threads_;  // last member: destroyed, and so joined, before the others
 };
 
-/// The first rank's side of the conversation.
-class Leader {
+/// The first rank: assigns the points and collects the results.
+class Coordinator {
  public:
-  Leader(const Plan& plan, Progress& progress, base::Ranks& ranks, int threads)
+  Coordinator(const Plan& plan, JournaledQueue& progress, base::Communicator& ranks, int threads)
       : progress_(progress),
         ranks_(ranks),
         solvers_(
             plan, methods::number_of_threads(threads), [this] { return next(); },
-            [this](SolvedPoint&& solved) { progress_.keep(std::move(solved)); }) {}
-  ~Leader() { failed_ = true; }
-  Leader(const Leader&) = delete;
-  Leader& operator=(const Leader&) = delete;
+            [this](SolvedPoint&& solved) { progress_.store(std::move(solved)); }) {}
+  ~Coordinator() { failed_ = true; }
+  Coordinator(const Coordinator&) = delete;
+  Coordinator& operator=(const Coordinator&) = delete;
 
   void run() {
-    Patience patience;
-    for (int following = ranks_.size() - 1; following > 0 || solvers_.running();) {
-      if (const auto failure = solvers_.failure()) give_up(failure);
+    Backoff backoff;
+    for (int active_workers = ranks_.size() - 1; active_workers > 0 || solvers_.running();) {
+      if (const auto failure = solvers_.failure()) set_failure(failure);
       const auto message = ranks_.receive();
       if (!message) {
-        patience.wait();
+        backoff.wait();
         continue;
       }
-      patience.reset();
-      if (is_last(*message)) --following;
+      backoff.reset();
+      if (is_final_message(*message)) --active_workers;
     }
-    if (const auto failure = solvers_.failure()) give_up(failure);
+    if (const auto failure = solvers_.failure()) set_failure(failure);
     if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
   std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.next(); }
 
-  // Whether nothing more comes from this rank; answers it if not.
-  bool is_last(const base::Ranks::Message& message) {
-    const char word = message.text.empty() ? word::kFailed : message.text.front();
-    if (word == word::kBye) return true;
-    if (word == word::kFailed) {
-      give_up(std::make_exception_ptr(
+  // True for the final message of a rank. Otherwise replies with a point, or that none remain.
+  bool is_final_message(const base::Communicator::Message& message) {
+    const char message_type = message.text.empty() ? message_type::kFailed : message.text.front();
+    if (message_type == message_type::kFinished) return true;
+    if (message_type == message_type::kFailed) {
+      set_failure(std::make_exception_ptr(
           std::runtime_error(fmt::format("rank {}: {}", message.from, message.text.substr(1)))));
       return true;
     }
-    if (word == word::kSolved) keep(message.text.substr(1));
+    if (message_type == message_type::kSolved) store(message.text.substr(1));
     const auto point = next();
-    ranks_.send(message.from, point ? text_of_point(*point) : std::string(1, word::kNoMore));
+    ranks_.send(message.from,
+                point ? point_message(*point) : std::string(1, message_type::kNoPointsLeft));
     return false;
   }
 
-  void keep(const std::string& text) try {
-    progress_.keep({point_in(results::Json::parse(text)), {}});
+  void store(const std::string& text) try {
+    progress_.store({point_from_json(results::Json::parse(text)), {}});
   } catch (...) {
-    give_up(std::current_exception());
+    set_failure(std::current_exception());
   }
 
-  void give_up(const std::exception_ptr& why) {
+  void set_failure(const std::exception_ptr& why) {
     failed_ = true;
     if (!failure_) failure_ = why;
   }
 
-  Progress& progress_;
-  base::Ranks& ranks_;
+  JournaledQueue& progress_;
+  base::Communicator& ranks_;
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;
-  Solvers solvers_;
+  SolverThreads solvers_;
 };
 
-/// The side of the others.
-class Follower {
+/// Every other rank: requests points and sends their results.
+class Worker {
  public:
-  Follower(const Plan& plan, const std::filesystem::path& directory, base::Ranks& ranks,
-           int threads)
+  Worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
+         int threads)
       : plan_(plan),
         directory_(directory),
         ranks_(ranks),
         threads_(methods::number_of_threads(threads)),
         solvers_(
             plan, threads_, [this] { return next(); },
-            [this](SolvedPoint&& solved) { put(std::move(solved)); }) {}
-  ~Follower() { end(); }
-  Follower(const Follower&) = delete;
-  Follower& operator=(const Follower&) = delete;
+            [this](SolvedPoint&& solved) { store_result(std::move(solved)); }) {}
+  ~Worker() { end(); }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
 
   void run() {
-    // One in reserve, so that no thread waits for an answer.
-    for (int k = 0; k <= threads_; ++k) ask(std::string(1, word::kWant));
+    // One request more than threads: a point in reserve, so that no thread waits for a reply.
+    for (int k = 0; k <= threads_; ++k) send_request(std::string(1, message_type::kRequest));
     int solving = 0;
-    Patience patience;
-    while (asked_ > 0 || solving > 0) {
+    Backoff backoff;
+    while (open_requests_ > 0 || solving > 0) {
       if (const auto failure = solvers_.failure()) {
-        tell_failure(failure);
+        send_failure(failure);
         std::rethrow_exception(failure);
       }
       bool idle = true;
       if (const auto message = ranks_.receive()) {
         idle = false;
-        --asked_;
-        if (message->text.front() == word::kPoint) {
+        --open_requests_;
+        if (message->text.front() == message_type::kPoint) {
           ++solving;
-          give(point_in_text(message->text));
+          add_point(parse_point_message(message->text));
         }
       }
       for (const auto& text : solved()) {
         idle = false;
         --solving;
-        ask(text);
+        send_request(text);
       }
       if (idle) {
-        patience.wait();
+        backoff.wait();
       } else {
-        patience.reset();
+        backoff.reset();
       }
     }
     end();
-    ranks_.send(0, std::string(1, word::kBye));
+    ranks_.send(0, std::string(1, message_type::kFinished));
   }
 
  private:
-  void ask(const std::string& text) {
-    ++asked_;
+  void send_request(const std::string& text) {
+    ++open_requests_;
     ranks_.send(0, text);
   }
 
-  void tell_failure(const std::exception_ptr& failure) {
+  void send_failure(const std::exception_ptr& failure) {
     end();
     try {
       std::rethrow_exception(failure);
     } catch (const std::exception& error) {
-      ranks_.send(0, word::kFailed + std::string(error.what()));
+      ranks_.send(0, message_type::kFailed + std::string(error.what()));
     }
   }
 
-  // Of the threads that solve:
+  // Called by the solver threads:
   std::optional<std::size_t> next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ended_ || !waiting_.empty(); });
@@ -230,15 +232,15 @@ class Follower {
     waiting_.pop_front();
     return point;
   }
-  void put(SolvedPoint&& solved) {
-    keep_marginals(plan_, directory_, solved);
-    std::string text = word::kSolved + journal_text(solved.result);
+  void store_result(SolvedPoint&& solved) {
+    write_marginals(plan_, directory_, solved);
+    std::string text = message_type::kSolved + journal_text(solved.result);
     const std::lock_guard lock(mutex_);
     solved_.push_back(std::move(text));
   }
 
-  // Of the thread that talks:
-  void give(std::size_t point) {
+  // Called by the thread that exchanges messages:
+  void add_point(std::size_t point) {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(point);
     changed_.notify_one();
@@ -255,40 +257,42 @@ class Follower {
 
   const Plan& plan_;
   std::filesystem::path directory_;
-  base::Ranks& ranks_;
+  base::Communicator& ranks_;
   int threads_;
-  int asked_ = 0;  // questions without an answer
+  int open_requests_ = 0;  // requests without a reply
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::size_t> waiting_;
   std::vector<std::string> solved_;
   bool ended_ = false;
-  Solvers solvers_;
+  SolverThreads solvers_;
 };
 
 }  // namespace
 
-void lead(const Plan& plan, Progress& progress, base::Ranks& ranks, int threads) {
-  Leader(plan, progress, ranks, threads).run();
+void run_coordinator(const Plan& plan, JournaledQueue& progress, base::Communicator& ranks,
+                     int threads) {
+  Coordinator(plan, progress, ranks, threads).run();
 }
 
-void dismiss(base::Ranks& ranks) {
-  Patience patience;
-  for (int following = ranks.size() - 1; following > 0;) {
+void release_workers(base::Communicator& ranks) {
+  Backoff backoff;
+  for (int active_workers = ranks.size() - 1; active_workers > 0;) {
     const auto message = ranks.receive();
     if (!message) {
-      patience.wait();
-    } else if (message->text.front() == word::kBye || message->text.front() == word::kFailed) {
-      --following;
+      backoff.wait();
+    } else if (message->text.front() == message_type::kFinished ||
+               message->text.front() == message_type::kFailed) {
+      --active_workers;
     } else {
-      ranks.send(message->from, std::string(1, word::kNoMore));
+      ranks.send(message->from, std::string(1, message_type::kNoPointsLeft));
     }
   }
 }
 
-void follow(const Plan& plan, const std::filesystem::path& directory, base::Ranks& ranks,
-            int threads) {
-  Follower(plan, directory, ranks, threads).run();
+void run_worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
+                int threads) {
+  Worker(plan, directory, ranks, threads).run();
 }
 
 }  // namespace fpkcheck::sweep

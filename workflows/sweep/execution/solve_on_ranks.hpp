@@ -2,25 +2,28 @@
 
 #include <filesystem>
 
-#include "base/mpi/ranks.hpp"
+#include "base/mpi/communicator.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
 
-/// A plan on several processes: the first rank has the journal, hands out points to whoever is free,
-/// the longest expected first, and solves beside that; the others only solve. Each question of theirs
-/// has one answer. A rank that is lost ends all of them; the journal stays.
+/// Solves a plan on several MPI ranks. The first rank, the coordinator, writes the journal, assigns
+/// the points to free threads (the longest expected point first) and solves points itself. The
+/// other ranks, the workers, only solve. Each request of a worker has exactly one reply. If a rank
+/// is lost, all ranks end; the journal remains.
 namespace fpkcheck::sweep {
 
-/// What the first rank does: solves what is left, with the others' help. What a thread or a rank
-/// throws ends the sweep, after what was under way.
-/// @param threads of each rank; 0 for one per processor that is its own
-void lead(const Plan& plan, Progress& progress, base::Ranks& ranks, int threads);
+/// Runs the coordinator on the first rank: solves the remaining points together with the workers.
+/// An exception on a thread or a rank ends the sweep after the points in progress, and is rethrown.
+/// @param threads solver threads of this rank; 0 for one per processor that the rank owns
+void run_coordinator(const Plan& plan, JournaledQueue& progress, base::Communicator& ranks,
+                     int threads);
 
-/// What the first rank does instead where it cannot begin: tells the others that there are no points.
-void dismiss(base::Ranks& ranks);
+/// Replaces run_coordinator on the first rank when it cannot begin: replies to the workers that
+/// there are no points.
+void release_workers(base::Communicator& ranks);
 
-/// What the other ranks do: solve the points they are given until there are no more.
-/// @param directory for marginals
-void follow(const Plan& plan, const std::filesystem::path& directory, base::Ranks& ranks,
-            int threads);
+/// Runs a worker: solves the assigned points until none remain.
+/// @param directory output directory for the marginal densities
+void run_worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
+                int threads);
 
 }  // namespace fpkcheck::sweep

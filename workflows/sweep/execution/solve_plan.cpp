@@ -6,17 +6,17 @@
 #include <utility>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/files_in_hand.hpp"
 #include "base/process/stop.hpp"
-#include "base/text/shown.hpp"
-#include "methods/side_by_side.hpp"
+#include "base/process/write_guard.hpp"
+#include "base/text/sanitise.hpp"
+#include "methods/parallel_for.hpp"
 #include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
-void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
-                    const SolvedPoint& solved) {
+void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+                     const SolvedPoint& solved) {
   if (solved.curves.empty()) return;
-  const base::FilesInHand in_hand;
+  const base::WriteGuard in_hand;
   std::filesystem::create_directories(directory / "marginals");
   const std::vector<results::Case> cases{{.problem = plan.problem_at(solved.result.point),
                                           .solutions = {},
@@ -31,49 +31,49 @@ void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
                    text.str());
 }
 
-Progress::Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
-                   StandingListener listener)
+JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& directory,
+                               const Shard& shard, QueueStateListener listener)
     : plan_(plan),
       directory_(directory),
       journal_name_(shard.journal_name()),
       journal_(directory / journal_name_, plan),
-      queue_(plan, shard.points(plan.points.size()), journal_.found().points),
+      queue_(plan, shard.points(plan.points.size()), journal_.initial_content().points),
       listener_(std::move(listener)),
-      points_(journal_.found().points) {}
+      points_(journal_.initial_content().points) {}
 
-std::string Progress::resumed_text() const {
-  const auto& [plan, points, damaged] = journal_.found();
+std::string JournaledQueue::resumed_text() const {
+  const auto& [plan, points, damaged] = journal_.initial_content();
   if (points.empty() && damaged == 0) return "";
-  const auto [done, total, left] = queue_.standing();
+  const auto [done, total, remaining_seconds] = queue_.state();
   std::string text =
       fmt::format("resumed from {}: {} of {} points kept, {} to solve",
-                  base::shown((directory_ / journal_name_).string()), done, total, total - done);
-  // A damaged line names no point.
-  if (damaged == 1) text += ", among them that of 1 damaged line";
-  if (damaged > 1) text += fmt::format(", among them those of {} damaged lines", damaged);
+                  base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
+  // A damaged line does not identify its point.
+  if (damaged == 1) text += ", including the point of 1 damaged line";
+  if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
   return text;
 }
 
-std::optional<std::size_t> Progress::next() {
+std::optional<std::size_t> JournaledQueue::next() {
   if (base::stop_requested()) return std::nullopt;
   return queue_.next();
 }
 
-void Progress::keep(SolvedPoint&& solved) {
-  queue_.finished(solved.result.point, solved.result.seconds);
+void JournaledQueue::store(SolvedPoint&& solved) {
+  queue_.record_solved(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
-  // Before the journal says that the point is solved.
-  keep_marginals(plan_, directory_, solved);
+  // The marginal densities must exist before the journal lists the point as solved.
+  write_marginals(plan_, directory_, solved);
   journal_.append(solved.result);
   points_.push_back(std::move(solved.result));
-  if (listener_) listener_(queue_.standing());
+  if (listener_) listener_(queue_.state());
 }
 
-void solve_left(const Plan& plan, Progress& progress, int threads) {
-  const int wanted = methods::number_of_threads(threads);
-  methods::side_by_side(static_cast<std::size_t>(wanted), wanted, [&](std::size_t) {
+void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads) {
+  const int thread_count = methods::number_of_threads(threads);
+  methods::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     for (auto point = progress.next(); point; point = progress.next()) {
-      progress.keep(solve_point(plan, *point));
+      progress.store(solve_point(plan, *point));
     }
   });
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "workflows/sweep/execution/queue.hpp"
+#include "workflows/sweep/execution/point_queue.hpp"
 #include "workflows/sweep/execution/shard.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/plan/plan.hpp"
@@ -13,29 +13,29 @@
 
 namespace fpkcheck::sweep {
 
-/// Told where a sweep stands; called from several threads, never two at once. What it throws ends the
-/// sweep.
-using StandingListener = std::function<void(const Queue::Standing&)>;
+/// Called with the state of the queue after each point, by several threads but never concurrently.
+/// An exception of the listener ends the sweep.
+using QueueStateListener = std::function<void(const PointQueue::State&)>;
 
-/// The journal of a sweep and the points that it lacks: what is solved goes into the first and out of
-/// the second. May be asked from several threads.
-class Progress {
+/// The journal of a sweep and the queue of the points that the journal lacks. A solved point moves
+/// from the queue to the journal. Thread-safe.
+class JournaledQueue {
  public:
-  /// Opens the journal in the directory, or begins one.
-  /// @throws what Journal's constructor throws
-  Progress(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
-           StandingListener listener);
+  /// Opens the journal in the directory, or creates it.
+  /// @throws the exceptions of Journal's constructor
+  JournaledQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+                 QueueStateListener listener);
 
-  /// The next point to solve; nothing when there is none, or when the program was told to stop.
+  /// The next point to solve; empty when there is none, or after a request to stop.
   std::optional<std::size_t> next();
-  /// Keeps what became of it.
-  void keep(SolvedPoint&& solved);
+  /// Stores the result of a point.
+  void store(SolvedPoint&& solved);
 
-  Queue::Standing standing() const { return queue_.standing(); }
-  /// One line for a sweep that resumes: how many points it keeps, how many it solves, and which of
-  /// these again; empty where the journal is new.
+  PointQueue::State state() const { return queue_.state(); }
+  /// One line for a sweep that resumes: numbers of points that are kept and that remain, and of
+  /// points that are solved again because of damaged lines. Empty for a new journal.
   std::string resumed_text() const;
-  /// All that is there, those of before first.
+  /// Results of all solved points, those of earlier runs first.
   std::vector<PointResult> points() const { return points_; }
 
  private:
@@ -43,19 +43,19 @@ class Progress {
   std::filesystem::path directory_;
   std::string journal_name_;
   Journal journal_;
-  Queue queue_;
-  StandingListener listener_;
+  PointQueue queue_;
+  QueueStateListener listener_;
   std::mutex mutex_;
   std::vector<PointResult> points_;
 };
 
-/// Writes the marginals of a point, where there are any, to marginals/NUMBER.csv.
-/// @throws std::runtime_error on one line
-void keep_marginals(const Plan& plan, const std::filesystem::path& directory,
-                    const SolvedPoint& solved);
+/// Writes the marginal densities of a point, if it has any, to marginals/NUMBER.csv.
+/// @throws std::runtime_error with a message of one line
+void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+                     const SolvedPoint& solved);
 
-/// Solves what is left by so many threads, one point each at a time.
+/// Solves the remaining points, one point at a time on each thread.
 /// @param threads 0 for one per processor
-void solve_left(const Plan& plan, Progress& progress, int threads);
+void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads);
 
 }  // namespace fpkcheck::sweep

@@ -10,10 +10,10 @@
 #include "base/input_error.hpp"
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
-#include "methods/error_by_reference.hpp"
-#include "methods/problem_residuals.hpp"
+#include "methods/complete_error_estimates.hpp"
+#include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
-#include "results/curve_of.hpp"
+#include "results/make_curve.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -30,25 +30,25 @@ Solution failed(const methods::Method& method, const std::string& reason) {
 }
 
 Solution solved(const methods::Method& method, const problem::Problem& problem,
-                const methods::Setting& setting) {
+                const methods::SolveContext& context) {
   try {
     if (method.check) method.check(problem);
-    return methods::solve_by(method, problem, setting);
+    return methods::solve_with(method, problem, context);
   } catch (const InputError& error) {
     return failed(method, error.what());
   }
 }
 
-std::optional<MarginalPair> own_error_of(const Solution& solution) {
+std::optional<MarginalPair> finite_error_estimate(const Solution& solution) {
   if (!solution.has_density()) return std::nullopt;
-  const MarginalPair error{compare::own_error(solution, Variable::y),
-                           compare::own_error(solution, Variable::ydot)};
+  const MarginalPair error{compare::error_estimate(solution, Variable::y),
+                           compare::error_estimate(solution, Variable::ydot)};
   if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
   return error;
 }
 
-std::vector<BudgetShare> budget_of(const Solution& solution,
-                                   const std::vector<compare::BudgetRow>& budget) {
+std::vector<BudgetShare> budget_shares(const Solution& solution,
+                                       const std::vector<compare::BudgetRow>& budget) {
   std::vector<BudgetShare> shares;
   for (const auto& closure : compare::closure_budgets(budget, {&solution, 1})) {
     if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
@@ -62,16 +62,16 @@ std::vector<BudgetShare> budget_of(const Solution& solution,
   return shares;
 }
 
-MethodResult kept_of(const Solution& solution) {
+MethodResult make_method_result(const Solution& solution) {
   MethodResult result{.status = solution.status,
                       .reason = solution.reason,
                       .seconds = solution.seconds,
-                      .error = own_error_of(solution)};
+                      .error = finite_error_estimate(solution)};
   if (solution.has_density()) result.moments = solution.moments;
   return result;
 }
 
-// Of both marginals, where there are both.
+// L1 distances of both marginals; empty if either is missing.
 std::optional<MarginalPair> distance(const compare::Comparison& comparison,
                                      const Solution& solution, const Solution& reference) {
   const auto l1 = [&](Variable variable) {
@@ -90,14 +90,14 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     problem = plan.problem_at(point);
   } catch (const InputError& error) {
     for (const auto& method : plan.methods) {
-      result.methods.push_back(kept_of(failed(method, error.what())));
+      result.methods.push_back(make_method_result(failed(method, error.what())));
     }
     return solved_point;
   }
   const auto axes = compare::comparison_axes(*problem);
-  const methods::ProblemResiduals residuals(*problem);
+  const methods::ResidualErrorEstimator residuals(*problem);
   const bool by_reference =
-      plan.closure_errors == ClosureErrors::reference || !residuals.refused().empty();
+      plan.closure_errors == ClosureErrors::reference || !residuals.unsupported_reason().empty();
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
@@ -110,18 +110,19 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   if (plan.marginals) {
     for (auto& found : comparison.marginals) {
-      solved_point.curves.push_back(results::curve_of(std::move(found)));
+      solved_point.curves.push_back(results::make_curve(std::move(found)));
     }
   }
   if (reference != nullptr) result.reference = reference->id();
-  methods::complete_errors(plan.methods, axes, residuals, solutions,
-                           reference != nullptr || plan.marginals ? &comparison : nullptr);
+  methods::complete_error_estimates(plan.methods, axes, residuals, solutions,
+                                    reference != nullptr || plan.marginals ? &comparison : nullptr);
   for (const Solution& solution : solutions) {
     const auto l1 =
         reference == nullptr ? std::nullopt : distance(comparison, solution, *reference);
-    result.methods.push_back(kept_of(solution));
+    result.methods.push_back(make_method_result(solution));
     result.methods.back().l1 = l1;
-    if (reference != nullptr) result.methods.back().budget = budget_of(solution, comparison.budget);
+    if (reference != nullptr)
+      result.methods.back().budget = budget_shares(solution, comparison.budget);
   }
   return solved_point;
 }

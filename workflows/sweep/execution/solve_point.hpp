@@ -8,15 +8,15 @@
 
 namespace fpkcheck::sweep {
 
-/// What comes of a point.
+/// A solved point of a sweep.
 struct SolvedPoint {
   PointResult result;
-  std::vector<results::Curve> curves;  ///< the marginals, where the plan keeps them
+  std::vector<results::Curve> curves;  ///< marginal densities, if the plan stores them
 };
 
 /// Solves a point by all methods of its plan, one after another, and compares them with the point's
-/// reference. What cannot be solved (values that do not fit together, no memory left) is a result
-/// too: `failed`, with its reason.
+/// reference. A failure (inconsistent values, insufficient memory) is a result with status `failed`
+/// and a reason.
 SolvedPoint solve_point(const Plan& plan, std::size_t point);
 
 }  // namespace fpkcheck::sweep

@@ -9,30 +9,31 @@
 namespace fpkcheck::sweep {
 namespace {
 
-struct Neighbour {
-  double away;
+struct MapNeighbour {
+  double separation;
   const MappedPoint* point;
 };
 
-// The points of the same impulses, the nearest first.
-std::vector<Neighbour> neighbours_of(const Place& place, const ValidityMap& map) {
-  std::vector<Neighbour> neighbours;
+// The points of the map with the same impulse law and relative mean, the closest first.
+std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
+                                            const ValidityMap& map) {
+  std::vector<MapNeighbour> neighbours;
   for (const auto& point : map.points) {
-    const double away = distance(place, point.place);
-    if (std::isfinite(away)) neighbours.push_back({away, &point});
+    const double separation = distance(coordinates, point.coordinates);
+    if (std::isfinite(separation)) neighbours.push_back({separation, &point});
   }
-  std::ranges::stable_sort(neighbours, {}, &Neighbour::away);
+  std::ranges::stable_sort(neighbours, {}, &MapNeighbour::separation);
   return neighbours;
 }
 
-// The most accurate of those that take about as long as the quickest goes first: times are no more
-// exact than that.
-void put_best_first(std::vector<MethodNearby>& methods) {
-  constexpr double kAboutAsLong = 1.5;
+// Moves the most accurate of the methods that take about as long as the fastest to the front:
+// wall-clock times are no more accurate than that.
+void move_most_accurate_first(std::vector<NearbyResults>& methods) {
+  constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
   auto best = methods.begin();
   for (auto one = methods.begin(); one != methods.end() && one->promised; ++one) {
-    const bool as_quick = one->seconds <= kAboutAsLong * methods.front().seconds;
+    const bool as_quick = one->seconds <= kSimilarTimeRatio * methods.front().seconds;
     if (as_quick && *one->worst_l1 < *best->worst_l1) best = one;
   }
   std::rotate(methods.begin(), best, best + 1);
@@ -44,68 +45,69 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// What an answer may be off by: the reference, of which its own statement is all that is known, is
-// not held against itself.
-double off_by(const MappedAnswer& answer, const MappedAnswer& reference) {
+// Upper bound of a result's error: L1 to the reference plus the error estimate of the reference.
+// For the reference itself its error estimate alone.
+double error_bound(const MappedResult& answer, const MappedResult& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }
 
-MethodNearby nearby(const std::string& id, std::size_t m, const std::vector<Neighbour>& neighbours,
-                    double accuracy) {
-  MethodNearby found{.id = id};
+NearbyResults nearby(const std::string& id, std::size_t m,
+                     const std::vector<MapNeighbour>& neighbours, double accuracy) {
+  NearbyResults found{.id = id};
   std::vector<double> seconds;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest_distance = std::numeric_limits<double>::infinity();
   bool all_hold = true;
-  for (const auto& [away, point] : neighbours) {
-    if (away > kNear && found.points >= kFewestNear) break;
-    const auto& answer = point->answers[m];
+  for (const auto& [separation, point] : neighbours) {
+    if (separation > kNearbyDistance && found.points >= kMinNearbyPoints) break;
+    const auto& answer = point->method_results[m];
     if (!answer) continue;
-    nearest = std::min(nearest, away);
+    nearest_distance = std::min(nearest_distance, separation);
     ++found.points;
     found.ok += answer->is_ok() ? 1 : 0;
     seconds.push_back(answer->seconds);
-    const double off = answer->l1 ? off_by(*answer, *point->answers.back())
+    const double off = answer->l1 ? error_bound(*answer, *point->method_results.back())
                                   : std::numeric_limits<double>::infinity();
     all_hold = all_hold && answer->is_ok() && off < accuracy;
     if (answer->is_ok() || answer->status == transform::Status::inaccurate) {
       found.worst_l1 = std::max(found.worst_l1.value_or(0), answer->l1.value_or(0));
     }
-    if (answer->misstated && *answer->l1 > accuracy) ++found.misstated;
+    if (answer->underestimated && *answer->l1 > accuracy) ++found.underestimated;
   }
   if (!seconds.empty()) found.seconds = median(seconds);
-  found.promised = all_hold && found.points >= kFewestNear && nearest <= kNear;
+  found.promised =
+      all_hold && found.points >= kMinNearbyPoints && nearest_distance <= kNearbyDistance;
   return found;
 }
 
 }  // namespace
 
-std::vector<MethodNearby> Advice::promised() const {
-  std::vector<MethodNearby> found;
-  std::ranges::copy_if(methods, std::back_inserter(found), &MethodNearby::promised);
+std::vector<NearbyResults> Advice::promised() const {
+  std::vector<NearbyResults> found;
+  std::ranges::copy_if(methods, std::back_inserter(found), &NearbyResults::promised);
   return found;
 }
 
-Advice advice(const Place& place, double accuracy, const ValidityMap& map) {
-  const auto neighbours = neighbours_of(place, map);
-  Advice advice{.place = place,
+Advice advice(const MapCoordinates& coordinates, double accuracy, const ValidityMap& map) {
+  const auto neighbours = sorted_neighbours(coordinates, map);
+  Advice advice{.coordinates = coordinates,
                 .accuracy = accuracy,
-                .nearest = neighbours.empty() ? std::numeric_limits<double>::infinity()
-                                              : neighbours.front().away};
-  advice.near = static_cast<std::size_t>(
-      std::ranges::count_if(neighbours, [](const auto& one) { return one.away <= kNear; }));
+                .nearest_distance = neighbours.empty() ? std::numeric_limits<double>::infinity()
+                                                       : neighbours.front().separation};
+  advice.nearby_points = static_cast<std::size_t>(std::ranges::count_if(
+      neighbours, [](const auto& one) { return one.separation <= kNearbyDistance; }));
   for (std::size_t m = 0; m < map.methods.size(); ++m) {
     auto found = nearby(map.methods[m], m, neighbours, accuracy);
     if (found.points > 0) advice.methods.push_back(std::move(found));
   }
-  std::ranges::stable_sort(advice.methods, {}, [](const MethodNearby& one) {
+  std::ranges::stable_sort(advice.methods, {}, [](const NearbyResults& one) {
     return std::tuple(!one.promised, one.seconds);
   });
-  put_best_first(advice.methods);
+  move_most_accurate_first(advice.methods);
   return advice;
 }
 
 Advice advice(const problem::Problem& problem, double accuracy, const ValidityMap& map) {
-  return advice(place_of(problem), accuracy, map);
+  return advice(map_coordinates(problem), accuracy, map);
 }
 
 }  // namespace fpkcheck::sweep

@@ -8,44 +8,46 @@
 
 namespace fpkcheck::sweep {
 
-/// Within this distance of a problem points of the map speak for it.
-inline constexpr double kNear = 1;
-/// At least so many points are asked of each method, the nearest ones, however far.
-inline constexpr std::size_t kFewestNear = 4;
+/// Points of the map within this distance of a problem count as nearby.
+inline constexpr double kNearbyDistance = 1;
+/// Least number of points for each method: with fewer nearby, the closest points at any distance.
+inline constexpr std::size_t kMinNearbyPoints = 4;
 
-/// What a method gave at the points nearest to a problem: those within kNear, and at least
-/// kFewestNear, of the points where it was asked.
-struct MethodNearby {
+/// Results of a method at the points closest to a problem, among the points where it was tried:
+/// those within kNearbyDistance, and at least kMinNearbyPoints.
+struct NearbyResults {
   std::string id;
   std::size_t points = 0, ok = 0;
-  std::size_t misstated = 0;  ///< MappedAnswer::misstated, and off by more than the accuracy
-  std::optional<double> worst_l1 = {};  ///< of densities: `ok` or `inaccurate`
+  std::size_t underestimated = 0;  ///< points with MappedResult::underestimated and L1 > accuracy
+  std::optional<double> worst_l1 = {};  ///< over the densities: `ok` or `inaccurate`
   double seconds = 0;                   ///< median
-  /// At all of these points it was `ok`, and its L1 and what the reference may be off by, together,
-  /// were below the accuracy; the nearest of them is within kNear, and there are kFewestNear of them.
+  /// The method was `ok` at all these points, with L1 plus the reference's error estimate below the
+  /// accuracy; there are at least kMinNearbyPoints points, the closest within kNearbyDistance.
   bool promised = false;
 };
 
-/// What a map says of a problem. No guarantee: between its points nobody looked.
+/// Recommendation of methods for a problem by a validity map. No guarantee: the map has no data
+/// between its points.
 struct Advice {
-  Place place;
+  MapCoordinates coordinates;
   double accuracy;
-  double nearest;        ///< distance of the nearest point; infinite where no point has such
-                         ///< impulses (law and mean)
-  std::size_t near = 0;  ///< points within kNear
-  /// Those that are promised first, by increasing time; but before all others the one to take, the
-  /// most accurate of those that take at most half as long again as the quickest.
-  std::vector<MethodNearby> methods{};
+  double nearest_distance;        ///< distance of the closest point; infinite where no
+                                  ///< point has the same impulse law and relative mean
+  std::size_t nearby_points = 0;  ///< number of points within kNearbyDistance
+  /// Methods with `promised` first, by increasing time. Exception: the first method is the most
+  /// accurate of those that take at most 1.5 times as long as the fastest.
+  std::vector<NearbyResults> methods{};
 
-  bool outside() const { return nearest > kNear; }
-  /// The promised ones, the one to take first.
-  std::vector<MethodNearby> promised() const;
+  bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
+  /// The methods with `promised`, the recommended method first.
+  std::vector<NearbyResults> promised() const;
 };
 
-/// @param accuracy largest L1 of p(y) and p(y') that is asked for
+/// Recommends methods for a problem.
+/// @param accuracy largest acceptable L1 error of p(y) and p(y')
 Advice advice(const problem::Problem& problem, double accuracy, const ValidityMap& map);
 
-/// The same of a place.
-Advice advice(const Place& place, double accuracy, const ValidityMap& map);
+/// The same for given coordinates.
+Advice advice(const MapCoordinates& coordinates, double accuracy, const ValidityMap& map);
 
 }  // namespace fpkcheck::sweep

@@ -9,20 +9,20 @@
 #include <iterator>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
 using transform::Status;
 
-constexpr std::array<std::string_view, 6> kPlaceColumns{
+constexpr std::array<std::string_view, 6> kCoordinateColumns{
     "impulses_per_decay_time", "damping_ratio", "cubic_share", "restitution", "law", "mean_share"};
 
 struct StatusLetter {
   char letter;
   Status status;
-  bool misstated = false;
+  bool underestimated = false;
 };
 constexpr StatusLetter kStatusLetters[] = {
     {'o', Status::ok},           {'x', Status::ok, true},      {'i', Status::inaccurate},
@@ -33,7 +33,7 @@ bool is_status_letter(char c) {
   return std::ranges::find(kStatusLetters, c, &StatusLetter::letter) != std::end(kStatusLetters);
 }
 
-std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+std::vector<std::string_view> split_at(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
     const auto end = text.find(separator);
@@ -43,8 +43,8 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   }
 }
 
-// A number that is finite and, being a share, ratio, distance or time, not negative.
-std::optional<double> mapped_number(std::string_view text) {
+// Parses a number that is finite and, being a fraction, ratio, distance or time, not negative.
+std::optional<double> parse_nonnegative(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -52,62 +52,62 @@ std::optional<double> mapped_number(std::string_view text) {
   return number;
 }
 
-/// A line of the map, and how messages name it.
+/// A line of the map, and its location for error messages.
 struct MapLine {
   std::string_view text;
   std::string where;
 
-  [[noreturn]] void refuse(std::string_view part, const std::string& expected) const {
+  [[noreturn]] void throw_error(std::string_view part, const std::string& expected) const {
     throw InputError(
         fmt::format("{}: {} ({})", where, base::in_quotes(std::string(part)), expected));
   }
 
   double number(std::string_view part) const {
-    const auto found = mapped_number(part);
-    if (!found) refuse(part, "must be a number that is not negative");
+    const auto found = parse_nonnegative(part);
+    if (!found) throw_error(part, "must be a number that is not negative");
     return *found;
   }
 };
 
-std::optional<MappedAnswer> answer_in(const MapLine& line, std::string_view cell) {
+std::optional<MappedResult> parse_result(const MapLine& line, std::string_view cell) {
   if (cell.empty()) return std::nullopt;
-  // "e" of an exponent is no status.
+  // The "e" of an exponent is not a status letter.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) {
-    line.refuse(cell, "must be L1, letter of a status, milliseconds: .004o310");
+    line.throw_error(cell, "must be L1, letter of a status, milliseconds: .004o310");
   }
   const auto* const entry = std::ranges::find(kStatusLetters, cell[at], &StatusLetter::letter);
-  MappedAnswer answer{.status = entry->status,
+  MappedResult answer{.status = entry->status,
                       .l1 = {},
-                      .misstated = entry->misstated,
+                      .underestimated = entry->underestimated,
                       .seconds = line.number(cell.substr(at + 1)) / 1000};
   if (at > 0) answer.l1 = line.number(cell.substr(0, at));
-  if (!answer.l1 && answer.is_ok()) line.refuse(cell, "ok without L1");
+  if (!answer.l1 && answer.is_ok()) line.throw_error(cell, "ok without L1");
   return answer;
 }
 
-MappedPoint point_in(const MapLine& line, std::size_t methods) {
-  const auto cells = parts_of(line.text, ',');
-  if (cells.size() != kPlaceColumns.size() + methods) {
+MappedPoint parse_point(const MapLine& line, std::size_t methods) {
+  const auto cells = split_at(line.text, ',');
+  if (cells.size() != kCoordinateColumns.size() + methods) {
     throw InputError(fmt::format("{}: {} columns (must be {}, as in the first line)", line.where,
-                                 cells.size(), kPlaceColumns.size() + methods));
+                                 cells.size(), kCoordinateColumns.size() + methods));
   }
-  MappedPoint point{.place = {.groups = {.impulses_per_decay_time = line.number(cells[0]),
-                                         .damping_ratio = line.number(cells[1]),
-                                         .cubic_share = line.number(cells[2])},
-                              .restitution = line.number(cells[3]),
-                              .law = std::string(cells[4]),
-                              .mean_share = line.number(cells[5])},
-                    .answers = {}};
-  // Logarithms are taken of these.
+  MappedPoint point{.coordinates = {.groups = {.impulses_per_decay_time = line.number(cells[0]),
+                                               .damping_ratio = line.number(cells[1]),
+                                               .cubic_share = line.number(cells[2])},
+                                    .restitution = line.number(cells[3]),
+                                    .law = std::string(cells[4]),
+                                    .relative_mean = line.number(cells[5])},
+                    .method_results = {}};
+  // The distance takes logarithms of these two.
   for (const std::size_t k : {0, 1}) {
-    if (line.number(cells[k]) == 0) line.refuse(cells[k], "must be above 0");
+    if (line.number(cells[k]) == 0) line.throw_error(cells[k], "must be above 0");
   }
   for (std::size_t m = 0; m < methods; ++m) {
-    point.answers.push_back(answer_in(line, cells[kPlaceColumns.size() + m]));
+    point.method_results.push_back(parse_result(line, cells[kCoordinateColumns.size() + m]));
   }
-  if (!point.answers.back() || !point.answers.back()->l1) {
+  if (!point.method_results.back() || !point.method_results.back()->l1) {
     throw InputError(line.where + ": no L1 of the last method (it is the reference)");
   }
   return point;
@@ -116,18 +116,18 @@ MappedPoint point_in(const MapLine& line, std::size_t methods) {
 }  // namespace
 
 ValidityMap read_validity_map(std::string_view text, const std::string& where) {
-  auto lines = parts_of(text, '\n');
+  auto lines = split_at(text, '\n');
   if (lines.back().empty()) lines.pop_back();
-  const auto header = lines.empty() ? std::vector<std::string_view>() : parts_of(lines[0], ',');
-  if (header.size() <= kPlaceColumns.size() ||
-      !std::equal(kPlaceColumns.begin(), kPlaceColumns.end(), header.begin())) {
+  const auto header = lines.empty() ? std::vector<std::string_view>() : split_at(lines[0], ',');
+  if (header.size() <= kCoordinateColumns.size() ||
+      !std::equal(kCoordinateColumns.begin(), kCoordinateColumns.end(), header.begin())) {
     throw InputError(fmt::format("{} is no map of validity (make one by scripts/validity)", where));
   }
   ValidityMap map;
-  map.methods.assign(header.begin() + kPlaceColumns.size(), header.end());
+  map.methods.assign(header.begin() + kCoordinateColumns.size(), header.end());
   for (std::size_t k = 1; k < lines.size(); ++k) {
     map.points.push_back(
-        point_in({lines[k], fmt::format("{}:{}", where, k + 1)}, map.methods.size()));
+        parse_point({lines[k], fmt::format("{}:{}", where, k + 1)}, map.methods.size()));
   }
   return map;
 }

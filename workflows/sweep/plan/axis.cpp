@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/case_file.hpp"
 
 namespace fpkcheck::sweep {
@@ -19,34 +19,34 @@ namespace {
 
 using base::Value;
 
-constexpr std::size_t kMostValues = 1'000'000;
+constexpr std::size_t kMaxValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// A twelfth digit is none that a solver sees, and 0.57 is read more easily than 0.5700000000000001.
-double to_twelve_digits(double number) {
+// Twelve digits suffice for every solver, and 0.57 is easier to read than 0.5700000000000001.
+double round_to_twelve_digits(double number) {
   double rounded = number;
   const std::string text = fmt::format("{:.12g}", number);
   std::from_chars(text.data(), text.data() + text.size(), rounded);
   return rounded;
 }
 
-std::vector<std::string> parts_of(std::string_view text, char separator) {
+std::vector<std::string> split_at(std::string_view text, char separator) {
   std::vector<std::string> parts;
   boost::algorithm::split(parts, text, [separator](char c) { return c == separator; });
   for (auto& part : parts) boost::algorithm::trim(part);
   return parts;
 }
 
-/// What is being read, for messages.
-struct Reading {
+/// The key whose values are parsed, and its label in messages.
+struct AxisParser {
   const base::Parameter& parameter;
-  std::string label;  ///< "--vary system.restitution"
+  std::string label;  ///< e.g. "--vary system.restitution"
 
   Value value(const std::string& text) const {
-    const Value found = base::value_from(parameter, text, label);
-    if (!parameter.in_range(found)) {
+    const Value found = base::parse_value(parameter, text, label);
+    if (!parameter.is_in_range(found)) {
       throw InputError(
-          fmt::format("{} {} (must be {})", label, base::shown(text), parameter.allowed()));
+          fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
     }
     return found;
   }
@@ -58,51 +58,52 @@ struct Reading {
   }
 };
 
-std::size_t count_in(const std::string& text, const Reading& reading) {
+std::size_t parse_count(const std::string& text, const AxisParser& reading) {
   std::size_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error == std::errc() && end == text.data() + text.size() && count >= 2 &&
-      count <= kMostValues) {
+      count <= kMaxValues) {
     return count;
   }
   throw InputError(fmt::format("{}: {} is no number of points (must be an integer, 2 .. {})",
-                               reading.label, base::in_quotes(text), kMostValues));
+                               reading.label, base::in_quotes(text), kMaxValues));
 }
 
-Axis range_from(std::string_view text, Axis axis, const Reading& reading) {
+Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
   axis.spacing = text.starts_with(kLogarithmic) ? Spacing::logarithmic : Spacing::linear;
   if (axis.spacing == Spacing::logarithmic) text.remove_prefix(kLogarithmic.size());
-  const auto parts = parts_of(text, ':');
+  const auto parts = split_at(text, ':');
   if (parts.size() < 2 || parts.size() > 3) {
     throw InputError(fmt::format("{} {} (write FROM:TO:N, log:FROM:TO:N or A,B,..)", reading.label,
-                                 base::shown(text)));
+                                 base::sanitise(text)));
   }
   axis.from = reading.number(parts[0]);
   axis.to = reading.number(parts[1]);
   if (axis.from == axis.to) {
     throw InputError(fmt::format("{} {} (a range needs two ends that differ)", reading.label,
-                                 base::shown(text)));
+                                 base::sanitise(text)));
   }
   if (axis.spacing == Spacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
     throw InputError(fmt::format("{} log:{} (the ends of a logarithmic range must be positive)",
-                                 reading.label, base::shown(text)));
+                                 reading.label, base::sanitise(text)));
   }
   if (parts.size() == 2) return axis;
-  const std::size_t count = count_in(parts[2], reading);
+  const std::size_t count = parse_count(parts[2], reading);
   axis.values.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
-    axis.values.emplace_back(axis.at(static_cast<double>(k) / static_cast<double>(count - 1)));
+    axis.values.emplace_back(
+        axis.value_at(static_cast<double>(k) / static_cast<double>(count - 1)));
   }
   return axis;
 }
 
 }  // namespace
 
-double Axis::at(double part) const {
+double Axis::value_at(double part) const {
   if (part <= 0) return from;
   if (part >= 1) return to;
-  return to_twelve_digits(spacing == Spacing::logarithmic ? from * std::pow(to / from, part)
-                                                          : std::lerp(from, to, part));
+  return round_to_twelve_digits(spacing == Spacing::logarithmic ? from * std::pow(to / from, part)
+                                                                : std::lerp(from, to, part));
 }
 
 std::string Axis::text() const {
@@ -118,22 +119,22 @@ std::string Axis::text() const {
                      from, to, values.empty() ? "" : fmt::format(":{}", values.size()));
 }
 
-Axis axis_from(std::string_view key, std::string_view values, const std::string& where) {
-  const Reading reading{problem::case_parameter(key, where), fmt::format("{} {} =", where, key)};
+Axis parse_axis(std::string_view key, std::string_view values, const std::string& where) {
+  const AxisParser reading{problem::case_parameter(key, where), fmt::format("{} {} =", where, key)};
   Axis axis{.key = std::string(key)};
   if (values.find(':') != std::string_view::npos) {
-    axis = range_from(values, std::move(axis), reading);
+    axis = parse_range(values, std::move(axis), reading);
   } else {
-    for (const auto& item : parts_of(values, ',')) axis.values.push_back(reading.value(item));
+    for (const auto& item : split_at(values, ',')) axis.values.push_back(reading.value(item));
   }
   const auto require_distinct = [&reading](const std::vector<Value>& sorted) {
     if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
       throw InputError(
-          fmt::format("{} {} is there twice (keep one)", reading.label, base::text_of(*twice)));
+          fmt::format("{} {} is given twice (keep one)", reading.label, base::text_of(*twice)));
     }
   };
   if (axis.spacing != Spacing::listed) {
-    require_distinct(axis.values);  // a range is sorted, and a copy of a million values is 40 MB
+    require_distinct(axis.values);  // a range is sorted; a copy of a million values takes 40 MB
   } else {
     auto sorted = axis.values;
     std::ranges::sort(sorted);

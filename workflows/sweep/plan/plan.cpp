@@ -14,12 +14,12 @@ problem::Problem Plan::problem_at(std::size_t point) const {
       section = sections.insert(section, {.name = key.substr(0, dot), .values = {}});
     }
     auto value = std::ranges::find(section->values, key.substr(dot + 1), &base::NamedValue::name);
-    if (value == section->values.end()) {  // the base has it as it is where nobody names it
+    if (value == section->values.end()) {  // an optional key that the base case leaves out
       value = section->values.insert(value, {.name = key.substr(dot + 1), .value = {}});
     }
     value->value = points[point][a];
   }
-  return problem::problem_from(base.name, sections);
+  return problem::problem_from_sections(base.name, sections);
 }
 
 }  // namespace fpkcheck::sweep

@@ -5,38 +5,38 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "methods/method.hpp"
 #include "problem/problem.hpp"
 #include "workflows/sweep/plan/points.hpp"
 
 namespace fpkcheck::sweep {
 
-/// How a closure, which does not know its own error, comes to one.
+/// Source of the error estimate of a closure.
 enum class ClosureErrors {
-  reference,  ///< the distance to the point's reference and what that states of itself, added
-  residuals   ///< as in a run: by the backward equation, without another solution
+  reference,  ///< distance to the point's reference, plus the error estimate of the reference
+  residuals   ///< residuals in the backward equation, as for a run; needs no other solution
 };
-inline constexpr base::Named<ClosureErrors> kClosureErrorsNames[] = {
+inline constexpr base::EnumEntry<ClosureErrors> kClosureErrorsNames[] = {
     {ClosureErrors::reference, "reference"}, {ClosureErrors::residuals, "residuals"}};
-constexpr std::span<const base::Named<ClosureErrors>> names(ClosureErrors) {
+constexpr std::span<const base::EnumEntry<ClosureErrors>> names(ClosureErrors) {
   return kClosureErrorsNames;
 }
 constexpr std::string_view name(ClosureErrors errors) { return base::name_of(errors); }
 
-/// What a sweep solves: a case whose keys are varied, and the methods for each point.
+/// Plan of a sweep: a case, its varied keys, and the methods for each point.
 struct Plan {
   problem::Problem base;
   std::vector<Axis> axes;
   Design design = Design::product;
   std::size_t sobol_points = 0;            ///< 0 for other designs
   std::vector<methods::Method> methods{};  ///< by increasing trust
-  bool marginals = false;                  ///< whether those of every point are kept
+  bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrors closure_errors = ClosureErrors::reference;
-  Points points{};  ///< points_of() the axes
+  Points points{};  ///< make_points() of the axes
 
-  /// The case with the values of a point.
-  /// @throws InputError where they do not fit together
+  /// The base case with the values of a point.
+  /// @throws InputError where the values are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 

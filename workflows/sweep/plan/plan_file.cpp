@@ -11,8 +11,8 @@
 #include "base/files/ini_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/options/asked_name.hpp"
-#include "base/text/shown.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
 #include "problem/case_file.hpp"
 #include "problem/named_cases.hpp"
 
@@ -25,17 +25,17 @@ using base::IniSetting;
 constexpr const char* kSweep = "sweep";
 constexpr const char* kVary = "vary";
 
-std::size_t points_in(const IniSetting& line) {
+std::size_t parse_point_count(const IniSetting& line) {
   std::size_t count = 0;
   const char *const begin = line.text.data(), *const end = begin + line.text.size();
-  if (std::from_chars(begin, end, count).ptr == end && count > 0 && count <= kMostPoints) {
+  if (std::from_chars(begin, end, count).ptr == end && count > 0 && count <= kMaxPoints) {
     return count;
   }
   throw InputError(fmt::format("{}: points {} (must be an integer, 1 .. {})", line.where,
-                               in_quotes(line.text), kMostPoints));
+                               in_quotes(line.text), kMaxPoints));
 }
 
-/// The lines of [sweep], by their keys.
+/// Lines of the section [sweep] by their keys.
 using SweepLines = std::map<std::string, IniSetting>;
 
 SweepLines sweep_lines(const std::vector<IniSetting>& all) {
@@ -52,14 +52,15 @@ SweepLines sweep_lines(const std::vector<IniSetting>& all) {
 
 }  // namespace
 
-PlanText read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
-  constexpr std::size_t kMostBytes = 1 << 20;
-  const bool named = problem::find_named_case(name_or_path) != nullptr;
-  const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMostBytes);
+PlanSpecification read_plan(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides) {
+  constexpr std::size_t kMaxBytes = 1 << 20;
+  const bool named = problem::find_builtin_case(name_or_path) != nullptr;
+  const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMaxBytes);
   if (!text) return {problem::load_case(name_or_path, overrides)};
 
   std::istringstream ini(*text);
-  const std::string where = fmt::format("plan {}", base::shown(name_or_path));
+  const std::string where = fmt::format("plan {}", base::sanitise(name_or_path));
   const auto all = base::ini_settings(ini, where);
   std::vector<IniSetting> of_case;
   std::ranges::copy_if(all, std::back_inserter(of_case), [](const IniSetting& line) {
@@ -73,24 +74,24 @@ PlanText read_plan(const std::string& name_or_path, const std::vector<std::strin
     throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
                                  of_case.front().section));
   }
-  PlanText plan{base_case != lines.end()
-                    ? problem::load_case(base_case->second.text, overrides)
-                    : problem::case_from(of_case,
-                                         std::filesystem::path(name_or_path).stem().string(), where,
-                                         overrides, problem::Naming::of_file,
-                                         std::filesystem::path(name_or_path).parent_path())};
+  PlanSpecification plan{base_case != lines.end()
+                             ? problem::load_case(base_case->second.text, overrides)
+                             : problem::case_from_settings(
+                                   of_case, std::filesystem::path(name_or_path).stem().string(),
+                                   where, overrides, problem::CaseNaming::from_file,
+                                   std::filesystem::path(name_or_path).parent_path())};
   for (const auto& line : all) {
-    if (line.section == kVary) plan.axes.push_back(axis_from(line.key, line.text, line.where));
+    if (line.section == kVary) plan.axes.push_back(parse_axis(line.key, line.text, line.where));
   }
   for (const auto& [key, line] : lines) {
     if (key == "case") continue;
     if (key == "design") {
-      plan.design = base::asked_name<Design>(line.where + ": design", line.text);
+      plan.design = base::parse_enum<Design>(line.where + ": design", line.text);
     } else if (key == "closure_errors") {
       plan.closure_errors =
-          base::asked_name<ClosureErrors>(line.where + ": closure_errors", line.text);
+          base::parse_enum<ClosureErrors>(line.where + ": closure_errors", line.text);
     } else if (key == "points") {
-      plan.points = points_in(line);
+      plan.points = parse_point_count(line);
     } else if (key == "methods") {
       plan.methods = line.text;
     } else {

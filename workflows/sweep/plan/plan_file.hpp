@@ -11,24 +11,24 @@
 
 namespace fpkcheck::sweep {
 
-/// What a plan says besides the methods themselves, which a registry makes of their names.
-struct PlanText {
+/// A parsed plan, without the methods: a registry makes them from their names.
+struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};
   std::optional<Design> design{};
   std::optional<ClosureErrors> closure_errors{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
-  std::vector<base::IniSetting> options{};  ///< of the methods: the other lines of [sweep]
+  std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]
 };
 
-/// Reads a case (as problem::load_case) or a plan, which is a case file with two sections more:
+/// Reads a case (as problem::load_case) or a plan. A plan is a case file with two more sections:
 ///
 ///     [sweep]
 ///     case = case1            ; instead of [system] and [impulse]
 ///     methods = epc,fd-kf
 ///     design = product        ; or list, sobol
-///     points = 1000           ; of the design sobol
+///     points = 1000           ; for the design sobol
 ///     closure_errors = residuals   ; or reference
 ///     max_seconds = 5         ; an option of the methods
 ///     [vary]
@@ -36,8 +36,9 @@ struct PlanText {
 ///     impulse.rate = log:0.2:20:9
 ///
 /// @param name_or_path "case1" .. "case4", a case file or a plan
-/// @param overrides "key=value" pairs that replace what the case says
-/// @throws InputError on one line
-PlanText read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides);
+/// @param overrides "key=value" pairs that replace values of the case
+/// @throws InputError with a message of one line
+PlanSpecification read_plan(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides);
 
 }  // namespace fpkcheck::sweep

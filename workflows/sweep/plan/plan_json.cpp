@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -24,55 +24,56 @@ Json axis_json(const Axis& axis) {
 }
 
 template <class Enum>
-Enum named_in(const Json& json) {
+Enum enum_from_json(const Json& json) {
   const auto text = json.get<std::string>();
-  const auto value = base::value_named<Enum>(text);
+  const auto value = base::enum_from_name<Enum>(text);
   if (!value) throw InputError(fmt::format("{} is unknown", base::in_quotes(text)));
   return *value;
 }
 
-// JSON does not tell 1 from 1.0: a number is what the key takes.
-base::Value as_number(base::Value value) {
+// Makes an integer a double: JSON does not distinguish 1 from 1.0, and all numbers of keys are
+// doubles.
+base::Value integer_to_double(base::Value value) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   return whole == nullptr ? value : static_cast<double>(*whole);
 }
 
-Axis axis_in(const Json& json) {
-  Axis axis{.key = json.at("key"), .spacing = named_in<Spacing>(json.at("spacing"))};
+Axis axis_from_json(const Json& json) {
+  Axis axis{.key = json.at("key"), .spacing = enum_from_json<Spacing>(json.at("spacing"))};
   if (axis.spacing != Spacing::listed) {
     axis.from = json.at("from");
     axis.to = json.at("to");
   }
   for (const auto& value : json.at("values")) {
-    axis.values.push_back(as_number(results::value_in(value)));
+    axis.values.push_back(integer_to_double(results::value_in(value)));
   }
   return axis;
 }
 
-methods::Method method_in(const Json& json, const methods::Registry& registry) {
+methods::Method method_from_json(const Json& json, const methods::Registry& registry) {
   const auto solver = json.at("method").get<std::string>();
   const auto* found = registry.find(solver);
   if (found == nullptr) {
-    throw InputError(fmt::format("no solver {} here", base::in_quotes(solver)));
+    throw InputError(fmt::format("solver {} is unknown", base::in_quotes(solver)));
   }
   return registry.method(*found, results::values_in(json.at("options")));
 }
 
-// What an element of a list is called.
-std::string title_of(const Json& json) {
+// Name of an element of a list, for messages.
+std::string element_title(const Json& json) {
   for (const char* field : {"id", "key"}) {
     if (json.is_object() && json.contains(field)) return results::text_of(json.at(field));
   }
   return json.is_structured() ? "" : results::text_of(json);
 }
 
-std::string titles_of(const Json& list) {
+std::string element_titles(const Json& list) {
   std::string text;
-  for (const auto& element : list) text += (text.empty() ? "" : ", ") + title_of(element);
-  return base::shown(text);
+  for (const auto& element : list) text += (text.empty() ? "" : ", ") + element_title(element);
+  return base::sanitise(text);
 }
 
-// "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty where there is none.
+// Text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty without one.
 std::string first_difference(const std::string& where, const Json& was, const Json& is) {
   if (was == is) return "";
   if (was.is_object() && is.is_object()) {
@@ -83,16 +84,17 @@ std::string first_difference(const std::string& where, const Json& was, const Js
     }
   }
   if (was.is_array() && is.is_array()) {
-    const std::string titles_then = titles_of(was), titles_now = titles_of(is);
+    const std::string titles_then = element_titles(was), titles_now = element_titles(is);
     if (titles_then != titles_now || was.size() != is.size()) {
       return fmt::format("{}: {} then, {} now", where, titles_then, titles_now);
     }
     for (std::size_t k = 0; k < is.size(); ++k) {
-      const auto difference = first_difference(where + ' ' + title_of(is[k]), was[k], is[k]);
+      const auto difference = first_difference(where + ' ' + element_title(is[k]), was[k], is[k]);
       if (!difference.empty()) return difference;
     }
   }
-  return fmt::format("{}: {} then, {} now", where, base::shown(was.dump()), base::shown(is.dump()));
+  return fmt::format("{}: {} then, {} now", where, base::sanitise(was.dump()),
+                     base::sanitise(is.dump()));
 }
 
 }  // namespace
@@ -114,22 +116,22 @@ Json plan_json(const Plan& plan) {
   return json;
 }
 
-Plan plan_in(const Json& json, const methods::Registry& registry) {
+Plan plan_from_json(const Json& json, const methods::Registry& registry) {
   Plan plan{.base = results::problem_in(json.at("case")),
             .axes = {},
-            .design = named_in<Design>(json.at("design")),
+            .design = enum_from_json<Design>(json.at("design")),
             .sobol_points = json.at("points"),
             .marginals = json.at("marginals"),
-            .closure_errors = named_in<ClosureErrors>(json.at("closure_errors"))};
-  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_in(axis));
+            .closure_errors = enum_from_json<ClosureErrors>(json.at("closure_errors"))};
+  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
   for (const auto& method : json.at("methods")) {
-    plan.methods.push_back(method_in(method, registry));
+    plan.methods.push_back(method_from_json(method, registry));
   }
-  plan.points = points_of(plan.axes, plan.design, plan.sobol_points);
+  plan.points = make_points(plan.axes, plan.design, plan.sobol_points);
   return plan;
 }
 
-std::string difference_of(const Json& before, const Json& now) {
+std::string plan_difference(const Json& before, const Json& now) {
   for (const char* part :
        {"methods", "vary", "design", "points", "marginals", "closure_errors", "case"}) {
     const Json was = before.contains(part) ? before.at(part) : Json();

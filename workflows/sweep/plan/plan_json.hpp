@@ -6,14 +6,15 @@
 
 namespace fpkcheck::sweep {
 
-/// A plan as journals have it: whatever two sweeps must share for their results to belong together.
+/// JSON of a plan for journals. It contains all that two sweeps must share for their results to be
+/// joined.
 results::Json plan_json(const Plan& plan);
 
-/// The plan that plan_json wrote.
+/// The plan from the JSON of plan_json.
 /// @throws nlohmann::json::exception, InputError
-Plan plan_in(const results::Json& json, const methods::Registry& registry);
+Plan plan_from_json(const results::Json& json, const methods::Registry& registry);
 
-/// In what two plans differ, in words; empty where they are the same.
-std::string difference_of(const results::Json& before, const results::Json& now);
+/// Text of the first difference between two plans; empty where they are equal.
+std::string plan_difference(const results::Json& before, const results::Json& now);
 
 }  // namespace fpkcheck::sweep

@@ -10,10 +10,10 @@
 namespace fpkcheck::sweep {
 namespace {
 
-void require_not_too_many(double count) {
-  if (count <= static_cast<double>(kMostPoints)) return;
+void require_at_most_max_points(double count) {
+  if (count <= static_cast<double>(kMaxPoints)) return;
   throw InputError(fmt::format("a plan of {:.3g} points (at most {}: vary less, or split the plan)",
-                               count, kMostPoints));
+                               count, kMaxPoints));
 }
 
 void require_values(const Axis& axis) {
@@ -27,7 +27,7 @@ Points product(const std::vector<Axis>& axes) {
   for (const auto& axis : axes) {
     require_values(axis);
     count *= static_cast<double>(axis.values.size());
-    require_not_too_many(count);
+    require_at_most_max_points(count);
   }
   Points points{{}};
   for (const auto& axis : axes) {
@@ -48,7 +48,7 @@ Points list(const std::vector<Axis>& axes) {
     require_values(axis);
     if (axis.values.size() == axes.front().values.size()) continue;
     throw InputError(
-        fmt::format("{} has {} values and {} has {} (in a list of points all have as many)",
+        fmt::format("{} has {} values and {} has {} (in a list all keys must have as many)",
                     axes.front().key, axes.front().values.size(), axis.key, axis.values.size()));
   }
   Points points(axes.front().values.size());
@@ -58,21 +58,21 @@ Points list(const std::vector<Axis>& axes) {
   return points;
 }
 
-// The sequence without its first point, the corner (Sobol 1967; direction numbers of Joe and Kuo
-// 2008).
+// The Sobol sequence without its first point, the corner (Sobol 1967; direction numbers of Joe and
+// Kuo 2008).
 Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   if (count == 0) {
-    throw InputError("the design sobol without a number of points (give --points N)");
+    throw InputError("the design sobol has no number of points (give --points N)");
   }
-  require_not_too_many(static_cast<double>(count));
+  require_at_most_max_points(static_cast<double>(count));
   for (const auto& axis : axes) {
     if (axis.spacing == Spacing::listed) {
       throw InputError(
-          fmt::format("{} with the design sobol (it fills ranges: FROM:TO)", axis.text()));
+          fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)", axis.text()));
     }
     if (!axis.values.empty()) {
-      throw InputError(
-          fmt::format("{} with the design sobol (--points says how many: FROM:TO)", axis.text()));
+      throw InputError(fmt::format(
+          "{} with the design sobol (--points sets the number: give FROM:TO)", axis.text()));
     }
   }
   boost::random::sobol engine(axes.size());
@@ -80,7 +80,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   Points points(count);
   for (auto& point : points) {
     for (const auto& axis : axes) {
-      point.emplace_back(axis.at(static_cast<double>(engine()) / above));
+      point.emplace_back(axis.value_at(static_cast<double>(engine()) / above));
     }
   }
   return points;
@@ -88,7 +88,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
 
 }  // namespace
 
-Points points_of(const std::vector<Axis>& axes, Design design, std::size_t sobol_points) {
+Points make_points(const std::vector<Axis>& axes, Design design, std::size_t sobol_points) {
   if (axes.empty()) {
     throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
   }
@@ -98,7 +98,7 @@ Points points_of(const std::vector<Axis>& axes, Design design, std::size_t sobol
     }
   }
   if (design != Design::sobol && sobol_points != 0) {
-    throw InputError("a number of points without the design sobol (the values of the axes say it)");
+    throw InputError("a number of points without the design sobol (the values of the axes set it)");
   }
   switch (design) {
     case Design::product:

@@ -3,31 +3,33 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/options/names.hpp"
+#include "base/options/enum_names.hpp"
 #include "workflows/sweep/plan/axis.hpp"
 
 namespace fpkcheck::sweep {
 
-/// How the axes of a plan make its points.
+/// Design of a plan: how the axes determine its points.
 enum class Design {
-  product,  ///< every value of each with every value of the others, the last one varying fastest
-  list,     ///< the k-th values of all together
-  sobol     ///< a Sobol sequence fills the box that the ranges span
+  product,  ///< Cartesian product of the axes; the last axis varies fastest
+  list,     ///< point k has the k-th value of every axis
+  sobol     ///< a Sobol sequence in the box of the ranges
 };
-inline constexpr base::Named<Design> kDesignNames[] = {
+inline constexpr base::EnumEntry<Design> kDesignNames[] = {
     {Design::product, "product", "every value with every other"},
     {Design::list, "list", "the k-th values of all keys together"},
     {Design::sobol, "sobol", "N points of a Sobol sequence in the box of the ranges"}};
-constexpr std::span<const base::Named<Design>> names(Design) { return kDesignNames; }
+constexpr std::span<const base::EnumEntry<Design>> names(Design) { return kDesignNames; }
 constexpr std::string_view name(Design design) { return base::name_of(design); }
 
-inline constexpr std::size_t kMostPoints = 1'000'000;
+inline constexpr std::size_t kMaxPoints = 1'000'000;
 
-/// The points of a plan: for each the values of all axes, in their order.
+/// Points of a plan: for each point the values of all axes, in the order of the axes.
 using Points = std::vector<std::vector<base::Value>>;
 
-/// @param sobol_points of the design sobol; 0 for others
-/// @throws InputError on one line where axes and design do not fit, or for too many points
-Points points_of(const std::vector<Axis>& axes, Design design, std::size_t sobol_points);
+/// Makes the points of a plan.
+/// @param sobol_points number of points for the design sobol; 0 for others
+/// @throws InputError with a message of one line, where axes and design are inconsistent or there
+///         are too many points
+Points make_points(const std::vector<Axis>& axes, Design design, std::size_t sobol_points);
 
 }  // namespace fpkcheck::sweep

@@ -7,10 +7,10 @@
 namespace fpkcheck::sweep {
 namespace {
 
-results::Json nearby_json(const MethodNearby& one, const AdviceSetting& setting) {
+results::Json nearby_json(const NearbyResults& one, const AdviceContext& setting) {
   results::Json json{{"id", one.id},           {"promised", one.promised},
                      {"points", one.points},   {"ok", one.ok},
-                     {"worst_l1", nullptr},    {"misstated", one.misstated},
+                     {"worst_l1", nullptr},    {"misstated", one.underestimated},
                      {"seconds", one.seconds}, {"command", setting.command(one.id)}};
   if (one.worst_l1) json["worst_l1"] = *one.worst_l1;
   return json;
@@ -18,30 +18,30 @@ results::Json nearby_json(const MethodNearby& one, const AdviceSetting& setting)
 
 }  // namespace
 
-std::string advice_json(const Advice& advice, const AdviceSetting& setting,
+std::string advice_json(const Advice& advice, const AdviceContext& setting,
                         const std::string& command_line) {
   using results::Json;
   constexpr int kSchema = 1;
-  const Place& place = advice.place;
+  const MapCoordinates& coordinates = advice.coordinates;
   Json json{{"schema", kSchema},
             {"program", results::program_json(results::this_program(command_line))},
             {"case", setting.name},
             {"place",
-             {{"impulses_per_decay_time", place.groups.impulses_per_decay_time},
-              {"damping_ratio", place.groups.damping_ratio},
-              {"cubic_share", place.groups.cubic_share},
-              {"restitution", place.restitution},
-              {"law", place.law},
-              {"mean_share", place.mean_share}}},
+             {{"impulses_per_decay_time", coordinates.groups.impulses_per_decay_time},
+              {"damping_ratio", coordinates.groups.damping_ratio},
+              {"cubic_share", coordinates.groups.cubic_share},
+              {"restitution", coordinates.restitution},
+              {"law", coordinates.law},
+              {"mean_share", coordinates.relative_mean}}},
             {"accuracy", advice.accuracy},
-            {"outside", advice.outside()},
-            {"nearest", advice.nearest},
-            {"points_near", advice.near},
+            {"outside", advice.is_outside_map()},
+            {"nearest", advice.nearest_distance},
+            {"points_near", advice.nearby_points},
             {"recommended", nullptr},
             {"methods", Json::array()}};
   const auto promised = advice.promised();
   if (!promised.empty()) json["recommended"] = promised.front().id;
-  if (promised.empty()) json["otherwise"] = setting.otherwise;
+  if (promised.empty()) json["otherwise"] = setting.fallback_commands;
   for (const auto& one : advice.methods) json["methods"].push_back(nearby_json(one, setting));
   return results::text_of(json);
 }

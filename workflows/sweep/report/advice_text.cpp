@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "report/text/columns.hpp"
-#include "report/text/wrapped.hpp"
+#include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -16,36 +16,37 @@ namespace {
 using report::Column;
 
 constexpr std::size_t kShownMethods = 3;
-constexpr double kFarOff = 0.05;
+constexpr double kLargeError = 0.05;
 
-std::string place_sentence(const Advice& advice, const std::string& name) {
-  const Place& place = advice.place;
+std::string coordinates_sentence(const Advice& advice, const std::string& name) {
+  const MapCoordinates& coordinates = advice.coordinates;
   std::string text = fmt::format(
       "{}: {:.2g} impulses per decay time, damping ratio {:.2g}, {:.0f} % of the stiffness cubic, "
       "r = {:.4g}, {} impulses",
-      name, place.groups.impulses_per_decay_time, place.groups.damping_ratio,
-      100 * place.groups.cubic_share, place.restitution, place.law);
-  if (place.mean_share != 0)
-    text += fmt::format(", their mean {:.2g} of their size", place.mean_share);
+      name, coordinates.groups.impulses_per_decay_time, coordinates.groups.damping_ratio,
+      100 * coordinates.groups.cubic_share, coordinates.restitution, coordinates.law);
+  if (coordinates.relative_mean != 0)
+    text += fmt::format(", mean {:.2g} times the root mean square", coordinates.relative_mean);
   return text + '.';
 }
 
 std::string nearest_sentence(const Advice& advice) {
-  if (std::isinf(advice.nearest)) {
-    return advice.place.mean_share != 0
-               ? "Outside the map: no point of it has impulses with a mean."
-               : fmt::format("Outside the map: no point of it has {} impulses.", advice.place.law);
+  if (std::isinf(advice.nearest_distance)) {
+    return advice.coordinates.relative_mean != 0
+               ? "Outside the map: none of its points has impulses with a mean."
+               : fmt::format("Outside the map: none of its points has {} impulses.",
+                             advice.coordinates.law);
   }
-  if (advice.outside()) {
-    return fmt::format("Outside the map: its nearest point is {:.2g} away (1 is near).",
-                       advice.nearest);
+  if (advice.is_outside_map()) {
+    return fmt::format("Outside the map: the nearest point has distance {:.2g} (limit 1).",
+                       advice.nearest_distance);
   }
-  return fmt::format("Nearest of the map's points: {:.2g} away; {} within 1.", advice.nearest,
-                     advice.near);
+  return fmt::format("Nearest point of the map: distance {:.2g}; {} points within 1.",
+                     advice.nearest_distance, advice.nearby_points);
 }
 
-// What was tried nearby of the methods that are shown.
-std::string nearby_table(const std::vector<MethodNearby>& methods,
+// Results at the nearby points of the methods that are shown.
+std::string nearby_table(const std::vector<NearbyResults>& methods,
                          const report::TextFormat& format) {
   Column id{"", "method", true, report::kAlwaysShown},
       points{"at the points nearby", "points", false, 1},
@@ -62,77 +63,80 @@ std::string nearby_table(const std::vector<MethodNearby>& methods,
   return report::rows({id, points, ok, worst, seconds}, format);
 }
 
-// "fd-white (km4/map, off by up to 0.11 at 31 of 31), ..": `ok` of another equation or impact speaks
-// of that one.
-std::string misstated_sentence(const Advice& advice, const methods::Registry& registry) {
-  std::vector<std::string> who;
+// "fd-white (solves white/map, error up to 0.11 at 31 of 31 points), ..". The status `ok` refers to
+// the equation and impact that the method solves: the sentence states them.
+std::string underestimated_sentence(const Advice& advice, const methods::Registry& registry) {
+  std::vector<std::string> items;
   for (const auto& one : advice.methods) {
-    if (one.misstated == 0) continue;
-    const auto method = registry.by_id(one.id);
-    who.push_back(fmt::format("{} ({}off by up to {:.2g} at {} of {})", one.id,
-                              method ? "solves " + solves_text(method->identity) + ", " : "",
-                              one.worst_l1.value_or(0), one.misstated, one.points));
+    if (one.underestimated == 0) continue;
+    const auto method = registry.method_by_id(one.id);
+    items.push_back(
+        fmt::format("{} ({}error up to {:.2g} at {} of {} points)", one.id,
+                    method ? "solves " + equation_and_impact_text(method->identity) + ", " : "",
+                    one.worst_l1.value_or(0), one.underestimated, one.points));
   }
-  if (who.empty()) return {};
-  return fmt::format("Misleads there, being ok but further off than twice what it states: {}.",
-                     fmt::join(who, "; "));
+  if (items.empty()) return {};
+  return fmt::format("Status ok there, but error above twice the stated error: {}.",
+                     fmt::join(items, "; "));
 }
 
-std::string far_off_sentence(const Advice& advice) {
-  std::vector<std::string> who;
+std::string large_error_sentence(const Advice& advice) {
+  std::vector<std::string> items;
   for (const auto& one : advice.methods) {
-    if (one.misstated > 0 || one.worst_l1.value_or(0) <= kFarOff) continue;
-    who.push_back(fmt::format("{} ({:.2g})", one.id, *one.worst_l1));
+    if (one.underestimated > 0 || one.worst_l1.value_or(0) <= kLargeError) continue;
+    items.push_back(fmt::format("{} ({:.2g})", one.id, *one.worst_l1));
   }
-  if (who.empty()) return {};
-  return fmt::format("Off by more than {:g} % somewhere there, and says so: {}.", 100 * kFarOff,
-                     fmt::join(who, ", "));
+  if (items.empty()) return {};
+  return fmt::format("Error above {:g} % at some of these points, as stated: {}.",
+                     100 * kLargeError, fmt::join(items, ", "));
 }
 
 std::string without_density_sentence(const Advice& advice) {
-  std::vector<std::string> who;
+  std::vector<std::string> items;
   for (const auto& one : advice.methods) {
-    if (!one.worst_l1) who.push_back(one.id);
+    if (!one.worst_l1) items.push_back(one.id);
   }
-  if (who.empty()) return {};
-  return fmt::format("No probability density at any of these points: {}.", fmt::join(who, ", "));
+  if (items.empty()) return {};
+  return fmt::format("No probability density at any of these points: {}.", fmt::join(items, ", "));
 }
 
 }  // namespace
 
-std::string advice_text(const Advice& advice, const AdviceSetting& setting,
+std::string advice_text(const Advice& advice, const AdviceContext& setting,
                         const report::TextFormat& format) {
   const auto paragraph = [&](const std::string& text) {
-    return text.empty() ? text : report::wrapped(text, format.width);
+    return text.empty() ? text : report::wrap_text(text, format.width);
   };
   std::string text =
-      paragraph(place_sentence(advice, setting.name) + ' ' + nearest_sentence(advice));
+      paragraph(coordinates_sentence(advice, setting.name) + ' ' + nearest_sentence(advice));
   auto promised = advice.promised();
   if (promised.empty()) {
-    text += '\n' +
-            paragraph(fmt::format("Nothing is promised for L1 {:g}. These tell their own errors:",
-                                  advice.accuracy));
-    for (const auto& command : setting.otherwise) text += "  " + command + '\n';
+    text += '\n' + paragraph(fmt::format(
+                       "No method met L1 {:g} at all nearby points. These methods estimate "
+                       "their own errors:",
+                       advice.accuracy));
+    for (const auto& command : setting.fallback_commands) text += "  " + command + '\n';
   } else {
-    text +=
-        fmt::format("\nFor L1 {:g} of p(y) and p(y'), the quickest that kept it nearby:\n  {}\n",
-                    advice.accuracy, setting.command(promised.front().id));
+    text += fmt::format(
+        "\nRecommended for L1 {:g} of p(y) and p(y'), met at all nearby points:\n"
+        "  {}\n",
+        advice.accuracy, setting.command(promised.front().id));
     promised.resize(std::min(promised.size(), kShownMethods));
     text += '\n' + nearby_table(promised, format);
     for (std::size_t k = 1; k < promised.size(); ++k) {
       text += (k == 1 ? "\nOr:\n  " : "  ") + setting.command(promised[k].id) + '\n';
     }
   }
-  const std::string own_word =
-      "What the answer says of itself, status and stated error, is of this very problem.";
-  if (advice.outside()) return text + '\n' + paragraph(own_word);
-  const std::string warnings = paragraph(misstated_sentence(advice, setting.registry)) +
-                               paragraph(far_off_sentence(advice)) +
+  const std::string status_note =
+      "Status and stated error of a solution refer to this problem itself.";
+  if (advice.is_outside_map()) return text + '\n' + paragraph(status_note);
+  const std::string warnings = paragraph(underestimated_sentence(advice, setting.registry)) +
+                               paragraph(large_error_sentence(advice)) +
                                paragraph(without_density_sentence(advice));
   if (!warnings.empty()) text += '\n' + warnings;
   return text + '\n' +
-         paragraph("No guarantee: nobody looked between the points (docs/validity.md). " +
-                   own_word);
+         paragraph("No guarantee: the map has no data between its points (docs/validity.md). " +
+                   status_note);
 }
 
 }  // namespace fpkcheck::sweep

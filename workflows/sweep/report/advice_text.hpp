@@ -9,21 +9,21 @@
 
 namespace fpkcheck::sweep {
 
-/// What an advice is given besides what it says: who is advised, and what to type.
-struct AdviceSetting {
+/// Context of an advice: the problem's name, and the commands to type.
+struct AdviceContext {
   std::string name;                                           ///< of the problem
-  std::function<std::string(const std::string& id)> command;  ///< that solves it by a method
-  /// What to type where nothing is promised: methods that tell their own errors.
-  std::vector<std::string> otherwise;
+  std::function<std::string(const std::string& id)> command;  ///< command for a method's id
+  /// Commands for methods with error estimates, shown where no method is recommended.
+  std::vector<std::string> fallback_commands;
   const methods::Registry& registry;
 };
 
-/// The advice for people: what to type, what the best gave nearby, what misleads there.
-std::string advice_text(const Advice& advice, const AdviceSetting& setting,
+/// Text for the terminal: the recommended command, results at nearby points, and warnings.
+std::string advice_text(const Advice& advice, const AdviceContext& setting,
                         const report::TextFormat& format);
 
-/// For --json.
-std::string advice_json(const Advice& advice, const AdviceSetting& setting,
+/// JSON for --json.
+std::string advice_json(const Advice& advice, const AdviceContext& setting,
                         const std::string& command_line);
 
 }  // namespace fpkcheck::sweep

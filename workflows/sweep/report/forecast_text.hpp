@@ -10,12 +10,12 @@
 
 namespace fpkcheck::sweep {
 
-/// "40 s", "12 min", "3.5 h"
-std::string time_text(double seconds);
+/// Duration as text: "40 s", "12 min", "3.5 h".
+std::string duration_text(double seconds);
 
-/// What --dry-run says.
-/// @param threads of this machine
-/// @param ranks numbers of processes of one thread for which it is told too
+/// Text of --dry-run.
+/// @param threads number of threads on this machine
+/// @param ranks numbers of processes of one thread for the table
 std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
                           const std::vector<int>& ranks, const report::TextFormat& format);
 

@@ -11,16 +11,16 @@ namespace {
 
 using report::Column;
 
-/// What became of one method over all points.
-struct MethodOverPoints {
+/// Summary of a method over all points.
+struct MethodSummary {
   std::map<transform::Status, int> statuses{};
-  std::vector<double> l1{};  // of `ok` answers, the larger of both marginals, in order
+  std::vector<double> l1{};  // of `ok` solutions, the larger of both marginals, sorted
   int references = 0;
   double seconds = 0;
 };
 
-MethodOverPoints over_points(const SweepResults& results, std::size_t m) {
-  MethodOverPoints found;
+MethodSummary summarise_method(const SweepResults& results, std::size_t m) {
+  MethodSummary found;
   for (const auto& point : results.points) {
     const MethodResult& one = point.methods[m];
     ++found.statuses[one.status];
@@ -34,13 +34,13 @@ MethodOverPoints over_points(const SweepResults& results, std::size_t m) {
   return found;
 }
 
-std::string l1_cell(const std::vector<double>& sorted, double part) {
+std::string l1_cell(const std::vector<double>& sorted, double quantile) {
   if (sorted.empty()) return report::kAbsent;
-  const auto at = static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1) + 0.5);
+  const auto at = static_cast<std::size_t>(quantile * static_cast<double>(sorted.size() - 1) + 0.5);
   return fmt::format("{:.2g}", sorted[at]);
 }
 
-std::string others_cell(const std::map<transform::Status, int>& statuses) {
+std::string other_statuses_cell(const std::map<transform::Status, int>& statuses) {
   std::string text;
   for (const auto& [status, count] : statuses) {
     if (status == transform::Status::ok) continue;
@@ -55,28 +55,29 @@ std::vector<Column> method_columns(const SweepResults& results) {
   const Plan& plan = results.plan;
   Column id{"", "solution", true, report::kAlwaysShown}, ok{"", "ok", false, report::kAlwaysShown},
       reference{"", "reference", false, 2}, median{"L1 of ok", "median", false, 4},
-      nine{"L1 of ok", "90 %", false, 3}, worst{"L1 of ok", "worst", false, 4},
-      seconds{"", "sec", false, 2}, others{"", "otherwise", true, 1};
+      ninetieth_percentile{"L1 of ok", "90 %", false, 3}, worst{"L1 of ok", "worst", false, 4},
+      seconds{"", "sec", false, 2}, others{"", "not ok", true, 1};
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    auto found = over_points(results, m);
+    auto found = summarise_method(results, m);
     id.cells.push_back(plan.methods[m].id());
     ok.cells.push_back(std::to_string(found.statuses[transform::Status::ok]));
     reference.cells.push_back(std::to_string(found.references));
     median.cells.push_back(l1_cell(found.l1, 0.5));
-    nine.cells.push_back(l1_cell(found.l1, 0.9));
+    ninetieth_percentile.cells.push_back(l1_cell(found.l1, 0.9));
     worst.cells.push_back(l1_cell(found.l1, 1));
     seconds.cells.push_back(fmt::format(
         "{:.2g}",
         results.points.empty() ? 0.0 : found.seconds / static_cast<double>(results.points.size())));
-    others.cells.push_back(others_cell(found.statuses));
+    others.cells.push_back(other_statuses_cell(found.statuses));
   }
-  return {id, ok, reference, median, nine, worst, seconds, others};
+  return {id, ok, reference, median, ninetieth_percentile, worst, seconds, others};
 }
 
 const char* method_columns_legend() {
-  return "ok: points. L1: distance to the point's reference, the larger one of p(y) and p(y'), "
-         "over the points where the answer is ok. reference: points where it is the reference, "
-         "the best known solution of the problem itself. sec: mean wall-clock time of a point.";
+  return "ok: number of points. L1: distance to the point's reference, the larger of p(y) and "
+         "p(y'), over the points where the solution is ok. reference: number of points where the "
+         "method is the reference, the most accurate solution of the full problem. sec: mean "
+         "wall-clock time per point.";
 }
 
 }  // namespace fpkcheck::sweep

@@ -7,11 +7,11 @@
 
 namespace fpkcheck::sweep {
 
-/// A row for each method: how often it ended how, how far its `ok` answers are from the references,
-/// and how long it took.
+/// A row for each method: counts of the statuses, distances of its `ok` solutions to the
+/// references, and its wall-clock time.
 std::vector<report::Column> method_columns(const SweepResults& results);
 
-/// What their headers mean.
+/// Explanation of the headers.
 const char* method_columns_legend();
 
 }  // namespace fpkcheck::sweep

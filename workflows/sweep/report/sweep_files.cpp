@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kPage = "report.html";
 
-// As an SVG, which is sharp at any size; where it has very many points, as a PNG.
+// Reads the drawn pictures: an SVG, which is sharp at any size, or a PNG where the SVG would be
+// large.
 std::vector<PagePicture> drawn_pictures(const fs::path& figures,
                                         const std::vector<SweepPicture>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::sweep {
 
-/// For the terminal: what was varied, and a line for each method: how often it ended how, how far its
-/// `ok` answers are from the references, and how long it took.
+/// Text for the terminal: the varied keys, and a row for each method: counts of the statuses,
+/// distances of its `ok` solutions to the references, and its wall-clock time.
 std::string table(const SweepResults& results, const report::TextFormat& format);
 
 }  // namespace fpkcheck::sweep

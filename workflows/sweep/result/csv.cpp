@@ -7,13 +7,13 @@
 
 #include "base/input_error.hpp"
 #include "results/csv_field.hpp"
-#include "workflows/sweep/result/groups.hpp"
+#include "workflows/sweep/result/dimensionless_groups.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-// More digits than any solver states, fewer than it takes to fill a disk.
+// Ten digits: more than the accuracy of any solver, and small files.
 std::string number_cell(double number) {
   return std::isfinite(number) ? fmt::format("{:.10g}", number) : std::string();
 }
@@ -24,13 +24,13 @@ std::string value_cell(const base::Value& value) {
                            : results::csv_field(std::get<std::string>(value));
 }
 
-void put_pair(const std::optional<MarginalPair>& pair, std::vector<std::string>& cells) {
+void append_pair(const std::optional<MarginalPair>& pair, std::vector<std::string>& cells) {
   cells.push_back(pair ? number_cell(pair->y) : "");
   cells.push_back(pair ? number_cell(pair->ydot) : "");
 }
 
-// "closure + impact" as a part of a column's name.
-std::string column_of(std::string part) {
+// Part of a column name: "closure + impact" becomes "closure_and_impact".
+std::string column_name(std::string part) {
   for (std::size_t at = part.find(" + "); at != part.npos; at = part.find(" + ")) {
     part.replace(at, 3, "_and_");
   }
@@ -38,10 +38,10 @@ std::string column_of(std::string part) {
   return part;
 }
 
-// Nothing where the values of the point do not fit together.
+// Empty cells where the values of the point are inconsistent.
 std::string groups_cells(const Plan& plan, std::size_t point) {
   try {
-    const Groups groups = groups_of(plan.problem_at(point));
+    const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));
     return fmt::format("{:.4g},{:.4g},{:.4g}", groups.impulses_per_decay_time, groups.damping_ratio,
                        groups.cubic_share);
   } catch (const InputError&) {
@@ -62,8 +62,8 @@ std::string csv(const SweepResults& results) {
     header.emplace_back(name);
   }
   for (const auto& part : parts) {
-    header.push_back("budget_y_" + column_of(part));
-    header.push_back("budget_ydot_" + column_of(part));
+    header.push_back("budget_y_" + column_name(part));
+    header.push_back("budget_ydot_" + column_name(part));
   }
   for (const char* name : {"impulses_per_decay_time", "damping_ratio", "cubic_share"}) {
     header.emplace_back(name);
@@ -80,13 +80,13 @@ std::string csv(const SweepResults& results) {
       for (const auto& moment : transform::kMoments) {
         cells.push_back(method.moments ? number_cell((*method.moments).*moment.moment) : "");
       }
-      put_pair(method.l1, cells);
+      append_pair(method.l1, cells);
       cells.push_back(point.reference);
       cells.push_back(fmt::format("{:.3g}", method.seconds));
-      put_pair(method.error, cells);
+      append_pair(method.error, cells);
       for (const auto& part : parts) {
         const auto share = std::ranges::find(method.budget, part, &BudgetShare::part);
-        put_pair(share == method.budget.end() ? std::nullopt : std::optional(share->l1), cells);
+        append_pair(share == method.budget.end() ? std::nullopt : std::optional(share->l1), cells);
       }
       text += fmt::format("{}{},{}\n", keys, fmt::join(cells, ","), groups);
     }

@@ -11,39 +11,40 @@
 
 namespace fpkcheck::sweep {
 
-/// What a journal has.
+/// Content of a journal.
 struct JournalContent {
-  std::string plan;                   ///< the text of plan_json; empty where it is new
-  std::vector<PointResult> points{};  ///< each once, in the order in which they were solved
-  std::size_t damaged = 0;            ///< lines that were left out
+  std::string plan;                   ///< text of plan_json; empty for a new journal
+  std::vector<PointResult> points{};  ///< each point once, in the order in which they were solved
+  std::size_t damaged = 0;            ///< number of lines that were ignored
 };
 
-/// Reads a journal that nobody writes.
-/// @throws InputError on one line where it is none
+/// Reads a journal while no process writes it.
+/// @throws InputError with a message of one line, where the file is no journal
 JournalContent read_journal(const std::filesystem::path& file);
-/// @throws InputError also where it is another plan's
+/// @throws InputError also where the journal belongs to another plan
 JournalContent read_journal(const std::filesystem::path& file, const Plan& plan);
 
-/// The file that a sweep resumes from: a line that says what was asked, then a line for each point
-/// as it is finished, each after its CRC-32. A process that is killed leaves at most its last line in
-/// part: it is dropped, and its point solved again.
+/// Journal of a sweep: the file that a sweep resumes from. The first line holds the plan; each
+/// solved point adds a line. Each line begins with its CRC-32. A killed process can leave at most
+/// its last line incomplete: that line is dropped and its point solved again.
 class Journal {
  public:
-  /// Opens the journal, or begins one.
-  /// @throws InputError on one line where it is another plan's, no journal, or where another process
-  ///         writes it; std::runtime_error where it cannot be written
+  /// Opens the journal, or creates it.
+  /// @throws InputError with a message of one line, where the file belongs to another plan, is no
+  ///         journal, or is open in another process; std::runtime_error where it cannot be written
   Journal(const std::filesystem::path& file, const Plan& plan);
 
-  /// What was there when it was opened.
-  const JournalContent& found() const { return found_; }
+  /// Content of the journal when it was opened.
+  const JournalContent& initial_content() const { return initial_content_; }
 
-  /// Adds a point, whole or not at all; from one thread at a time. Every second it goes to the disk.
-  /// @throws std::runtime_error on one line
+  /// Appends a point completely or not at all; not thread-safe. Flushes to the disk if the last
+  /// flush was more than 1 s ago.
+  /// @throws std::runtime_error with a message of one line
   void append(const PointResult& result);
 
  private:
   base::LineLog log_;
-  JournalContent found_;
+  JournalContent initial_content_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

@@ -13,9 +13,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// A file with the dimensions of a plan.
+/// A netCDF file with the dimensions of a plan.
 class SweepFile {
  public:
   SweepFile(results::NetCdfWriter& file, const SweepResults& results)
@@ -40,24 +40,24 @@ class SweepFile {
     file_.labels("solution", solution_, ids);
   }
 
-  /// @param number of a method at a point; nothing where there is none
-  /// @return the variable
-  int put(const std::string& name, const std::string& meaning,
-          const std::function<std::optional<double>(const MethodResult&)>& number,
-          double nothing = kNothing) {
+  /// @param number value for a method's result; empty where it has none
+  /// @return the variable's id
+  int write_variable(const std::string& name, const std::string& meaning,
+                     const std::function<std::optional<double>(const MethodResult&)>& number,
+                     double missing_value = kMissing) {
     const std::size_t methods = results_.plan.methods.size();
-    std::vector<double> values(results_.plan.points.size() * methods, nothing);
+    std::vector<double> values(results_.plan.points.size() * methods, missing_value);
     for (const auto& point : results_.points) {
       for (std::size_t m = 0; m < methods; ++m) {
-        values[point.point * methods + m] = number(point.methods[m]).value_or(nothing);
+        values[point.point * methods + m] = number(point.methods[m]).value_or(missing_value);
       }
     }
     auto dimensions = dimensions_;
     dimensions.push_back(solution_);
-    return file_.packed(name, dimensions, meaning, values);
+    return file_.compressed_double(name, dimensions, meaning, values);
   }
 
-  void put_references() {
+  void write_references() {
     std::vector<double> values(results_.plan.points.size(), -1);
     for (const auto& point : results_.points) {
       const auto& methods = results_.plan.methods;
@@ -67,8 +67,8 @@ class SweepFile {
         values[point.point] = static_cast<double>(found - methods.begin());
       }
     }
-    file_.packed("reference", dimensions_,
-                 "index of the solution that the others are measured against, or -1", values);
+    file_.compressed_double("reference", dimensions_, "index of the reference solution, or -1",
+                            values);
   }
 
  private:
@@ -86,7 +86,7 @@ class SweepFile {
 
   results::NetCdfWriter& file_;
   const SweepResults& results_;
-  std::vector<int> dimensions_;  // of the points
+  std::vector<int> dimensions_;  // dimensions of the points
   int solution_ = 0;
 };
 
@@ -103,8 +103,8 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
   results::write_parameters(file, results.plan.base);
 
   SweepFile sweep(file, results);
-  const int status = sweep.put(
-      "status", "how the solver ended",
+  const int status = sweep.write_variable(
+      "status", "status of the solution",
       [](const MethodResult& one) { return static_cast<double>(one.status); }, -1);
   std::vector<std::string> meanings;
   std::string values;
@@ -114,38 +114,39 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
   }
   file.attribute("flags", values + ", -1 not solved", status);
   for (const auto& moment : transform::kMoments) {
-    sweep.put(moment.name, moment.symbol, [&](const MethodResult& one) {
+    sweep.write_variable(moment.name, moment.symbol, [&](const MethodResult& one) {
       return one.moments ? std::optional((*one.moments).*moment.moment) : std::nullopt;
     });
   }
   using Pair = std::optional<MarginalPair>;
-  const auto put_pair = [&](const std::string& name, const std::string& meaning,
-                            const std::function<Pair(const MethodResult&)>& pair) {
+  const auto write_pair = [&](const std::string& name, const std::string& meaning,
+                              const std::function<Pair(const MethodResult&)>& pair) {
     for (const auto& [suffix, symbol, member] :
          {std::tuple{"_y", "p(y)", &MarginalPair::y},
           std::tuple{"_ydot", "p(y')", &MarginalPair::ydot}}) {
-      sweep.put(name + suffix, fmt::format("{} of {}", meaning, symbol),
-                [&pair, of = member](const MethodResult& one) {  // Clang 14 captures no binding
-                  const Pair found = pair(one);
-                  return found ? std::optional((*found).*of) : std::nullopt;
-                });
+      sweep.write_variable(
+          name + suffix, fmt::format("{} of {}", meaning, symbol),
+          [&pair, of = member](const MethodResult& one) {  // Clang 14 cannot capture bindings
+            const Pair found = pair(one);
+            return found ? std::optional((*found).*of) : std::nullopt;
+          });
     }
   };
-  put_pair("l1", "L1 distance to the reference", [](const MethodResult& one) { return one.l1; });
-  put_pair("error", "L1 error by its own account",
-           [](const MethodResult& one) { return one.error; });
+  write_pair("l1", "L1 distance to the reference", [](const MethodResult& one) { return one.l1; });
+  write_pair("error", "L1 error estimate", [](const MethodResult& one) { return one.error; });
   for (const auto& part : results.budget_parts()) {
     std::string name = "budget_" + part;
     std::ranges::replace(name, ' ', '_');
     std::ranges::replace(name, '+', '_');
-    put_pair(name, fmt::format("what \"{}\" adds to the L1 distance", part),
-             [&](const MethodResult& one) -> Pair {
-               const auto share = std::ranges::find(one.budget, part, &BudgetShare::part);
-               return share == one.budget.end() ? Pair() : Pair(share->l1);
-             });
+    write_pair(name, fmt::format("contribution of \"{}\" to the L1 distance", part),
+               [&](const MethodResult& one) -> Pair {
+                 const auto share = std::ranges::find(one.budget, part, &BudgetShare::part);
+                 return share == one.budget.end() ? Pair() : Pair(share->l1);
+               });
   }
-  sweep.put("seconds", "wall-clock time", [](const MethodResult& one) { return one.seconds; });
-  sweep.put_references();
+  sweep.write_variable("seconds", "wall-clock time",
+                       [](const MethodResult& one) { return one.seconds; });
+  sweep.write_references();
   return file.bytes();
 }
 

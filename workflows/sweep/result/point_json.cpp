@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "base/text/shown.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 using results::Json;
 using transform::Moments;
 
-Json pair_of(const MarginalPair& pair) { return {pair.y, pair.ydot}; }
+Json pair_json(const MarginalPair& pair) { return {pair.y, pair.ydot}; }
 
-MarginalPair pair_in(const Json& json) {
+MarginalPair pair_from_json(const Json& json) {
   const auto number = [&](std::size_t k) {
     const Json& value = json.at(k);
     return value.is_null() ? results::kNotANumber : value.get<double>();
@@ -32,16 +32,16 @@ Json method_json(const MethodResult& result) {
       json["moments"].push_back((*result.moments).*moment.moment);
     }
   }
-  if (result.l1) json["l1"] = pair_of(*result.l1);
-  if (result.error) json["error"] = pair_of(*result.error);
-  for (const auto& share : result.budget) json["budget"][share.part] = pair_of(share.l1);
+  if (result.l1) json["l1"] = pair_json(*result.l1);
+  if (result.error) json["error"] = pair_json(*result.error);
+  for (const auto& share : result.budget) json["budget"][share.part] = pair_json(share.l1);
   return json;
 }
 
-MethodResult method_in(const Json& json) {
+MethodResult method_from_json(const Json& json) {
   const auto text = json.at("status").get<std::string>();
-  const auto status = base::value_named<transform::Status>(text);
-  if (!status) throw InputError(fmt::format("status {}", base::in_quotes(text)));
+  const auto status = base::enum_from_name<transform::Status>(text);
+  if (!status) throw InputError(fmt::format("status {} is unknown", base::in_quotes(text)));
   MethodResult result{.status = *status, .seconds = json.at("seconds")};
   if (json.contains("reason")) result.reason = json.at("reason");
   if (json.contains("moments")) {
@@ -53,11 +53,11 @@ MethodResult method_in(const Json& json) {
           value.is_null() ? results::kNotANumber : value.get<double>();
     }
   }
-  if (json.contains("l1")) result.l1 = pair_in(json.at("l1"));
-  if (json.contains("error")) result.error = pair_in(json.at("error"));
+  if (json.contains("l1")) result.l1 = pair_from_json(json.at("l1"));
+  if (json.contains("error")) result.error = pair_from_json(json.at("error"));
   if (json.contains("budget")) {
     for (const auto& [part, l1] : json.at("budget").items()) {
-      result.budget.push_back({part, pair_in(l1)});
+      result.budget.push_back({part, pair_from_json(l1)});
     }
   }
   return result;
@@ -79,12 +79,12 @@ std::string journal_text(const PointResult& result) {
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-PointResult point_in(const Json& json) {
+PointResult point_from_json(const Json& json) {
   PointResult result{.point = json.at("point").get<std::size_t>(),
                      .seconds = json.value("seconds", 0.0),
                      .reference = json.at("reference")};
   for (const auto& method : json.at("methods")) {
-    result.methods.push_back(method_in(method));
+    result.methods.push_back(method_from_json(method));
     if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
   }
   return result;

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::sweep {
 
-SweepResults sweep_results(Plan plan, std::vector<PointResult> points) {
+SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points) {
   std::ranges::sort(points, {}, &PointResult::point);
   return {std::move(plan), std::move(points)};
 }

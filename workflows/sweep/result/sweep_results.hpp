@@ -8,27 +8,27 @@
 
 namespace fpkcheck::sweep {
 
-/// What a sweep found: its plan, and what became of its points.
+/// Results of a sweep: its plan and its solved points.
 struct SweepResults {
   Plan plan;
-  std::vector<PointResult> points;  ///< by their number, each once; all of them when it is whole
+  std::vector<PointResult> points;  ///< by number, each once; all points when the sweep is complete
 
-  bool is_whole() const { return points.size() == plan.points.size(); }
-  /// Names of all parts of error budgets, in the order in which they come first.
+  bool is_complete() const { return points.size() == plan.points.size(); }
+  /// Names of all parts of error budgets, in the order of their first occurrence.
   std::vector<std::string> budget_parts() const;
 };
 
-/// The points in order.
-SweepResults sweep_results(Plan plan, std::vector<PointResult> points);
+/// Results with the points sorted by number.
+SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points);
 
-/// sweep.csv: a row for each point and method.
+/// Contents of sweep.csv: a row for each point and method.
 std::string csv(const SweepResults& results);
 
-/// sweep.nc: the same with the varied keys as dimensions (of the design product; of others the
-/// dimension is `point`). Points that are not there are NaN, their status is -1.
+/// Contents of sweep.nc: the values of sweep.csv. The design product has the varied keys as
+/// dimensions, other designs have the dimension `point`. Missing points have NaN and the status -1.
 std::string netcdf(const SweepResults& results, const std::string& command);
 
-/// For --json: the plan, and each point with the values of the varied keys.
+/// JSON for --json: the plan, and each point with the values of its varied keys.
 std::string json(const SweepResults& results, const std::string& command);
 
 }  // namespace fpkcheck::sweep

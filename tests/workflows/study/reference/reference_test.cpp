@@ -11,7 +11,7 @@
 namespace fpkcheck::study {
 namespace {
 
-TEST(Reference, AgreedDigitsAreThoseBeforeTheDifference) {
+TEST(Reference, AgreedDigitsEndAtTheDifference) {
   EXPECT_EQ((ReferenceValue{1.2345678, 1.2345679}.agreed_digits(7)), 7);
   EXPECT_EQ((ReferenceValue{1.2345, 1.2346}.agreed_digits(7)), 4);
   EXPECT_EQ((ReferenceValue{1.2345, 1.2346}.agreed_digits(3)), 3);
@@ -21,7 +21,7 @@ TEST(Reference, AgreedDigitsAreThoseBeforeTheDifference) {
   EXPECT_EQ((ReferenceValue{0.0, 0.0}.agreed_digits(5)), 1);
 }
 
-TEST(Reference, IsExactWhereTheSolutionIsKnown) {
+TEST(Reference, AgreesWithTheExactSolution) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const auto r = reference(p, {.refinement = 1.2, .simulation_time = 1e5});
   ASSERT_EQ(r.failure, "");

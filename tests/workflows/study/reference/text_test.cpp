@@ -6,7 +6,7 @@
 namespace fpkcheck::study {
 namespace {
 
-TEST(ReferenceText, HasDigitsThatAgreeAndNoMore) {
+TEST(ReferenceText, HasTheAgreedDigitsAlone) {
   Reference r{.problem = tests::paper_case(1), .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   r.moments.push_back({"y2", "E[y^2]", {0.12345678, 0.12345679}, 0.1234, 1e-4});
   r.moments.push_back({"v4", "E[y'^4]", {55.26042, 55.26082}, 55.3, 0.05});
@@ -21,7 +21,7 @@ TEST(ReferenceText, HasDigitsThatAgreeAndNoMore) {
   EXPECT_NE(csv.find("test,p_ydot,-0.5,0.4,0.0e+00\n"), std::string::npos) << csv;
 }
 
-TEST(ReferenceText, SaysWhyThereIsNone) {
+TEST(ReferenceText, HasTheReasonWithoutAReference) {
   Reference r{.problem = tests::paper_case(1),
               .failure = "the box is too small",
               .moments = {},

@@ -9,8 +9,8 @@
 namespace fpkcheck {
 namespace {
 
-// A hardening spring with losses at the wall under impulses with a mean: nothing is known exactly.
-// The finite differences and the simulation share the problem and the start alone.
+// A hardening spring with losses at the wall, under impulses with a mean: no exact solution is
+// known. The finite volumes and the simulation share the problem and the start alone.
 TEST(TransientAgainstSimulation, MomentsAndMarginalsAgreeWithinStandardErrorsAtAllTimes) {
   const auto problem = tests::make_problem({.cubic = 0.3, .restitution = 0.9, .mean = 0.1});
   const auto fd = fd_fpk::integrate(problem, {},
@@ -41,8 +41,8 @@ TEST(TransientAgainstSimulation, MomentsAndMarginalsAgreeWithinStandardErrorsAtA
       EXPECT_NEAR(a.moments.*moment, b.moments.*moment,
                   kStandardErrors * b.standard_errors.*moment);
     }
-    // Expected L1 distance by chance alone: sum of sqrt(2/pi) standard errors times widths; it
-    // varies by a tenth of itself.
+    // Expected L1 distance by sampling alone: sum of sqrt(2/pi) standard errors times widths. Its
+    // relative deviation is a tenth.
     const auto l1_in_units_of_chance = [](const std::vector<double>& p,
                                           const transform::Marginal& q) {
       double l1 = 0, chance = 0;

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::tests {
 
-/// Five times on a grid of 4 x 6 cells, with numbers that can be told apart.
+/// Five times on a grid of 4 x 6 cells, with distinguishable numbers.
 inline study::TransientRun made_up_transient(int last = 4) {
   study::TransientRun run{"fpkcheck fd it's --until 2", make_problem(), {}, {}, {}};
   run.problem.name = "it's a_{case}";

@@ -7,7 +7,7 @@
 namespace fpkcheck::study {
 namespace {
 
-TEST(TransientNetCdf, HoldsTheMarginalsWithNamedAxes) {
+TEST(TransientNetCdf, HasTheMarginalsWithNamedAxes) {
   const tests::TemporaryDirectory directory;
   const TransientRun run = tests::made_up_transient();
   write_transient_netcdf(directory.path() / "transient.nc", run);

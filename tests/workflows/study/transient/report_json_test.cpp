@@ -16,7 +16,7 @@ TEST(TransientJson, HasEverySnapshotAndNoInfinities) {
   EXPECT_EQ(json.at("case").at("system").at("restitution"), 0.98);
   EXPECT_EQ(json.at("options").at("until"), 2);
   EXPECT_EQ(json.at("options").at("equation"), "kf");
-  EXPECT_FALSE(json.at("options").contains("stepper"));  // of the stationary density only
+  EXPECT_FALSE(json.at("options").contains("stepper"));  // for the stationary density alone
   EXPECT_EQ(json.at("start").at("ydot"), 0.25);
   ASSERT_EQ(json.at("snapshots").size(), 5u);
   EXPECT_EQ(json.at("snapshots").at(3).at("moments").at("y2"), 13);

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using tests::contains;
 
-TEST(TransientReport, WithoutGnuplotIsAWarningAndLeavesTheScript) {
+TEST(TransientReport, WithoutGnuplotWarnsAndWritesTheScript) {
   const tests::TemporaryDirectory directory;
   const auto warnings =
       write_transient(directory.path(), tests::made_up_transient(), {}, "no-such-gnuplot");
@@ -24,14 +24,14 @@ TEST(TransientReport, WithoutGnuplotIsAWarningAndLeavesTheScript) {
   EXPECT_TRUE(fs::exists(directory.path() / "figures" / "transient-it_s_a__case_.gp"));
 }
 
-TEST(TransientReport, AFileThatCannotBeWrittenStaysAsItWas) {
+TEST(TransientReport, AFileThatCannotBeWrittenIsUnchanged) {
   const tests::TemporaryDirectory directory;
   fs::create_directories(directory.path() / "transient.nc" / "occupied");
   EXPECT_THROW(write_transient(directory.path(), tests::made_up_transient()), std::runtime_error);
   EXPECT_EQ(directory.entries(), std::vector<std::string>{"transient.nc"});
 }
 
-TEST(TransientReport, NothingStaysOfAnEarlierRunWhereThereIsNoDensity) {
+TEST(TransientReport, RemovesFilesOfAnEarlierRunWithoutADensity) {
   const tests::TemporaryDirectory directory;
   TransientRun run = tests::made_up_transient();
   write_transient(directory.path(), run);

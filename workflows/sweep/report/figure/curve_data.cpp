@@ -10,14 +10,14 @@ namespace {
 
 using transform::Variable;
 
-double of(const MarginalPair& pair, Variable variable) {
+double value_of(const MarginalPair& pair, Variable variable) {
   return variable == Variable::y ? pair.y : pair.ydot;
 }
 
-std::vector<report::SeriesLook> looks_of(const Plan& plan) {
-  std::vector<transform::Identity> who;
-  for (const auto& method : plan.methods) who.push_back(method.identity);
-  return report::series_looks(who);
+std::vector<report::SeriesStyle> plot_styles_of(const Plan& plan) {
+  std::vector<transform::Identity> identities;
+  for (const auto& method : plan.methods) identities.push_back(method.identity);
+  return report::series_styles(identities);
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ std::string data_cell(const std::optional<double>& number) {
 }
 
 CurveData::CurveData(const SweepView& view, const CurvesLayout& layout)
-    : view_(view), layout_(layout), looks_(looks_of(view.plan())) {}
+    : view_(view), layout_(layout), looks_(plot_styles_of(view.plan())) {}
 
 double CurveData::mark_size() const {
   std::size_t most = 0;
@@ -46,20 +46,20 @@ void CurveData::for_each(const std::function<void(std::size_t, std::size_t)>& ca
 std::optional<double> CurveData::l1(std::size_t point, std::size_t m, Variable variable) const {
   const auto* one = view_.method(point, m);
   if (one == nullptr || !one->l1 || view_.is_reference(point, m)) return std::nullopt;
-  return of(*one->l1, variable);
+  return value_of(*one->l1, variable);
 }
 
 std::optional<double> CurveData::own_error(std::size_t point, std::size_t m,
                                            Variable variable) const {
   const auto* one = view_.method(point, m);
   if (one == nullptr || !one->error || !l1(point, m, variable)) return std::nullopt;
-  return of(*one->error, variable);
+  return value_of(*one->error, variable);
 }
 
-std::optional<double> CurveData::floor(std::size_t point, Variable variable) const {
-  const auto error = view_.error_of_reference(point);
+std::optional<double> CurveData::reference_error(std::size_t point, Variable variable) const {
+  const auto error = view_.reference_error(point);
   if (!error) return std::nullopt;
-  return of(*error, variable);
+  return value_of(*error, variable);
 }
 
 bool CurveData::has_no_density(std::size_t point, std::size_t m) const {
@@ -69,11 +69,11 @@ bool CurveData::has_no_density(std::size_t point, std::size_t m) const {
 }
 
 double CurveData::abscissa_of(std::size_t point) const {
-  return layout_.along.at(view_.plan().points[point][layout_.place]);
+  return layout_.along.coordinate(view_.plan().points[point][layout_.place]);
 }
 
 double CurveData::abscissa_of(std::size_t point, std::size_t m) const {
-  constexpr double kRoom = 0.7;  // of a word's, over which its methods are spread
+  constexpr double kRoom = 0.7;  // width over which the methods are spread, 1 being a word's
   const auto count = static_cast<double>(methods());
   const double beside = (static_cast<double>(m) - (count - 1) / 2) * kRoom / count;
   return abscissa_of(point) + (is_words() ? beside : 0);
@@ -104,16 +104,17 @@ std::string CurveData::blocks() const {
   return text;
 }
 
-std::string CurveData::floor_blocks() const {
+std::string CurveData::reference_error_blocks() const {
   std::string text;
   for (std::size_t s = 0; s < layout_.slices.size(); ++s) {
     std::string rows;
     for (const std::size_t point : layout_.slices[s].points) {
-      const auto y = floor(point, Variable::y), ydot = floor(point, Variable::ydot);
+      const auto y = reference_error(point, Variable::y),
+                 ydot = reference_error(point, Variable::ydot);
       const auto row = [&](double x) {
         return y ? fmt::format("{:.6g} {:.6g} {:.6g}\n", x, *y, *ydot) : "\n";
       };
-      constexpr double kHalf = 0.48;  // of a word's bar
+      constexpr double kHalf = 0.48;  // half-width: a word's bar nearly touches the next bar
       const double x = abscissa_of(point);
       rows += is_words() ? row(x - kHalf) + row(x + kHalf) + '\n' : row(x);
     }

@@ -11,19 +11,19 @@
 
 namespace fpkcheck::sweep {
 
-/// Columns of a curve's data in a script.
+/// Columns of a curve's data block in a script.
 enum CurveColumn {
   abscissa = 1,
   distance_y,
   distance_ydot,
-  mark_type,  ///< filled where the answer is ok, else open
-  own_y,
-  own_ydot,
+  mark_type,  ///< filled where the solution is ok, else open
+  error_estimate_y,
+  error_estimate_ydot,
   moment_y,
   moment_ydot
 };
 
-/// The curves of all methods, slice by slice, as data. Refers to what it is made of.
+/// Data of the curves of all methods, slice by slice. Keeps references to view and layout.
 class CurveData {
  public:
   CurveData(const SweepView& view, const CurvesLayout& layout);
@@ -32,37 +32,40 @@ class CurveData {
   const CurvesLayout& layout() const { return layout_; }
   bool is_words() const { return layout_.along.is_words(); }
   std::size_t methods() const { return looks_.size(); }
-  const transform::Look& look(std::size_t m) const { return view_.plan().methods[m].identity.look; }
-  const report::SeriesLook& marks(std::size_t m) const { return looks_[m]; }
+  const transform::PlotStyle& plot_style(std::size_t m) const {
+    return view_.plan().methods[m].identity.plot_style;
+  }
+  const report::SeriesStyle& marks(std::size_t m) const { return looks_[m]; }
   double mark_size() const;
 
   void for_each(const std::function<void(std::size_t point, std::size_t m)>& call) const;
-  /// Distance to the point's reference; none of the reference itself.
+  /// Distance to the point's reference; empty for the reference itself.
   std::optional<double> l1(std::size_t point, std::size_t m, transform::Variable variable) const;
-  /// What the method states of it; nothing without a distance to set it against.
+  /// Error estimate of the method; empty where there is no distance for a comparison.
   std::optional<double> own_error(std::size_t point, std::size_t m,
                                   transform::Variable variable) const;
-  /// What the point's reference states of its own.
-  std::optional<double> floor(std::size_t point, transform::Variable variable) const;
-  /// There is a reference, but of this method nothing to compare with it.
+  /// Error estimate of the point's reference.
+  std::optional<double> reference_error(std::size_t point, transform::Variable variable) const;
+  /// True where the point has a reference, but the method has no density to compare with it.
   bool has_no_density(std::size_t point, std::size_t m) const;
-  /// Where a method's answer stands; methods stand side by side at a word.
+  /// Abscissa of a method's result; methods are side by side over a word.
   double abscissa_of(std::size_t point, std::size_t m) const;
 
-  /// $curve_SLICE_METHOD, with CurveColumns.
+  /// Data blocks $curve_SLICE_METHOD, with the columns of CurveColumn.
   std::string blocks() const;
-  /// $floor_SLICE: abscissa, error of the reference in y and ydot. A word has a bar of its own.
-  std::string floor_blocks() const;
+  /// Data blocks $floor_SLICE: abscissa, error of the reference in y and ydot. Each word has its
+  /// own bar.
+  std::string reference_error_blocks() const;
 
  private:
   double abscissa_of(std::size_t point) const;
 
   const SweepView& view_;
   const CurvesLayout& layout_;
-  std::vector<report::SeriesLook> looks_;
+  std::vector<report::SeriesStyle> looks_;
 };
 
-/// As a cell of data: gnuplot leaves out what is NaN.
+/// Cell of a data block; gnuplot skips NaN.
 std::string data_cell(const std::optional<double>& number);
 
 }  // namespace fpkcheck::sweep

@@ -11,13 +11,13 @@ namespace fpkcheck::sweep {
 using report::PanelGrid;
 namespace {
 
-// How a line looks, without its marks.
+// Style of a method's line, without its marks.
 std::string line_of(const CurveData& data, std::size_t m) {
-  const transform::Look& look = data.look(m);
-  constexpr double kThin = 1.5, kBroad = 2.5;  // what lies beside others needs no width to be seen
+  const transform::PlotStyle& plot_style = data.plot_style(m);
+  constexpr double kThin = 1.5, kBroad = 2.5;  // limits: neighbouring curves need moderate widths
   return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.is_words() ? "points" : "linespoints",
-                     look.colour, std::clamp(look.width, kThin, kBroad),
-                     data.is_words() ? "" : " dt " + report::dash_type(look));
+                     plot_style.colour, std::clamp(plot_style.width, kThin, kBroad),
+                     data.is_words() ? "" : " dt " + report::dash_type(plot_style));
 }
 
 }  // namespace
@@ -29,14 +29,14 @@ std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, 
 }
 
 report::Legend curves_legend(const CurveData& data, const std::vector<std::size_t>& methods,
-                             bool any_open) {
+                             bool has_open_marks) {
   report::Legend legend{{}, 4};
   for (const std::size_t m : methods) {
     legend.entries.push_back(
         {fmt::format("NaN {} pt {} ps 1.1", line_of(data, m), data.marks(m).filled),
          data.view().plan().methods[m].id()});
   }
-  if (any_open) {
+  if (has_open_marks) {
     legend.entries.push_back({"NaN with points lc rgb '#444444' lw 2 pt 6 ps 1.1", "open: not ok"});
   }
   return legend;
@@ -59,7 +59,8 @@ PanelGrid curves_grid(const CurveData& data, const report::Legend& legend) {
 
 std::string curves_begin(const CurveData& data, const PanelGrid& grid,
                          const std::string& file_stem) {
-  return report::figure_output(file_stem, grid.size()) + data.blocks() + '\n' + PanelGrid::kLabels +
+  return report::output_commands(file_stem, grid.size()) + data.blocks() + '\n' +
+         PanelGrid::kLabels +
          fmt::format(
              "set tics out nomirror\nset border 3\n"
              "set grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\nunset key\n{}",
@@ -71,7 +72,7 @@ std::string curves_panel(const CurveData& data, const PanelGrid& grid, std::size
                          transform::Variable variable) {
   const bool is_y = variable == transform::Variable::y;
   const std::string& name = data.layout().slices[slice].name;
-  return report::margins(grid.place(2 * slice + (is_y ? 0 : 1))) +
+  return report::margin_commands(grid.place(2 * slice + (is_y ? 0 : 1))) +
          fmt::format("set title {}\n",
                      report::gnuplot_literal(fmt::format(
                          "({}) {}{}{}", static_cast<char>('a' + 2 * slice + (is_y ? 0 : 1)),

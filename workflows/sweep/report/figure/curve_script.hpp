@@ -7,24 +7,24 @@
 #include "report/figure/panel_grid.hpp"
 #include "workflows/sweep/report/figure/curve_data.hpp"
 
-/// What the scripts of curves share.
+/// Parts that the scripts of all curves share.
 namespace fpkcheck::sweep {
 
-/// A method's curve in a panel; words are no neighbours, so that nothing joins them.
+/// Plot of a method's curve in a panel; over words there are marks without a line.
 std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, int column);
 
-/// The legend of these methods; where a mark of them is drawn open, what that means.
+/// The legend of these methods, and of open marks if there are any.
 report::Legend curves_legend(const CurveData& data, const std::vector<std::size_t>& methods,
-                             bool any_open);
+                             bool has_open_marks);
 
-/// Two panels a slice, above the legend; one below the other where the picture is narrow.
+/// Grid of two panels for each slice, above the legend; in a narrow figure one below the other.
 report::PanelGrid curves_grid(const CurveData& data, const report::Legend& legend);
 
-/// What comes before the panels: output, data, and what they have in common.
+/// Beginning of the script: output, data, and settings that all panels share.
 std::string curves_begin(const CurveData& data, const report::PanelGrid& grid,
                          const std::string& file_stem);
 
-/// "(a) displacement, gaussian", and where the panel stands.
+/// Title ("(a) displacement, gaussian") and margin_commands of a panel.
 std::string curves_panel(const CurveData& data, const report::PanelGrid& grid, std::size_t slice,
                          transform::Variable variable);
 

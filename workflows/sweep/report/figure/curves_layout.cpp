@@ -22,7 +22,7 @@ CurvesLayout curves_layout(const Plan& plan) {
   }
   for (auto& slice : layout.slices) {
     std::ranges::sort(slice.points, {}, [&](std::size_t point) {
-      return layout.along.at(plan.points[point][along]);
+      return layout.along.coordinate(plan.points[point][along]);
     });
   }
   return layout;

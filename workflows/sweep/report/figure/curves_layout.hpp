@@ -7,20 +7,20 @@
 
 namespace fpkcheck::sweep {
 
-/// Points that a curve runs through, in the order of the key along which it runs.
+/// Points of one curve, in the order of the key along the abscissa.
 struct Slice {
-  std::string name;  ///< the value of another key, "gaussian"; may be empty
+  std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
 
-/// Curves of all methods along one key, in a row of panels for each slice.
+/// Layout of the curves of all methods along one key, with a row of panels for each slice.
 struct CurvesLayout {
   KeyAxis along;
-  std::size_t place;  ///< of that key among the plan's axes
+  std::size_t place;  ///< index of that key in the plan's axes
   std::vector<Slice> slices;
 };
 
-/// Curves along the only key, or along the numeric one of two, with a slice for each word of the
+/// Curves along the only key; or along the numeric key of two, with a slice for each word of the
 /// other.
 CurvesLayout curves_layout(const Plan& plan);
 

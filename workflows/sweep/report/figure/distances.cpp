@@ -16,36 +16,36 @@ namespace {
 
 using transform::Variable;
 
-constexpr const char* kFloorColour = "#DEDEDE";
-constexpr const char* kFloorEdge = "#AAAAAA";
-// An error that has no neighbours is a dot.
+constexpr const char* kReferenceErrorColour = "#DEDEDE";
+constexpr const char* kReferenceErrorEdge = "#AAAAAA";
+// Error estimates over words are single dots.
 constexpr const char* kDotted = "lw 1.5 dt (2,4)";
 constexpr const char* kDots = "pt 7 ps 0.25";
-constexpr double kRow = 0.045;  // of a panel's height, for the crosses of a method
+constexpr double kCrossRowHeight = 0.045;  // height of a row of crosses, 1 being the panel's
 
-/// The picture on its way into a script.
+/// Builds the script of the figure.
 class Distances {
  public:
   Distances(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
-    look_at_points();
+    scan_points();
   }
   std::string script(const std::string& file_stem) const;
 
  private:
-  void look_at_points();
-  double row_at_top(std::size_t row) const;
+  void scan_points();
+  double row_ordinate(std::size_t row) const;
   std::string absent_blocks() const;
-  std::string own_error_plot(std::size_t slice, std::size_t m, int distance, int own) const;
+  std::string error_estimate_plot(std::size_t slice, std::size_t m, int distance, int own) const;
   std::string panel(std::size_t slice, Variable variable) const;
   report::Legend legend() const;
 
   CurveData data_;
-  double low_ = 0, high_ = 0;                 // of the axis
-  std::vector<std::size_t> without_density_;  // methods, at some point
-  bool any_open_ = false, any_own_ = false, any_floor_ = false;
+  double low_ = 0, high_ = 0;                 // ends of the ordinate's range
+  std::vector<std::size_t> without_density_;  // methods that lack a density at some point
+  bool has_open_marks_ = false, has_error_estimates_ = false, has_reference_errors_ = false;
 };
 
-void Distances::look_at_points() {
+void Distances::scan_points() {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   const auto add = [&](const std::optional<double>& number) {
     if (!number || !std::isfinite(*number) || *number <= 0) return;
@@ -55,27 +55,27 @@ void Distances::look_at_points() {
   data_.for_each([&](std::size_t point, std::size_t m) {
     for (const Variable variable : transform::kVariables) {
       const auto l1 = data_.l1(point, m, variable), own = data_.own_error(point, m, variable),
-                 floor = data_.floor(point, variable);
-      for (const auto& each : {l1, own, floor}) add(each);
+                 reference_error = data_.reference_error(point, variable);
+      for (const auto& each : {l1, own, reference_error}) add(each);
       const auto* one = data_.view().method(point, m);
-      any_open_ = any_open_ || (l1 && one->status != transform::Status::ok);
-      any_own_ = any_own_ || own;
-      any_floor_ = any_floor_ || floor;
+      has_open_marks_ = has_open_marks_ || (l1 && one->status != transform::Status::ok);
+      has_error_estimates_ = has_error_estimates_ || own;
+      has_reference_errors_ = has_reference_errors_ || reference_error;
     }
     if (data_.has_no_density(point, m) && std::ranges::count(without_density_, m) == 0) {
       without_density_.push_back(m);
     }
   });
   if (high == 0) low = 1e-3, high = 1;
-  constexpr double kLargest = 20, kDecades = 1e8;  // of densities, 2 is the most
+  constexpr double kLargest = 20, kDecades = 1e8;  // L1 of two densities is at most 2
   high = 1.5 * std::min(high, kLargest);
   low_ = std::max(low / 1.5, high / kDecades);
-  const double rows = kRow * static_cast<double>(without_density_.size());
+  const double rows = kCrossRowHeight * static_cast<double>(without_density_.size());
   high_ = high * std::pow(high / low_, rows / (1 - rows));
 }
 
-double Distances::row_at_top(std::size_t row) const {
-  return low_ * std::pow(high_ / low_, 1 - kRow * (static_cast<double>(row) + 0.5));
+double Distances::row_ordinate(std::size_t row) const {
+  return low_ * std::pow(high_ / low_, 1 - kCrossRowHeight * (static_cast<double>(row) + 0.5));
 }
 
 std::string Distances::absent_blocks() const {
@@ -86,7 +86,7 @@ std::string Distances::absent_blocks() const {
       std::string rows;
       for (const std::size_t point : data_.layout().slices[s].points) {
         rows += fmt::format("{:.6g} {}\n", data_.abscissa_of(point, m),
-                            data_.has_no_density(point, m) ? data_cell(row_at_top(row)) : "NaN");
+                            data_.has_no_density(point, m) ? data_cell(row_ordinate(row)) : "NaN");
       }
       text += report::data_block(fmt::format("absent_{}_{}", s, m), rows);
     }
@@ -94,10 +94,10 @@ std::string Distances::absent_blocks() const {
   return text;
 }
 
-// Along words it leads from the distance to the error.
-std::string Distances::own_error_plot(std::size_t slice, std::size_t m, int distance,
-                                      int own) const {
-  const std::string_view colour = data_.look(m).colour;
+// Plots the error estimates; over words as a line from the distance to the error estimate.
+std::string Distances::error_estimate_plot(std::size_t slice, std::size_t m, int distance,
+                                           int own) const {
+  const std::string_view colour = data_.plot_style(m).colour;
   if (data_.is_words()) {
     return fmt::format(
         "$curve_{}_{} using {}:{}:(0):(${}-${}) with vectors nohead lc rgb '{}' {} notitle", slice,
@@ -110,42 +110,45 @@ std::string Distances::own_error_plot(std::size_t slice, std::size_t m, int dist
 std::string Distances::panel(std::size_t slice, Variable variable) const {
   const bool is_y = variable == Variable::y;
   std::vector<std::string> plots;
-  if (any_floor_) {
+  if (has_reference_errors_) {
     plots.push_back(
         fmt::format("$floor_{0} using 1:({1:.4g}):{2} with filledcurves fc rgb '{3}' notitle, "
                     "$floor_{0} using 1:{2} with lines lc rgb '{4}' lw 1 notitle",
-                    slice, low_, is_y ? 2 : 3, kFloorColour, kFloorEdge));
+                    slice, low_, is_y ? 2 : 3, kReferenceErrorColour, kReferenceErrorEdge));
   }
   for (const std::size_t m : data_.view().compared_methods()) {
     const int distance = is_y ? distance_y : distance_ydot;
-    if (any_own_) plots.push_back(own_error_plot(slice, m, distance, is_y ? own_y : own_ydot));
+    if (has_error_estimates_)
+      plots.push_back(
+          error_estimate_plot(slice, m, distance, is_y ? error_estimate_y : error_estimate_ydot));
     plots.push_back(curve_plot(data_, slice, m, distance));
   }
   for (const std::size_t m : without_density_) {
     plots.push_back(
         fmt::format("$absent_{}_{} using 1:2 with points lc rgb '{}' lw 2 pt 2 ps 0.8 notitle",
-                    slice, m, data_.look(m).colour));
+                    slice, m, data_.plot_style(m).colour));
   }
-  const std::string reference = data_.view().only_reference();
-  return fmt::format("set ylabel {}\nplot {}\n\n",
-                     report::gnuplot_text(fmt::format(
-                         "{{/:Italic L}}_1 distance of {} to {}", report::density_of(variable),
-                         reference.empty() ? "the reference" : report::without_marks(reference))),
-                     fmt::join(plots, ", \\\n     "));
+  const std::string reference = data_.view().common_reference();
+  return fmt::format(
+      "set ylabel {}\nplot {}\n\n",
+      report::gnuplot_text(fmt::format(
+          "{{/:Italic L}}_1 distance of {} to {}", report::density_symbol(variable),
+          reference.empty() ? "the reference" : report::escape_enhanced_text(reference))),
+      fmt::join(plots, ", \\\n     "));
 }
 
 report::Legend Distances::legend() const {
-  report::Legend legend = curves_legend(data_, data_.view().compared_methods(), any_open_);
-  if (any_own_) {
+  report::Legend legend = curves_legend(data_, data_.view().compared_methods(), has_open_marks_);
+  if (has_error_estimates_) {
     legend.entries.push_back(
         {data_.is_words()
              ? fmt::format("NaN with lines lc rgb '#444444' {}", kDotted)
              : fmt::format("NaN with linespoints lc rgb '#444444' {} {}", kDotted, kDots),
-         "own stated error"});
+         "error estimate"});
   }
-  if (any_floor_) {
+  if (has_reference_errors_) {
     legend.entries.push_back({fmt::format("NaN with boxes fs solid border rgb '{}' fc rgb '{}'",
-                                          kFloorEdge, kFloorColour),
+                                          kReferenceErrorEdge, kReferenceErrorColour),
                               "error of the reference"});
   }
   if (!without_density_.empty()) {
@@ -158,11 +161,12 @@ std::string Distances::script(const std::string& file_stem) const {
   const report::Legend strip = legend();
   const report::PanelGrid grid = curves_grid(data_, strip);
   std::string text = curves_begin(data_, grid, file_stem) +
-                     (any_floor_ ? data_.floor_blocks() : "") + absent_blocks() +
+                     (has_reference_errors_ ? data_.reference_error_blocks() : "") +
+                     absent_blocks() +
                      fmt::format(
                          "set logscale y\nset format y {}\n"
                          "set yrange [{:.4g}:{:.4g}]\n\n",
-                         report::kPowersOfTen, low_, high_);
+                         report::kPowerOfTenFormat, low_, high_);
   for (std::size_t s = 0; s < data_.layout().slices.size(); ++s) {
     for (const Variable variable : transform::kVariables) {
       text += curves_panel(data_, grid, s, variable) + panel(s, variable);

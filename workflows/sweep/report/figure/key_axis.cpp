@@ -15,7 +15,7 @@ namespace {
 
 using base::Value;
 
-constexpr std::size_t kMostTics = 6;
+constexpr std::size_t kMaxTics = 6;
 
 struct Tic {
   std::string text;
@@ -30,9 +30,9 @@ std::string tics_of(const std::vector<Tic>& tics) {
   return fmt::format("({})", fmt::join(list, ", "));
 }
 
-// 1, 2 or 5 times a power of ten, at least kMostTics / 2 of them.
+// Multiples of 1, 2 or 5 times a power of ten, no fewer than kMaxTics / 2 numbers.
 std::vector<double> round_numbers(double low, double high) {
-  const double rough = (high - low) / static_cast<double>(kMostTics);
+  const double rough = (high - low) / static_cast<double>(kMaxTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));
   double step = 10 * power;
   for (const double digit : {5.0, 2.0, 1.0}) {
@@ -55,16 +55,16 @@ std::vector<double> round_numbers_by_decades(double low, double high) {
         if (number >= low * (1 - 1e-9) && number <= high * (1 + 1e-9)) numbers.push_back(number);
       }
     }
-    if (numbers.size() <= kMostTics) break;
+    if (numbers.size() <= kMaxTics) break;
   }
   return numbers.size() < 2 ? round_numbers(low, high) : numbers;
 }
 
-// A list from 0.1 to 10 is as good as told to be logarithmic.
+// A list of values over more than a decade (e.g. 0.1 to 10) is drawn on a logarithmic axis.
 bool spans_decades(const std::vector<Value>& sorted) {
-  constexpr double kMuch = 20;
+  constexpr double kDecadeRatio = 20;
   const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());
-  return low > 0 && high > kMuch * low;
+  return low > 0 && high > kDecadeRatio * low;
 }
 
 }  // namespace
@@ -72,9 +72,9 @@ bool spans_decades(const std::vector<Value>& sorted) {
 KeyAxis::KeyAxis(const Plan& plan, std::size_t place) : key_(plan.axes[place].key) {
   const Axis& axis = plan.axes[place];
   const auto& parameter = problem::case_parameter(key_, "a picture");
-  label_ = report::without_marks(key_);
+  label_ = report::escape_enhanced_text(key_);
   if (!parameter.typeset.empty()) {
-    label_ += fmt::format(", {{/:Italic {}}}", report::without_marks(parameter.typeset));
+    label_ += fmt::format(", {{/:Italic {}}}", report::escape_enhanced_text(parameter.typeset));
   }
   values_ = axis.values;
   if (values_.empty()) {
@@ -94,12 +94,13 @@ std::string KeyAxis::text_of(const Value& value) {
   return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
 }
 
-double KeyAxis::at(const Value& value) const {
+double KeyAxis::coordinate(const Value& value) const {
   return is_words_ ? static_cast<double>(cell_of(value)) : std::get<double>(value);
 }
 
-double KeyAxis::part(const Value& value) const {
-  const double from = at(values_.front()), to = at(values_.back()), here = at(value);
+double KeyAxis::relative_coordinate(const Value& value) const {
+  const double from = coordinate(values_.front()), to = coordinate(values_.back()),
+               here = coordinate(value);
   if (from == to) return 0;
   return is_logarithmic_ ? std::log(here / from) / std::log(to / from)
                          : (here - from) / (to - from);
@@ -109,12 +110,12 @@ std::string KeyAxis::commands(char letter) const {
   const std::string label = label_command(letter);
   if (is_words_) {
     std::vector<Tic> tics;
-    for (const auto& value : values_) tics.push_back({text_of(value), at(value)});
+    for (const auto& value : values_) tics.push_back({text_of(value), coordinate(value)});
     return label + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
                                static_cast<double>(values_.size()) - 0.5, tics_of(tics));
   }
   double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
-  constexpr double kRoom = 0.03;  // for the marks at the ends
+  constexpr double kRoom = 0.03;  // margin for the marks on both ends
   if (is_logarithmic_) {
     std::vector<Tic> tics;
     for (const double number : round_numbers_by_decades(low, high)) {
@@ -146,10 +147,10 @@ std::string KeyAxis::cell_commands(char letter) const {
     const auto numbers =
         is_logarithmic_ ? round_numbers_by_decades(low, high) : round_numbers(low, high);
     for (const double number : numbers) {
-      tics.push_back({fmt::format("{:g}", number), part(number) * last});
+      tics.push_back({fmt::format("{:g}", number), relative_coordinate(number) * last});
     }
   } else {
-    const std::size_t step = is_words_ ? 1 : (values_.size() + kMostTics - 1) / kMostTics;
+    const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;
     for (std::size_t k = 0; k < values_.size(); k += step) {
       tics.push_back({text_of(values_[k]), static_cast<double>(k)});
     }

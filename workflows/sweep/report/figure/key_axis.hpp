@@ -8,35 +8,36 @@
 
 namespace fpkcheck::sweep {
 
-/// A varied key as an axis of pictures: numbers as they are, on a logarithmic axis where they are
-/// spaced so; words one after another.
+/// A varied key as an axis of figures. Numbers have a linear or, where they are spaced
+/// logarithmically, a logarithmic axis; words have equidistant positions.
 class KeyAxis {
  public:
-  /// @param place of the key among the plan's axes
+  /// @param place index of the key in the plan's axes
   KeyAxis(const Plan& plan, std::size_t place);
 
   const std::string& key() const { return key_; }
   bool is_words() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
-  /// The values that points have, each once: numbers by size, words as they are listed.
+  /// The distinct values of all points: numbers by size, words in the order of the list.
   const std::vector<base::Value>& values() const { return values_; }
-  /// "0.8", "gaussian"
+  /// Text of a value: "0.8", "gaussian".
   static std::string text_of(const base::Value& value);
 
-  /// Where a value stands on a gnuplot axis.
-  double at(const base::Value& value) const;
-  /// How far it is from the first of values() to the last on that axis, 0 .. 1.
-  double part(const base::Value& value) const;
-  /// Label, scale, range and tics of that axis.
-  /// @param letter of the axis: 'x' or 'y'
+  /// Coordinate of a value on the gnuplot axis.
+  double coordinate(const base::Value& value) const;
+  /// Coordinate relative to the axis from the first to the last of values(), 0 .. 1.
+  double relative_coordinate(const base::Value& value) const;
+  /// Gnuplot commands for label, scale, range and tics of the axis.
+  /// @param letter 'x' or 'y'
   std::string commands(char letter) const;
 
-  /// Its label alone, of either axis.
+  /// Gnuplot command for the label alone, the same for cells.
   std::string label_command(char letter) const;
 
-  /// Which of values() it is: where its cell stands in a map, whose cells are all equally wide.
+  /// Index of a value in values(): the position of its cell in a map, whose cells have equal
+  /// widths.
   std::size_t cell_of(const base::Value& value) const;
-  /// Label, range and tics of an axis of such cells.
+  /// Gnuplot commands for label, range and tics of an axis of cells.
   std::string cell_commands(char letter) const;
 
  private:

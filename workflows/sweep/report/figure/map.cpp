@@ -21,20 +21,21 @@ namespace {
 using report::LegendEntry;
 using transform::Status;
 
-/// A line of the maps at a distance that readers ask for.
+/// A contour of the maps.
 struct ContourLevel {
   double l1;
   const char* name;
-  const char* drawn;
+  const char* style;
 };
-constexpr ContourLevel kLevels[] = {{0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
-                                    {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
+constexpr ContourLevel kContourLevels[] = {
+    {0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
+    {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
 
-// Around what is not ok.
+// Outline of cells that are not ok.
 constexpr const char* kOutline = "with lines lc rgb 'black' lw 0.8";
 
-// Light discs would be lost on white.
-constexpr const char* kGround =
+// Grey background: light discs would be invisible on white.
+constexpr const char* kBackground =
     "set object rectangle from graph 0,0 to graph 1,1 behind fc rgb '#E4E4E4' fs noborder\n";
 
 PanelGrid map_grid(const SweepView& view, std::size_t panels) {
@@ -48,13 +49,13 @@ PanelGrid map_grid(const SweepView& view, std::size_t panels) {
                                                                   : 4;
   grid.rows = (count + grid.columns - 1) / grid.columns;
   grid.panel_height = grid.columns <= 2 ? 300 : grid.columns == 3 ? 240 : 190;
-  grid.at_the_right = 105;
-  grid.at_the_left = 36;
+  grid.right_margin = 105;
+  grid.left_margin = 36;
   return grid;
 }
 
-// From light, but not white, to strong, so that grey print has the same order; no darker than marks
-// in black allow.
+// Colours from light (not white) to dark, so that print in grey keeps the order; light enough for
+// black marks.
 std::string colour_scale(const PanelGrid& grid) {
   const auto first = grid.place(0, grid.columns - 1), last = grid.place(grid.rows - 1, 0);
   return fmt::format(
@@ -62,19 +63,20 @@ std::string colour_scale(const PanelGrid& grid) {
       "set logscale cb\nset cbrange [{}:1]\nset format cb {}\n"
       "set cblabel {}\n"
       "set colorbox user origin screen {:.4f},{:.4f} size screen 0.014,{:.4f}\n",
-      kLeastColour, report::kPowersOfTen, report::gnuplot_text("larger {/:Italic L}_1 distance"),
-      first.right + 0.022, last.bottom, first.top - last.bottom);
+      kMinColourDistance, report::kPowerOfTenFormat,
+      report::gnuplot_text("larger {/:Italic L}_1 distance"), first.right + 0.022, last.bottom,
+      first.top - last.bottom);
 }
 
-// Viewers of SVG smooth images, so that few cells are rectangles there; between rectangles, a PNG
-// would have seams.
-std::string how_cells_are_drawn(std::size_t cells) {
+// SVG viewers smooth images: a few cells are rendered as rectangles in SVG. In PNG rectangles would
+// have visible seams.
+std::string cell_drawing_option(std::size_t cells) {
   constexpr std::size_t kFew = 6000;
   return fmt::format("cells = format eq 'svg' ? '{}' : ''\n", cells <= kFew ? "pixels" : "");
 }
 
 std::string cells_plot(const MapData& map, std::size_t m) {
-  // A row or a column of cells is no image to gnuplot.
+  // Gnuplot draws no image of a single row or column of cells.
   const bool is_image = map.x().values().size() > 1 && map.y().values().size() > 1;
   return fmt::format("$map_{} using {} notitle", m,
                      is_image ? "1:2:3 with image @cells"
@@ -86,7 +88,7 @@ std::string discs_plot(std::size_t m, double size) {
                      size);
 }
 
-// By the logarithms.
+// Contours are computed from the logarithms of the distances.
 std::string contour_commands(std::size_t m, const ContourLevel& level) {
   return fmt::format(
       "set cntrparam levels discrete {0:.6g}\nset table $contour_{1}_{2}\n"
@@ -94,13 +96,13 @@ std::string contour_commands(std::size_t m, const ContourLevel& level) {
       std::log10(level.l1), level.name, m);
 }
 
-// Marks that fit beside each other.
-std::size_t marks_in(double pixels) {
-  constexpr double kApart = 15;
-  return static_cast<std::size_t>(std::max(1.0, pixels / kApart));
+// Number of marks that fit side by side.
+std::size_t marks_per_length(double pixels) {
+  constexpr double kMarkSpacing = 15;
+  return static_cast<std::size_t>(std::max(1.0, pixels / kMarkSpacing));
 }
 
-// In gnuplot's unit, so that discs of many points do not cover each other.
+// Disc size in gnuplot's unit, smaller for many points, so that discs do not overlap.
 double disc_size(std::size_t points) {
   return std::clamp(36 / std::sqrt(static_cast<double>(points)), 0.5, 1.6);
 }
@@ -108,15 +110,16 @@ double disc_size(std::size_t points) {
 report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& methods) {
   const SweepView& view = map.view();
   report::Legend legend{{}, 3};
-  for (const auto& level : kLevels) {
-    if (std::ranges::none_of(methods, [&](std::size_t m) { return map.crosses(m, level.l1); })) {
+  for (const auto& level : kContourLevels) {
+    if (std::ranges::none_of(methods,
+                             [&](std::size_t m) { return map.has_contour(m, level.l1); })) {
       continue;
     }
     legend.entries.push_back(
-        {fmt::format("NaN {}", level.drawn), fmt::format("{:g} %", 100 * level.l1)});
+        {fmt::format("NaN {}", level.style), fmt::format("{:g} %", 100 * level.l1)});
   }
   std::vector<Status> statuses;
-  bool any_reference = false, any_empty = !view.results().is_whole();
+  bool any_reference = false, any_empty = !view.results().is_complete();
   for (const std::size_t m : methods) {
     for (const auto& point : view.results().points) {
       statuses.push_back(point.methods[m].status);
@@ -126,18 +129,18 @@ report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& me
     }
   }
   if (std::ranges::any_of(methods, [&](std::size_t m) { return !map.outline_block(m).empty(); })) {
-    legend.entries.push_back({fmt::format("NaN {}", kOutline), "around what is not ok"});
+    legend.entries.push_back({fmt::format("NaN {}", kOutline), "outline: not ok"});
   }
   std::ranges::move(status_legend(statuses), std::back_inserter(legend.entries));
   if (any_reference)
-    legend.entries.push_back({"NaN " + mark_drawn(kReferenceMark), "the reference"});
-  if (any_empty && map.in_cells()) {
+    legend.entries.push_back({"NaN " + mark_style(kReferenceMark), "the reference"});
+  if (any_empty && map.has_cells()) {
     legend.entries.push_back({"NaN with boxes lc rgb '#777777' fs empty", "white: no distance"});
   }
   return legend;
 }
 
-// One panel's data, and the plots of it.
+// Data and plots of one panel.
 struct MapPanel {
   std::string data, contours;
   std::vector<std::string> plots;
@@ -148,24 +151,24 @@ MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
       map.view().plan().points.size() * static_cast<std::size_t>(grid.columns);
   const double disc = disc_size(points);
   MapPanel panel{map.blocks(m), "", {}};
-  panel.plots.push_back(map.in_cells() ? cells_plot(map, m) : discs_plot(m, disc));
+  panel.plots.push_back(map.has_cells() ? cells_plot(map, m) : discs_plot(m, disc));
   if (const std::string outline = map.outline_block(m); !outline.empty()) {
     panel.data += outline;
     panel.plots.push_back(fmt::format("$outline_{} using 1:2 {} notitle", m, kOutline));
   }
-  for (const auto& level : kLevels) {
-    if (!map.crosses(m, level.l1)) continue;  // gnuplot warns of an empty table
+  for (const auto& level : kContourLevels) {
+    if (!map.has_contour(m, level.l1)) continue;  // gnuplot warns about an empty table
     panel.contours += contour_commands(m, level);
     panel.plots.push_back(
-        fmt::format("$contour_{}_{} using 1:2 {} notitle", level.name, m, level.drawn));
+        fmt::format("$contour_{}_{} using 1:2 {} notitle", level.name, m, level.style));
   }
   const auto place = grid.place(0, 0);
   std::set<int> types;
-  panel.data += map.mark_blocks(m, marks_in((place.right - place.left) * grid.width),
-                                marks_in(grid.panel_height), types);
+  panel.data += map.mark_blocks(m, marks_per_length((place.right - place.left) * grid.width),
+                                marks_per_length(grid.panel_height), types);
   for (const int type : types) {
     panel.plots.push_back(fmt::format("$mark_{}_{} using 1:2 {} notitle", m, type,
-                                      mark_drawn(type, map.in_cells() ? 0.9 : 0.75 * disc)));
+                                      mark_style(type, map.has_cells() ? 0.9 : 0.75 * disc)));
   }
   return panel;
 }
@@ -178,8 +181,8 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
   const report::Legend legend = map_legend(map, methods);
   PanelGrid grid = map_grid(view, methods.size());
   grid.legend_height = report::legend_height(legend, grid.width);
-  const std::string axes = map.in_cells() ? map.x().cell_commands('x') + map.y().cell_commands('y')
-                                          : map.x().commands('x') + map.y().commands('y');
+  const std::string axes = map.has_cells() ? map.x().cell_commands('x') + map.y().cell_commands('y')
+                                           : map.x().commands('x') + map.y().commands('y');
   std::string data, contours, panels;
   for (std::size_t k = 0; k < methods.size(); ++k) {
     const MapPanel panel = map_panel(map, grid, methods[k]);
@@ -188,17 +191,17 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
     const auto column = k % static_cast<std::size_t>(grid.columns);
     panels += fmt::format("set title {}\n{}{}plot {}\n{}\n",
                           report::gnuplot_literal(view.plan().methods[methods[k]].id()),
-                          report::margins(grid.place(k)),
+                          report::margin_commands(grid.place(k)),
                           column == 0 ? map.y().label_command('y') : "unset ylabel\n",
                           fmt::join(panel.plots, ", \\\n     "), k == 0 ? "unset colorbox\n" : "");
   }
   if (!contours.empty()) {
     contours = "set contour base\nunset surface\n" + contours + "unset contour\nset surface\n";
   }
-  return report::figure_output(file_stem, grid.size()) + data + contours +
-         how_cells_are_drawn(view.plan().points.size() * methods.size()) + PanelGrid::kLabels +
+  return report::output_commands(file_stem, grid.size()) + data + contours +
+         cell_drawing_option(view.plan().points.size() * methods.size()) + PanelGrid::kLabels +
          "set tics out nomirror\nunset key\n" + colour_scale(grid) + view.title().command + axes +
-         (map.in_cells() ? "" : kGround) + panels + "unset object\n" +
+         (map.has_cells() ? "" : kBackground) + panels + "unset object\n" +
          (legend.entries.empty() ? "" : report::legend_strip(legend, grid.size())) +
          "unset multiplot\nunset output\n";
 }

@@ -16,17 +16,17 @@ using transform::Status;
 
 constexpr std::size_t kFewPoints = 300;
 
-// A distance of 0 has no logarithm.
-double with_logarithm(double l1) { return std::max(l1, kLeastColour / 10); }
+// Lower bound for a distance, so that 0 has a logarithm.
+double clamp_for_logarithm(double l1) { return std::max(l1, kMinColourDistance / 10); }
 
-/// Where something is marked: a status, or the reference.
-struct Marked {
+/// A point with a mark: of a status, or of the reference.
+struct MarkedPoint {
   int type;
   std::size_t point;
 };
 
-std::vector<Marked> marked_points(const SweepView& view, std::size_t m) {
-  std::vector<Marked> marked;
+std::vector<MarkedPoint> marked_points(const SweepView& view, std::size_t m) {
+  std::vector<MarkedPoint> marked;
   for (const auto& point : view.results().points) {
     const Status status = point.methods[m].status;
     if (status != Status::ok) marked.push_back({point_type(status), point.point});
@@ -35,16 +35,16 @@ std::vector<Marked> marked_points(const SweepView& view, std::size_t m) {
   return marked;
 }
 
-// Which of so many parts of the axis a value is in.
+// Index of the tile that contains a value, of this number of tiles along the axis.
 std::size_t tile(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
   const auto count = static_cast<double>(tiles);
-  return static_cast<std::size_t>(std::min(axis.part(value) * count, count - 1));
+  return static_cast<std::size_t>(std::min(axis.relative_coordinate(value) * count, count - 1));
 }
 
 }  // namespace
 
 MapData::MapData(const SweepView& view) : view_(view), x_(view.plan(), 0), y_(view.plan(), 1) {
-  if (!in_cells()) return;
+  if (!has_cells()) return;
   cells_.assign(columns(), std::vector<std::size_t>(rows()));
   for (std::size_t point = 0; point < view.plan().points.size(); ++point) {
     const auto& values = view.plan().points[point];
@@ -54,39 +54,40 @@ MapData::MapData(const SweepView& view) : view_(view), x_(view.plan(), 0), y_(vi
 
 std::array<double, 2> MapData::place(std::size_t point) const {
   const auto& values = view_.plan().points[point];
-  if (!in_cells()) return {x_.at(values[0]), y_.at(values[1])};
+  if (!has_cells()) return {x_.coordinate(values[0]), y_.coordinate(values[1])};
   return {static_cast<double>(x_.cell_of(values[0])), static_cast<double>(y_.cell_of(values[1]))};
 }
 
 std::string MapData::blocks(std::size_t m) const {
   std::string text;
-  for (std::size_t j = 0; in_cells() && j < rows(); ++j) {
+  for (std::size_t j = 0; has_cells() && j < rows(); ++j) {
     for (std::size_t i = 0; i < columns(); ++i) {
       const auto l1 = view_.larger_l1(cells_[i][j], m);
-      text += l1 ? fmt::format("{} {} {:.4g}\n", i, j, with_logarithm(*l1))
+      text += l1 ? fmt::format("{} {} {:.4g}\n", i, j, clamp_for_logarithm(*l1))
                  : fmt::format("{} {} NaN\n", i, j);
     }
     text += '\n';
   }
-  for (std::size_t point = 0; !in_cells() && point < view_.plan().points.size(); ++point) {
+  for (std::size_t point = 0; !has_cells() && point < view_.plan().points.size(); ++point) {
     const auto l1 = view_.larger_l1(point, m);
     if (!l1) continue;
     const auto [x, y] = place(point);
-    text += fmt::format("{:.6g} {:.6g} {:.4g}\n", x, y, with_logarithm(*l1));
+    text += fmt::format("{:.6g} {:.6g} {:.4g}\n", x, y, clamp_for_logarithm(*l1));
   }
   return report::data_block(fmt::format("map_{}", m), text.empty() ? "NaN NaN NaN\n" : text);
 }
 
-std::string MapData::mark_blocks(std::size_t m, std::size_t across, std::size_t up,
+std::string MapData::mark_blocks(std::size_t m, std::size_t tiles_across, std::size_t tiles_up,
                                  std::set<int>& types) const {
   std::set<std::tuple<int, std::size_t, std::size_t>> taken;
   std::map<int, std::string> marks;
-  const bool is_few = !in_cells() && view_.plan().points.size() <= kFewPoints;
+  const bool is_few = !has_cells() && view_.plan().points.size() <= kFewPoints;
   for (const auto& [type, point] : marked_points(view_, m)) {
     const auto [x, y] = place(point);
     const auto& values = view_.plan().points[point];
     if (!is_few &&
-        !taken.insert({type, tile(x_, values[0], across), tile(y_, values[1], up)}).second) {
+        !taken.insert({type, tile(x_, values[0], tiles_across), tile(y_, values[1], tiles_up)})
+             .second) {
       continue;
     }
     marks[type] += fmt::format("{:.6g} {:.6g}\n", x, y);
@@ -100,7 +101,7 @@ std::string MapData::mark_blocks(std::size_t m, std::size_t across, std::size_t 
 }
 
 std::string MapData::outline_block(std::size_t m) const {
-  if (!in_cells()) return "";
+  if (!has_cells()) return "";
   const auto not_ok = [&](std::size_t i, std::size_t j) {
     const auto* one = view_.method(cells_[i][j], m);
     return one != nullptr && one->status != Status::ok;
@@ -120,13 +121,13 @@ std::string MapData::outline_block(std::size_t m) const {
   return borders.empty() ? "" : report::data_block(fmt::format("outline_{}", m), borders);
 }
 
-bool MapData::crosses(std::size_t m, double l1) const {
-  if (!in_cells() || x_.is_words() || y_.is_words()) return false;
+bool MapData::has_contour(std::size_t m, double l1) const {
+  if (!has_cells() || x_.is_words() || y_.is_words()) return false;
   const auto side = [&](std::size_t i, std::size_t j) {
     const auto found = view_.larger_l1(cells_[i][j], m);
     return !found ? 0 : *found < l1 ? -1 : 1;
   };
-  // A contour needs a square of four cells around it.
+  // Gnuplot computes a contour within squares of four cells.
   for (std::size_t i = 1; i < columns(); ++i) {
     for (std::size_t j = 1; j < rows(); ++j) {
       const int corner = side(i - 1, j - 1), right = side(i, j - 1), above = side(i - 1, j),

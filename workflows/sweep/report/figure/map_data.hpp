@@ -10,11 +10,11 @@
 
 namespace fpkcheck::sweep {
 
-/// The smallest distance that has a colour of its own.
-inline constexpr double kLeastColour = 1e-4;
+/// The smallest distance with a distinct colour; smaller distances have the same colour.
+inline constexpr double kMinColourDistance = 1e-4;
 
-/// The two varied keys as a plane, and what stands in it as data of a script. The design product
-/// has cells, the abscissae of which are their numbers; others have points. Refers to the view.
+/// Data of a map over the two varied keys, for a script. The design product has cells, whose
+/// abscissae are their indices; other designs have points. Keeps a reference to the view.
 class MapData {
  public:
   explicit MapData(const SweepView& view);
@@ -22,25 +22,26 @@ class MapData {
   const SweepView& view() const { return view_; }
   const KeyAxis& x() const { return x_; }
   const KeyAxis& y() const { return y_; }
-  bool in_cells() const { return view_.plan().design == Design::product; }
+  bool has_cells() const { return view_.plan().design == Design::product; }
 
-  /// $map_METHOD: x y L1; of cells a block for each y, NaN where there is no distance.
+  /// Data block $map_METHOD: x y L1. For cells a block for each y, with NaN where there is no
+  /// distance.
   std::string blocks(std::size_t m) const;
 
-  /// $mark_METHOD_TYPE: x y, by point type (status_mark.hpp). The plane has tiles, of which each
-  /// has one of each type at most: marks that run into each other tell nothing. Few points have
-  /// all.
-  /// @param across, up  how many tiles there are
-  /// @param types gets those that there are
-  std::string mark_blocks(std::size_t m, std::size_t across, std::size_t up,
+  /// Data blocks $mark_METHOD_TYPE: x y, by point type (status_mark.hpp). The plane is divided into
+  /// tiles with at most one mark of each type, since overlapping marks are illegible. Plans with
+  /// few points show all marks.
+  /// @param tiles_across, tiles_up  numbers of tiles in x and y
+  /// @param types receives the point types that occur
+  std::string mark_blocks(std::size_t m, std::size_t tiles_across, std::size_t tiles_up,
                           std::set<int>& types) const;
 
-  /// $outline_METHOD: the borders between cells that are ok and those that are not; empty without.
+  /// Data block $outline_METHOD: the borders between cells that are ok and cells that are not;
+  /// empty without such borders.
   std::string outline_block(std::size_t m) const;
 
-  /// Whether some neighbouring cells have distances on both sides of this one, both keys being
-  /// numbers.
-  bool crosses(std::size_t m, double l1) const;
+  /// True where neighbouring cells have distances on both sides of `l1`; both keys must be numbers.
+  bool has_contour(std::size_t m, double l1) const;
 
  private:
   std::size_t columns() const { return x_.values().size(); }
@@ -49,7 +50,7 @@ class MapData {
 
   const SweepView& view_;
   KeyAxis x_, y_;
-  std::vector<std::vector<std::size_t>> cells_;  // points, by cell of x and y
+  std::vector<std::vector<std::size_t>> cells_;  // point of each cell, by x and y
 };
 
 }  // namespace fpkcheck::sweep

@@ -16,7 +16,7 @@ namespace {
 using transform::Moments;
 using transform::Variable;
 
-// By what may be trusted, if anything: a wild answer would press all others together.
+// Range of the solutions that are ok, if any: outliers among the others would compress the axis.
 std::string moment_range(const CurveData& data, double Moments::*moment) {
   std::vector<double> ok, all;
   data.for_each([&](std::size_t point, std::size_t m) {
@@ -27,16 +27,16 @@ std::string moment_range(const CurveData& data, double Moments::*moment) {
     all.push_back(value);
     if (one->status == transform::Status::ok) ok.push_back(value);
   });
-  const auto& held = ok.empty() ? all : ok;
-  if (held.empty()) return "set yrange [0:1]\n";
-  const auto [low, high] = std::ranges::minmax(held);
+  const auto& range_values = ok.empty() ? all : ok;
+  if (range_values.empty()) return "set yrange [0:1]\n";
+  const auto [low, high] = std::ranges::minmax(range_values);
   const double room = std::max(0.06 * (high - low), 2e-4 * std::abs(high) + 1e-12);
   return fmt::format("set yrange [{:.6g}:{:.6g}]\n", low - room, high + room);
 }
 
 std::string moment_panel(const CurveData& data, std::size_t slice, Variable variable) {
   const bool is_y = variable == Variable::y;
-  std::vector<std::string> plots;  // what is trusted least comes last, on top of what it misses
+  std::vector<std::string> plots;  // by decreasing trust: the least trusted curve is drawn last
   for (std::size_t m = data.methods(); m-- > 0;) {
     plots.push_back(curve_plot(data, slice, m, is_y ? moment_y : moment_ydot));
   }
@@ -51,14 +51,15 @@ std::string moment_panel(const CurveData& data, std::size_t slice, Variable vari
 std::string moments_script(const SweepView& view, const CurvesLayout& layout,
                            const std::string& file_stem) {
   const CurveData data(view, layout);
-  bool any_open = false;
+  bool has_open_marks = false;
   data.for_each([&](std::size_t point, std::size_t m) {
     const auto* one = view.method(point, m);
-    any_open = any_open || (one != nullptr && one->moments && one->status != transform::Status::ok);
+    has_open_marks =
+        has_open_marks || (one != nullptr && one->moments && one->status != transform::Status::ok);
   });
   std::vector<std::size_t> all(data.methods());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const report::Legend legend = curves_legend(data, all, any_open);
+  const report::Legend legend = curves_legend(data, all, has_open_marks);
   const report::PanelGrid grid = curves_grid(data, legend);
   std::string text = curves_begin(data, grid, file_stem) + "set format y '%g'\n\n";
   for (std::size_t s = 0; s < layout.slices.size(); ++s) {

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A gnuplot script of E[y^2] and E[y'^2]: marks are open where an answer is not ok. The axes hold
-/// what is ok; other curves may leave them.
+/// A gnuplot script of E[y^2] and E[y'^2]. Open marks: the solution is not ok. The axes cover the
+/// solutions that are ok; other curves may leave them.
 std::string moments_script(const SweepView& view, const CurvesLayout& layout,
                            const std::string& file_stem);
 

@@ -24,26 +24,26 @@ std::vector<SweepPicture> curves(const SweepView& view) {
   if (view.has_distances()) {
     pictures.push_back(
         {kDistances,
-         "L1 distances of p(y) and p(y') to the reference of each point. Marks are open where the "
-         "answer is not ok; dotted is what a method states of its own error (a discretised "
-         "equation: of that equation, which need not be the problem's); within the grey the "
-         "reference's own error hides what there is to tell; crosses at the top are answers "
+         "L1 distances of p(y) and p(y') to the reference of each point. Open marks: the solution "
+         "is not ok. Dotted: error estimate of the method (for a discretised equation: with "
+         "respect to that equation, which may differ from the problem's). Grey: error estimate of "
+         "the reference, below which distances are not significant. Crosses at the top: solutions "
          "without a density.",
          distances_script(view, layout, kDistances)});
   }
   pictures.push_back({kMoments,
-                      "E[y\u00b2] and E[y\u2032\u00b2]. Marks are open where the answer is not ok; "
-                      "the axes hold those that are.",
+                      "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The "
+                      "axes cover the solutions that are ok.",
                       moments_script(view, layout, kMoments)});
   return pictures;
 }
 
 SweepPicture map(const SweepView& view) {
   std::string caption =
-      "The larger one of the L1 distances of p(y) and p(y') to the reference of each point, by "
-      "method, from 1e-4 (light) to 1. Marks tell what is not ok, and how.";
-  if (const auto reference = view.only_reference(); !reference.empty()) {
-    caption += fmt::format(" The reference is {} throughout.", reference);
+      "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
+      "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
+  if (const auto reference = view.common_reference(); !reference.empty()) {
+    caption += fmt::format(" The reference is {} at all points.", reference);
   }
   return {kMap, caption, map_script(view, kMap)};
 }
@@ -60,8 +60,8 @@ std::vector<SweepPicture> sweep_pictures(const SweepResults& results, report::Fi
   if (!view.has_distances()) return {};
   if (plan.axes.size() == 2) return {map(view)};
   return {{kScatter,
-           "The larger one of the L1 distances of p(y) and p(y') to the reference of each point, "
-           "against each key, and the median of those that are ok.",
+           "The larger of the L1 distances of p(y) and p(y') to the reference of each point, "
+           "against each key, and the median over the solutions that are ok.",
            scatter_script(view, kScatter)}};
 }
 
@@ -80,14 +80,14 @@ std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
   try {
     for (const auto& picture : pictures) {
       if (base::stop_requested()) return {};
-      const auto own = report::draw_all(gnuplot, figures, picture.stem, options);
+      const auto own = report::draw_formats(gnuplot, figures, picture.stem, options);
       warnings.insert(warnings.end(), own.begin(), own.end());
     }
   } catch (const report::GnuplotMissing& missing) {
     warnings.push_back(fmt::format(
         "no pictures: {} (install gnuplot, then the same command draws them)", missing.what()));
   }
-  // What did not become of the last one is no news then.
+  // After a request to stop, the interrupted last picture gives no warning.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

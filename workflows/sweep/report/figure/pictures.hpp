@@ -9,18 +9,19 @@
 
 namespace fpkcheck::sweep {
 
-/// A picture of a sweep.
+/// A figure of a sweep.
 struct SweepPicture {
-  std::string stem;     ///< of its files: "sweep-map"
-  std::string caption;  ///< what it shows, in sentences
-  std::string script;   ///< for gnuplot
+  std::string stem;     ///< stem of its files, e.g. "sweep-map"
+  std::string caption;  ///< description in sentences
+  std::string script;   ///< gnuplot script
 };
 
-/// What there is to draw: curves along one key, maps over two, points against each of more.
+/// The figures of a sweep: curves along one key, maps over two, points against each key of more.
 std::vector<SweepPicture> sweep_pictures(const SweepResults& results,
                                          report::FigureWidth width = report::FigureWidth::screen);
 
-/// Draws them beside STEM.gp in the formats that are asked for; those of another plan go.
+/// Writes STEM.gp for each figure and draws it in the given formats. Removes figures of other
+/// plans.
 /// @return a warning for each picture that was not drawn; one when there is no gnuplot
 std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
                                     const std::vector<SweepPicture>& pictures,

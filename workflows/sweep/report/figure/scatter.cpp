@@ -19,9 +19,9 @@ namespace fpkcheck::sweep {
 using report::PanelGrid;
 namespace {
 
-constexpr std::size_t kMostBins = 8;
-constexpr std::size_t kFewestPoints = 3;  // in a part of a range, for a median
-constexpr double kSpread = 0.6;           // of the room of a word, over which its methods stand
+constexpr std::size_t kMaxBins = 8;
+constexpr std::size_t kMinPointsForMedian = 3;  // for the median in a section of a range
+constexpr double kWordSpread = 0.6;             // width of the spread of methods, 1 being a word's
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -29,46 +29,49 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// A key, and the bins of its medians: its values where they are few, else parts of its range.
-class Binned {
+/// A key with the bins of its medians: single values where they are few, else sections of its
+/// range.
+class BinnedKey {
  public:
-  Binned(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
-    if (axis_.is_words() || axis_.values().size() <= kMostBins) return;
+  BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
+    if (axis_.is_words() || axis_.values().size() <= kMaxBins) return;
     low_ = scaled(axis_.values().front());
     high_ = scaled(axis_.values().back());
-    parts_ = std::clamp<std::size_t>(plan.points.size() / 10, 3, kMostBins);
+    sections_ = std::clamp<std::size_t>(plan.points.size() / 10, 3, kMaxBins);
   }
 
   const KeyAxis& axis() const { return axis_; }
   std::size_t place() const { return place_; }
-  bool is_enough(std::size_t points) const { return parts_ == 0 || points >= kFewestPoints; }
+  bool is_enough(std::size_t points) const {
+    return sections_ == 0 || points >= kMinPointsForMedian;
+  }
   std::size_t bin(const base::Value& value) const {
-    if (parts_ == 0) return axis_.cell_of(value);
+    if (sections_ == 0) return axis_.cell_of(value);
     const double part = (scaled(value) - low_) / (high_ - low_);
-    return std::min(parts_ - 1, static_cast<std::size_t>(part * static_cast<double>(parts_)));
+    return std::min(sections_ - 1, static_cast<std::size_t>(part * static_cast<double>(sections_)));
   }
   double centre(std::size_t bin) const {
-    if (parts_ == 0) return axis_.at(axis_.values()[bin]);
-    const double at =
-        low_ + (static_cast<double>(bin) + 0.5) / static_cast<double>(parts_) * (high_ - low_);
-    return axis_.is_logarithmic() ? std::exp(at) : at;
+    if (sections_ == 0) return axis_.coordinate(axis_.values()[bin]);
+    const double coordinate =
+        low_ + (static_cast<double>(bin) + 0.5) / static_cast<double>(sections_) * (high_ - low_);
+    return axis_.is_logarithmic() ? std::exp(coordinate) : coordinate;
   }
 
  private:
   double scaled(const base::Value& value) const {
-    const double number = axis_.at(value);
+    const double number = axis_.coordinate(value);
     return axis_.is_logarithmic() ? std::log(number) : number;
   }
 
   KeyAxis axis_;
   std::size_t place_;
   double low_ = 0, high_ = 0;
-  std::size_t parts_ = 0;  // of the range; none where each value is a bin
+  std::size_t sections_ = 0;  // number of sections; 0 where each value is a bin
 };
 
-// "x L1 point-type" of a method's answers, and "x median" over the bins.
-std::string blocks(const SweepView& view, const Binned& key, std::size_t m, double dodge,
-                   const report::SeriesLook& look) {
+// Data blocks "x L1 point-type" of a method's results, and "x median" over the bins.
+std::string blocks(const SweepView& view, const BinnedKey& key, std::size_t m, double offset,
+                   const report::SeriesStyle& plot_style) {
   std::string points;
   std::map<std::size_t, std::vector<double>> ok;
   for (const auto& point : view.results().points) {
@@ -76,16 +79,16 @@ std::string blocks(const SweepView& view, const Binned& key, std::size_t m, doub
     if (!l1 || *l1 <= 0) continue;
     const auto& value = view.plan().points[point.point][key.place()];
     const bool is_ok = point.methods[m].status == transform::Status::ok;
-    points += fmt::format("{:.6g} {:.4g} {}\n", key.axis().at(value) + dodge, *l1,
-                          is_ok ? look.filled : look.open);
+    points += fmt::format("{:.6g} {:.4g} {}\n", key.axis().coordinate(value) + offset, *l1,
+                          is_ok ? plot_style.filled : plot_style.open);
     if (is_ok) ok[key.bin(value)].push_back(*l1);
   }
   std::string medians;
   for (const auto& [bin, values] : ok) {
     if (!key.is_enough(values.size())) continue;
-    medians += fmt::format("{:.6g} {:.4g}\n", key.centre(bin) + dodge, median_of(values));
+    medians += fmt::format("{:.6g} {:.4g}\n", key.centre(bin) + offset, median_of(values));
   }
-  // A block without a row is none to gnuplot.
+  // Gnuplot rejects a data block without a row.
   const std::string none = "NaN NaN NaN\n";
   return report::data_block(fmt::format("points_{}_{}", key.place(), m),
                             points.empty() ? none : points) +
@@ -113,9 +116,9 @@ std::string distance_range(const SweepView& view) {
 std::string scatter_script(const SweepView& view, const std::string& file_stem) {
   const Plan& plan = view.plan();
   const auto methods = view.compared_methods();
-  std::vector<transform::Identity> who;
-  for (const std::size_t m : methods) who.push_back(plan.methods[m].identity);
-  const auto looks = report::series_looks(who);
+  std::vector<transform::Identity> identities;
+  for (const std::size_t m : methods) identities.push_back(plan.methods[m].identity);
+  const auto looks = report::series_styles(identities);
   const double size = view.results().points.size() > 200 ? 0.35 : 0.6;
 
   report::Legend legend{{}, 3};
@@ -123,7 +126,7 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
     legend.entries.push_back(
         {fmt::format("NaN with linespoints lc rgb '{}' lw 2.5 dt {} pt {} ps 1", looks[k].colour,
                      looks[k].dash, looks[k].filled),
-         who[k].id});
+         identities[k].id});
   }
   legend.entries.push_back({"NaN with points lc rgb '#444444' lw 1.5 pt 6 ps 1", "open: not ok"});
   legend.entries.push_back({"NaN with lines lc rgb '#444444' lw 2.5", "median of ok"});
@@ -139,12 +142,12 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
 
   std::string data, panels;
   for (std::size_t place = 0; place < plan.axes.size(); ++place) {
-    const Binned key(plan, place);
+    const BinnedKey key(plan, place);
     std::vector<std::string> points, medians;
     for (std::size_t k = 0; k < methods.size(); ++k) {
       const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(methods.size());
-      const double dodge = key.axis().is_words() ? kSpread * (part - 0.5) : 0;
-      data += blocks(view, key, methods[k], dodge, looks[k]);
+      const double offset = key.axis().is_words() ? kWordSpread * (part - 0.5) : 0;
+      data += blocks(view, key, methods[k], offset, looks[k]);
       points.push_back(fmt::format(
           "$points_{}_{} using 1:2:3 with points lc rgb '{}' lw 1 pt variable ps {} notitle", place,
           methods[k], looks[k].colour, size));
@@ -154,15 +157,16 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
                                 : "lines dt " + looks[k].dash,
           looks[k].colour));
     }
-    panels += report::margins(grid.place(place)) + "unset logscale x\n" + key.axis().commands('x') +
+    panels += report::margin_commands(grid.place(place)) + "unset logscale x\n" +
+              key.axis().commands('x') +
               fmt::format("plot {}, \\\n     {}\n\n", fmt::join(points, ", \\\n     "),
                           fmt::join(medians, ", \\\n     "));
   }
-  return report::figure_output(file_stem, grid.size()) + data +
+  return report::output_commands(file_stem, grid.size()) + data +
          "\nset tics out nomirror\nset border 3\nset grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\n"
          "unset key\n" +
          std::string(PanelGrid::kLabels) +
-         fmt::format("set logscale y\nset format y {}\n", report::kPowersOfTen) +
+         fmt::format("set logscale y\nset format y {}\n", report::kPowerOfTenFormat) +
          distance_range(view) +
          fmt::format("set ylabel {}\n",
                      report::gnuplot_text("larger {/:Italic L}_1 distance of both")) +

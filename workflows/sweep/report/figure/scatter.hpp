@@ -6,9 +6,9 @@
 
 namespace fpkcheck::sweep {
 
-/// A gnuplot script of the larger L1 distance of both marginals to each point's reference, against
-/// each of many keys: a point for each point and method, open where it is not ok, and the medians
-/// of the ok ones over the bins of the key as a line.
+/// A gnuplot script for plans with many keys: the larger L1 distance of both marginals to each
+/// point's reference, against each key. There is a mark for each point and method, open where the
+/// solution is not ok, and a line of the medians of the ok solutions over the bins of the key.
 std::string scatter_script(const SweepView& view, const std::string& file_stem);
 
 }  // namespace fpkcheck::sweep

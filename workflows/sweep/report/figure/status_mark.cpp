@@ -28,17 +28,17 @@ int point_type(Status status) {
   return 0;
 }
 
-std::string mark_drawn(int point_type, double size) {
-  constexpr int kDot = 7;  // filled: a large one would hide the colour
+std::string mark_style(int point_type, double size) {
+  constexpr int kDot = 7;  // filled: a large dot would hide the colour
   return fmt::format("with points lc rgb 'black' lw 1.2 pt {} ps {:.3g}", point_type,
                      point_type == kDot ? size / 2 : size);
 }
 
-std::vector<report::LegendEntry> status_legend(const std::vector<Status>& there) {
+std::vector<report::LegendEntry> status_legend(const std::vector<Status>& statuses) {
   std::vector<report::LegendEntry> entries;
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
-    if (status == Status::ok || std::ranges::count(there, status) == 0) continue;
-    entries.push_back({"NaN " + mark_drawn(point_type(status)), std::string(name)});
+    if (status == Status::ok || std::ranges::count(statuses, status) == 0) continue;
+    entries.push_back({"NaN " + mark_style(point_type(status)), std::string(name)});
   }
   return entries;
 }

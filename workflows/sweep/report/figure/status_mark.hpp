@@ -8,15 +8,15 @@
 
 namespace fpkcheck::sweep {
 
-/// Point type of gnuplot for a status that is not ok: they differ in shape, for grey print.
+/// Gnuplot point type of a status that is not ok. The types differ in shape, for print in grey.
 int point_type(transform::Status status);
-/// Of the reference, which has no distance to itself.
+/// Point type of the reference, which has no distance to itself.
 inline constexpr int kReferenceMark = 6;  // a circle
 
-/// Marks in black on colours, and what they mean: of those statuses that are there.
-std::vector<report::LegendEntry> status_legend(const std::vector<transform::Status>& there);
+/// Legend entries of the marks, which are black on colours, for the statuses that occur.
+std::vector<report::LegendEntry> status_legend(const std::vector<transform::Status>& statuses);
 
-/// How a mark is drawn, after a plot's data.
-std::string mark_drawn(int point_type, double size = 1);
+/// Gnuplot style of a mark, to follow a plot's data.
+std::string mark_style(int point_type, double size = 1);
 
 }  // namespace fpkcheck::sweep

@@ -11,12 +11,12 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// "c = 0.1", "k = 1", ..
-std::vector<std::string> fixed_list(const Plan& plan) {
+// Parameters that are not varied and not at their defaults: "c = 0.1", "k = 1", ..
+std::vector<std::string> fixed_parameter_list(const Plan& plan) {
   std::vector<std::string> list;
-  for (const auto& parameter : problem::shown_parameters(plan.base)) {
+  for (const auto& parameter : problem::displayed_parameters(plan.base)) {
     const std::string key = parameter.section + '.' + parameter.name;
-    if (parameter.usual || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
+    if (parameter.is_default || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
     const bool is_number = std::holds_alternative<double>(parameter.value);
     list.push_back(
         is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::text_of(parameter.value))
@@ -42,7 +42,7 @@ bool SweepView::is_reference(std::size_t number, std::size_t m) const {
   return found != nullptr && found->reference == plan().methods[m].id();
 }
 
-std::optional<MarginalPair> SweepView::error_of_reference(std::size_t number) const {
+std::optional<MarginalPair> SweepView::reference_error(std::size_t number) const {
   for (std::size_t m = 0; m < plan().methods.size(); ++m) {
     if (is_reference(number, m)) return method(number, m)->error;
   }
@@ -66,7 +66,7 @@ bool SweepView::has_distances() const {
   return false;
 }
 
-std::string SweepView::only_reference() const {
+std::string SweepView::common_reference() const {
   std::string only;
   for (const auto& point : results_.points) {
     if (point.reference.empty()) continue;
@@ -77,7 +77,7 @@ std::string SweepView::only_reference() const {
 }
 
 bool SweepView::is_always_reference(std::size_t m) const {
-  return only_reference() == plan().methods[m].id();
+  return common_reference() == plan().methods[m].id();
 }
 
 std::vector<std::size_t> SweepView::compared_methods() const {
@@ -89,13 +89,13 @@ std::vector<std::size_t> SweepView::compared_methods() const {
 }
 
 int SweepView::width() const {
-  constexpr int kOnScreen = 1100;
-  return report::figure_width(medium_, kOnScreen);
+  constexpr int kScreenWidth = 1100;
+  return report::figure_width(medium_, kScreenWidth);
 }
 
 report::FigureTitle SweepView::title() const {
   std::vector<std::string> parts{plan().base.name + ": "};
-  for (const auto& parameter : fixed_list(plan())) {
+  for (const auto& parameter : fixed_parameter_list(plan())) {
     if (parts.size() > 1) parts.back() += ", ";
     parts.push_back(parameter);
   }
@@ -103,7 +103,7 @@ report::FigureTitle SweepView::title() const {
 }
 
 std::string fixed_parameters(const Plan& plan) {
-  return fmt::format("{}", fmt::join(fixed_list(plan), ", "));
+  return fmt::format("{}", fmt::join(fixed_parameter_list(plan), ", "));
 }
 
 }  // namespace fpkcheck::sweep

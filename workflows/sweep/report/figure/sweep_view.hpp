@@ -9,7 +9,7 @@
 
 namespace fpkcheck::sweep {
 
-/// What pictures ask of the results of a sweep. Refers to them.
+/// Queries of the figures to the results of a sweep. Keeps a reference to the results.
 class SweepView {
  public:
   explicit SweepView(const SweepResults& results,
@@ -18,28 +18,29 @@ class SweepView {
   const SweepResults& results() const { return results_; }
   const Plan& plan() const { return results_.plan; }
 
-  /// Null where the point was not solved.
+  /// Result of a point; null where the point was not solved.
   const PointResult* point(std::size_t number) const { return by_number_[number]; }
   const MethodResult* method(std::size_t number, std::size_t m) const;
   bool is_reference(std::size_t number, std::size_t m) const;
-  /// What the point's reference states of its own error; nothing where it states none.
-  std::optional<MarginalPair> error_of_reference(std::size_t number) const;
-  /// Distance to the point's reference, the larger of both marginals.
+  /// Error estimate of the point's reference; empty where it has none.
+  std::optional<MarginalPair> reference_error(std::size_t number) const;
+  /// L1 distance to the point's reference, the larger of both marginals.
   std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
 
-  /// Whether anything was compared with a reference.
+  /// True if any method has a distance to a reference.
   bool has_distances() const;
-  /// The reference of all points, or "" where they have several.
-  std::string only_reference() const;
-  /// Whether it is the reference wherever there is one.
+  /// The reference of all points, or "" where the points have several references.
+  std::string common_reference() const;
+  /// True if the method is the reference of every point that has a reference.
   bool is_always_reference(std::size_t m) const;
-  /// Methods to draw distances of: all but one that is always the reference.
+  /// Indices of the methods whose distances are drawn: all but the one that is always the
+  /// reference.
   std::vector<std::size_t> compared_methods() const;
 
-  /// Where its pictures are to stand, and how wide they are then, in pixels.
+  /// Medium of the figures, and their width in pixels.
   report::FigureWidth medium() const { return medium_; }
   int width() const;
-  /// What does not vary, for the top of a picture.
+  /// The fixed parameters, for the top of a figure.
   report::FigureTitle title() const;
 
  private:
@@ -48,7 +49,7 @@ class SweepView {
   std::vector<const PointResult*> by_number_;
 };
 
-/// The parameters of the case that are the same at all points, in one line: "c = 0.1, k = 1".
+/// Parameters that are the same at all points, in one line: "c = 0.1, k = 1".
 std::string fixed_parameters(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

@@ -8,19 +8,19 @@
 
 namespace fpkcheck::sweep {
 
-/// Answers of a method that are not ok for one reason, whatever numbers it mentions.
+/// Results of a method that are not ok for the same reason, up to numbers in the reason.
 struct ReasonGroup {
   std::size_t method;
   transform::Status status;
   std::size_t count = 0;
-  std::size_t point = 0;  ///< the first one's number
-  std::string reason;     ///< of that point
+  std::size_t point = 0;  ///< number of the first point
+  std::string reason;     ///< reason at that point
 };
 
-/// The commonest first.
+/// Groups of reasons, the most frequent first.
 std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
-/// A reason without its numbers: "residual ... after ... steps"; those within words ("km4") stay.
+/// Replaces numbers in a reason: "residual ... after ... steps". Numbers within words ("km4") stay.
 std::string without_numbers(const std::string& reason);
 
 }  // namespace fpkcheck::sweep

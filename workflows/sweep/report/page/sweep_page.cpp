@@ -18,9 +18,10 @@ namespace fpkcheck::sweep {
 namespace {
 
 using report::element;
-using report::escaped;
+using report::escape_html;
 
-// Beside that of a run's page. Where a screen is narrow a picture scrolls rather than shrinks.
+// In addition to the style of a run's page. On a narrow screen a picture scrolls instead of
+// shrinking.
 constexpr const char* kPictureStyle =
     "figure { margin: 1.2rem 0; }\n"
     ".picture { overflow-x: auto; }\n"
@@ -35,19 +36,19 @@ std::string plural(std::size_t count, const char* noun) {
 
 std::string axis_sentence(const Axis& axis) {
   if (axis.spacing == Spacing::listed) return axis.text();
-  const char* how = axis.spacing == Spacing::logarithmic ? " by their logarithms" : "";
+  const char* how = axis.spacing == Spacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
              : fmt::format("{} from {:g} to {:g} ({} values, evenly spaced{})", axis.key, axis.from,
                            axis.to, axis.values.size(), how);
 }
 
-const char* how_points_lie(Design design) {
+const char* design_text(Design design) {
   switch (design) {
     case Design::product:
       return "every value with every other";
     case Design::list:
-      return "the k-th values of all together";
+      return "the k-th values of all keys together";
     case Design::sobol:
       return "points of a Sobol sequence";
   }
@@ -59,23 +60,23 @@ std::string introduction(const SweepResults& results) {
   std::vector<std::string> varied;
   for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
   std::string text =
-      fmt::format("Of {} what varies is {}", plan.base.name, fmt::join(varied, "; "));
+      fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
   if (plan.axes.size() > 1 || plan.design == Design::sobol) {
-    text += fmt::format(": {}", how_points_lie(plan.design));
+    text += fmt::format("; design: {}", design_text(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
                       plural(plan.methods.size(), "method"));
-  if (!results.is_whole()) {
+  if (!results.is_complete()) {
     text += fmt::format(" {} solved so far.", plural(results.points.size(), "point"));
   }
   if (!results.points.empty() &&
       std::ranges::all_of(results.points, &std::string::empty, &PointResult::reference)) {
-    text += " No method solves the problem itself, so that there is no reference.";
+    text += " No method solves the full problem, so there is no reference.";
   }
   return text;
 }
 
-// The columns of the terminal's table.
+// The table of methods, with the columns of the table on the terminal.
 std::string methods_table(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
   for (auto& column : method_columns(results)) {
@@ -94,13 +95,13 @@ std::string pictures_html(const std::vector<PagePicture>& pictures) {
     html += fmt::format(
         "<figure>\n<div class=\"picture\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><img "
         "alt=\"{0}\" src=\"data:{1};base64,{2}\"></div>\n<figcaption>{0}</figcaption>\n</figure>\n",
-        escaped(picture.caption), picture.media_type,
+        escape_html(picture.caption), picture.media_type,
         report::base64(std::as_bytes(std::span(picture.bytes))));
   }
   return html.empty() ? html : element("h2", "Pictures") + html;
 }
 
-std::string example_of(const Plan& plan, std::size_t point) {
+std::string example_text(const Plan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < plan.axes.size(); ++k) {
     values.push_back(
@@ -110,19 +111,21 @@ std::string example_of(const Plan& plan, std::size_t point) {
 }
 
 std::string reasons_html(const SweepResults& results) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMaxReasons = 40;
   const auto groups = reason_groups(results);
   if (groups.empty()) return "";
-  std::string html = element("h2", "Why answers are not ok") + "<ul class=\"reasons\">\n";
-  for (std::size_t k = 0; k < std::min(kMost, groups.size()); ++k) {
+  std::string html = element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
+  for (std::size_t k = 0; k < std::min(kMaxReasons, groups.size()); ++k) {
     const ReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
-                        escaped(results.plan.methods[group.method].id()), name(group.status),
+                        escape_html(results.plan.methods[group.method].id()), name(group.status),
                         plural(group.count, "point"),
-                        escaped(example_of(results.plan, group.point)), escaped(group.reason));
+                        escape_html(example_text(results.plan, group.point)),
+                        escape_html(group.reason));
   }
-  if (groups.size() > kMost) {
-    html += fmt::format("<li>and {} more kinds, in sweep.csv</li>\n", groups.size() - kMost);
+  if (groups.size() > kMaxReasons) {
+    html +=
+        fmt::format("<li>and {} more reasons (see sweep.csv)</li>\n", groups.size() - kMaxReasons);
   }
   return html + "</ul>\n";
 }
@@ -136,7 +139,7 @@ std::string sweep_page(const SweepResults& results, const std::vector<PagePictur
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<!-- The page holds all it needs, and may ask for nothing else. -->\n"
+      "<!-- The page is self-contained: it loads nothing. -->\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
       "style-src 'unsafe-inline'; img-src data:\">\n"
       "{}<style>\n{}{}</style>\n</head>\n<body>\n<main>\n{}{}{}{}{}{}"
@@ -145,7 +148,7 @@ std::string sweep_page(const SweepResults& results, const std::vector<PagePictur
       element("title", title), report::page_style(), kPictureStyle, element("h1", title),
       element("p", introduction(results)),
       fixed.empty() ? "" : element("p", fmt::format("The same at all points: {}.", fixed)),
-      methods_table(results), pictures_html(pictures), reasons_html(results), escaped(command));
+      methods_table(results), pictures_html(pictures), reasons_html(results), escape_html(command));
 }
 
 }  // namespace fpkcheck::sweep

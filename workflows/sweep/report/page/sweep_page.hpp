@@ -8,16 +8,16 @@
 
 namespace fpkcheck::sweep {
 
-/// A picture as a page has it.
+/// A drawn figure, to be embedded in a page.
 struct PagePicture {
   std::string caption;
-  std::string media_type;  ///< "image/svg+xml"
+  std::string media_type;  ///< e.g. "image/svg+xml"
   std::string bytes;
 };
 
-/// report.html of a sweep: one page that needs nothing else. What was varied, the methods, the
-/// pictures, and for which reasons answers are not ok.
-/// @param command the command line of the sweep
+/// Contents of report.html of a sweep, a self-contained page: varied parameters, methods, figures,
+/// and the reasons of solutions that are not ok.
+/// @param command command line of the sweep
 std::string sweep_page(const SweepResults& results, const std::vector<PagePicture>& pictures,
                        const std::string& command);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/grid.hpp"
+#include "numerics/interval/enclosure.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// Times of the stages, and the residual range of each functional.
+struct GridBoundsReport {
+  int unknowns = 0;
+  double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
+  struct Each {
+    double mean;            ///< U
+    double least, largest;  ///< range of (f + L V - U)/tau inside the box
+    double outside;         ///< bound of |f + L V - U|/tau outside the box
+    long boxes;             ///< number of sub-boxes in the bisection
+  };
+  std::vector<Each> each;
+};
+
+/// Bounds of all functionals from a single grid.
+std::vector<numerics::Enclosure> bounds_on_grid(const problem::Problem& problem,
+                                                const Weight& weight, const SplineGrid& grid,
+                                                const std::vector<Functional>& functionals,
+                                                int threads, GridBoundsReport* report = nullptr);
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,171 @@
+#include "backward/bounds/outer_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "backward/bounds/functional_enclosure.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+// A region outside the box, with the least G and with bounds of the slopes of V and of its
+// oscillation in v.
+struct Region {
+  numerics::Interval energy;
+  double y_slope, v_slope, oscillation;
+};
+
+class OuterResidual {
+ public:
+  OuterResidual(const CertificateContext& context, const Functional& functional,
+                const Certificate& certificate)
+      : s_(context), functional_(functional), certificate_(certificate) {}
+
+  double bound() const {
+    double largest = 0;
+    for (int span = 0; span < s_.displacement.spans(); ++span) {
+      largest =
+          std::max({largest, region_bound(region_above(span)), region_bound(region_below(span))});
+    }
+    for (const bool at_right : {true, false}) {
+      if (!(at_right ? s_.ends.right_open : s_.ends.left_open)) continue;
+      for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
+        largest = std::max({largest, region_bound(region_past_end(at_right, span, true)),
+                            region_bound(region_past_end(at_right, span, false))});
+      }
+      largest = std::max(largest, region_bound(corner_region(at_right)));
+    }
+    return largest;
+  }
+
+ private:
+  int last_row() const { return static_cast<int>(certificate_.coefficients.rows()) - 1; }
+  int last_column() const { return static_cast<int>(certificate_.coefficients.cols()) - 1; }
+  numerics::Interval c() const { return s_.weight.damping; }
+  numerics::Interval k() const { return s_.weight.stiffness; }
+  numerics::Interval cubic() const { return s_.weight.cubic; }
+  numerics::Interval stiffness() const { return k() - square(c()) / 4.0; }  // > 0
+  numerics::Interval r() const { return s_.velocity.restitution(); }
+  numerics::Interval u_end() const { return s_.velocity.speeds().end(); }
+
+  // (k - c^2/4) y^2/2 + mu y^4/4
+  numerics::Interval potential(const numerics::Interval& y) const {
+    return stiffness() * square(y) / 2.0 + cubic() * power(y, 4) / 4.0;
+  }
+  double oscillation(int row) const {
+    const auto coefficients = certificate_.coefficients.row(row);
+    return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
+  }
+
+  // Largest slope on a span. A slope is a convex combination of the coefficients of the derivative,
+  // p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), i = span .. span + p - 1.
+  template <class Coefficient>
+  static double max_slope(const numerics::SplineBasis& basis, int span,
+                          const Coefficient& coefficient) {
+    const int p = basis.degree();
+    double slope = 0;
+    for (int i = span; i < span + p; ++i) {
+      const numerics::Interval width =
+          numerics::Interval(basis.knot(i + p + 1)) - basis.knot(i + 1);
+      slope = std::max(
+          slope, magnitude(static_cast<double>(p) *
+                           (numerics::Interval(coefficient(i + 1)) - coefficient(i)) / width));
+    }
+    return slope;
+  }
+
+  // The least G for |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
+  // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
+  numerics::Interval least_incoming_energy(const numerics::Interval& u,
+                                           const numerics::Interval& y) const {
+    return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
+           cubic() * power(y, 4) / 4.0;
+  }
+  // The least G for v >= `v` >= 0 and y >= `y` >= 0, or for both negative: |w| = |v| + c |y|/2
+  // increases with both.
+  numerics::Interval least_outgoing_energy(const numerics::Interval& v,
+                                           const numerics::Interval& y) const {
+    return square(v + c() * y / 2.0) / 2.0 + potential(y);
+  }
+
+  Region region_beside(int span, int column, const numerics::Interval& energy) const {
+    Region region{energy, 0, 0, 0};
+    region.y_slope = max_slope(s_.displacement, span,
+                               [&](int a) { return certificate_.coefficients(a, column); });
+    for (int a = span; a <= span + s_.displacement.degree(); ++a) {
+      region.oscillation = std::max(region.oscillation, oscillation(a));
+    }
+    return region;
+  }
+  // The region v > r u_end, y in a span.
+  Region region_above(int span) const {
+    const double y = s_.displacement.breaks()[span];
+    return region_beside(span, last_column(),
+                         y >= 0 ? least_outgoing_energy(r() * u_end(), y)
+                                : least_incoming_energy(r() * u_end(), least_displacement(span)));
+  }
+  // The region v < -u_end, y in a span.
+  Region region_below(int span) const {
+    return region_beside(span, 0, least_incoming_energy(u_end(), least_displacement(span)));
+  }
+  // The least |y| of a span.
+  double least_displacement(int span) const {
+    const auto breaks = s_.displacement.breaks();
+    return std::max({0.0, breaks[span], -breaks[span + 1]});
+  }
+  // |y| at an open end: y > 0 at the right end, y < 0 at the left end.
+  numerics::Interval end(bool at_right) const {
+    return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
+  }
+  // The region past an open end in y, v in a span.
+  Region region_past_end(bool at_right, int span, bool outgoing) const {
+    const ImpactBasis& velocity = s_.velocity;
+    const numerics::Interval u = velocity.speeds().breaks()[span];
+    const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
+    // Outgoing means v >= 0: away from y = 0 at the right end.
+    const numerics::Interval energy =
+        outgoing == at_right ? least_outgoing_energy(speed, y) : least_incoming_energy(speed, y);
+    const int row = at_right ? last_row() : 0;
+    const double in_speed = max_slope(velocity.speeds(), span, [&](int h) {
+      return certificate_.coefficients(row, outgoing ? velocity.outgoing(h) : velocity.incoming(h));
+    });
+    const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
+    return {energy, 0, slope, oscillation(row)};
+  }
+  // The region past the ends in both y and v, where V is constant in each.
+  Region corner_region(bool at_right) const {
+    return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
+  }
+
+  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
+  // bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. Its ratio to G^m
+  // is largest at the least G.
+  double region_bound(const Region& region) const {
+    const double least = region.energy.lower();
+    if (!(least > 0)) return HUGE_VAL;
+    const numerics::Interval root = sqrt(2.0 * numerics::Interval(least)),
+                             omega = sqrt(stiffness());
+    const numerics::Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
+    const numerics::Interval force = k() * y + cubic() * power(y, 3);
+    const numerics::Interval numerator =
+        integrand_bound(functional_, y, v, force) + std::abs(certificate_.mean) +
+        v * region.y_slope + (c() * v + force) * region.v_slope +
+        numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
+    const double bound =
+        (numerator / power(numerics::Interval(least) / s_.weight.scale, s_.weight.power)).upper();
+    return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would ignore NaN
+  }
+
+  const CertificateContext& s_;
+  const Functional& functional_;
+  const Certificate& certificate_;
+};
+
+}  // namespace
+
+double outer_residual_bound(const CertificateContext& context, const Functional& functional,
+                            const Certificate& certificate) {
+  return OuterResidual(context, functional, certificate).bound();
+}
+
+}  // namespace fpkcheck::backward

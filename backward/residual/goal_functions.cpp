@@ -1,0 +1,68 @@
+#include "backward/residual/goal_functions.hpp"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "backward/control/general_fit.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kGradedCells = 12;          // cells that shrink towards the wall and towards v = 0
+constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations
+
+double constant_one(double) { return 1; }
+
+/// The B-splines on every second break of the splines.
+std::shared_ptr<const numerics::QuinticBSplines> coarsened_splines(
+    const numerics::QuinticBSplines& splines) {
+  const auto& breaks = splines.breaks();
+  std::vector<double> knots(numerics::QuinticBSplines::kDegree + 1, splines.begin());
+  for (std::size_t k = 2; k + 2 < breaks.size(); k += 2) knots.push_back(breaks[k]);
+  knots.insert(knots.end(), numerics::QuinticBSplines::kDegree + 1, splines.end());
+  return std::make_shared<const numerics::QuinticBSplines>(std::move(knots));
+}
+
+std::vector<std::function<double(double)>> bin_functions(const numerics::QuinticBSplines& splines) {
+  const auto bins = coarsened_splines(splines);
+  std::vector<std::function<double(double)>> functions;
+  for (int b = 0; b < bins->size(); ++b) {
+    functions.push_back([bins, b](double x) {
+      const auto at = bins->at(x);
+      const int place = b - at.first;
+      return 0 <= place && place <= numerics::QuinticBSplines::kDegree ? at.value[place] : 0;
+    });
+  }
+  return functions;
+}
+
+}  // namespace
+
+ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells) {
+  if (!problem::is_paper_oscillator(problem)) return general_splines(problem, cells);
+  const double deviation = problem::equivalent_linearisation(problem).displacement_deviation;
+  const bool is_off_wall = problem::static_deflection(problem) > kOffWallDeflection * deviation;
+  return paper_class_splines(problem, cells, is_off_wall ? 0 : kGradedCells);
+}
+
+GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
+                             const problem::Frame& frame) {
+  GoalFunctions goal;
+  for (const int n : {1, 2, 4}) {
+    goal.all.push_back({[=](double x) { return std::pow(frame.y(x), n); }, constant_one});
+  }
+  for (const int n : {1, 2, 4}) {
+    goal.all.push_back({constant_one, [=](double x) { return std::pow(frame.v(x), n); }});
+  }
+  goal.moments = static_cast<int>(goal.all.size());
+  for (auto& bin : bin_functions(y)) goal.all.push_back({std::move(bin), constant_one});
+  goal.y_bins = static_cast<int>(goal.all.size()) - goal.moments;
+  for (auto& bin : bin_functions(v)) goal.all.push_back({constant_one, std::move(bin)});
+  goal.v_bins = static_cast<int>(goal.all.size()) - goal.moments - goal.y_bins;
+  return goal;
+}
+
+}  // namespace fpkcheck::backward

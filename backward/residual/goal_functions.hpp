@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "backward/control/control_functions.hpp"
+#include "backward/control/paper_class_fit.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// Splines of the backward equation for dual-weighted residuals. Errors of densities concentrate
+/// where impacts are slow and the motion has decayed: cells there are narrower by a factor of 40.
+/// The ends and the triple knot at v = 0 are those of paper_class_splines(). If the mean of the
+/// impulses keeps the oscillator off the wall, the splines are paper_class_splines(); outside the
+/// base class they are general_splines().
+ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells);
+
+/// The goal functions: functions of the phase plane whose expectations have error estimates.
+struct GoalFunctions {
+  /// transform::kMoments (in physical coordinates), then bins of y, then bins of v.
+  std::vector<SeparableFunction> all;
+  int moments = 0, y_bins = 0, v_bins = 0;
+};
+
+/// The goal functions of splines. The bins are the B-splines on pairs of cells: their sum is 1,
+/// they are narrow where the cells are narrow, and the solution of the backward equation of a bin
+/// is smooth on the scale of the cells.
+/// @param frame coordinate frame of the splines
+GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
+                             const problem::Frame& frame = {});
+
+}  // namespace fpkcheck::backward

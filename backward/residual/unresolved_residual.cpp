@@ -1,0 +1,159 @@
+#include "backward/residual/unresolved_residual.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+#include "backward/control/generator_factors.hpp"
+#include "backward/control/impulse_means.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+#include "problem/features.hpp"
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kGaussPointsPerCell = 2;  // points of a cell along an axis
+
+/// Values of f at all points of both axes.
+Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
+                          std::span<const double> v) {
+  const auto along = [](const std::function<double(double)>& g, std::span<const double> points) {
+    Eigen::VectorXd values(std::ssize(points));
+    for (Eigen::Index n = 0; n < values.size(); ++n) {
+      values(n) = g(points[static_cast<std::size_t>(n)]);
+    }
+    return values;
+  };
+  return along(f.y_factor, y) * along(f.v_factor, v).transpose();
+}
+
+/// Weights of a rule times weights of the fit.
+Eigen::VectorXd weights_of(const numerics::QuadratureRule& rule,
+                           const std::function<double(double)>& weight) {
+  Eigen::VectorXd weights = rule.weights;
+  for (Eigen::Index n = 0; n < weights.size(); ++n) {
+    weights(n) *= weight(rule.points[static_cast<std::size_t>(n)]);
+  }
+  return weights;
+}
+
+Eigen::VectorXd normalised_weights(const numerics::QuadratureRule& rule,
+                                   const std::function<double(double)>& weight) {
+  const Eigen::VectorXd weights = weights_of(rule, weight);
+  return weights / weights.sum();
+}
+
+/// Positions of the maxima of V between neighbouring minima, increasing.
+std::vector<double> barrier_positions(const problem::Problem& problem,
+                                      const std::vector<double>& points) {
+  const problem::UndampedOrbits orbits(problem);
+  const auto& minima = orbits.minima();
+  std::vector<double> tops;
+  for (std::size_t n = 1; n < minima.size(); ++n) {
+    double top = minima[n];
+    for (const double at : points) {
+      const bool between = minima[n - 1] < at && at < minima[n];
+      if (between && orbits.potential()(at) > orbits.potential()(top)) top = at;
+    }
+    tops.push_back(top);
+  }
+  return tops;
+}
+
+/// Matrix of the means over each well, from barrier to barrier, of values at the points of y: shape
+/// (wells, points). No rows for a single well.
+Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::QuadratureRule& rule,
+                              const std::function<double(double)>& weight) {
+  if (problem::features(problem).wells < 2) return {};
+  // The weight of general_fit() is narrower than the density: a well below this fraction of the
+  // weight has less than 1e-4 of the mass.
+  constexpr double kNegligible = 1e-6;
+  const std::vector<double> tops = barrier_positions(problem, rule.points);
+  const Eigen::VectorXd weights = weights_of(rule, weight);
+  const auto wells = static_cast<Eigen::Index>(tops.size()) + 1;
+  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(wells, weights.size());
+  for (Eigen::Index n = 0; n < weights.size(); ++n) {
+    const auto well =
+        std::ranges::lower_bound(tops, rule.points[static_cast<std::size_t>(n)]) - tops.begin();
+    means(well, n) = weights(n);
+  }
+  Eigen::Index kept = 0;
+  for (Eigen::Index well = 0; well < wells; ++well) {
+    const double share = means.row(well).sum();
+    if (share > kNegligible * weights.sum()) means.row(kept++) = means.row(well) / share;
+  }
+  means.conservativeResize(kept, Eigen::NoChange);
+  return means;
+}
+
+}  // namespace
+
+UnresolvedResidual::UnresolvedResidual(const ControlFit& fit,
+                                       std::span<const SeparableFunction> functions,
+                                       const ControlFunctions& h) {
+  const problem::Problem& problem = fit.problem;
+  const numerics::QuinticBSplines &ys = fit.y, &vs = fit.v;
+  const numerics::QuadratureRule in_y = numerics::gauss_rule<kGaussPointsPerCell>(ys.breaks()),
+                                 in_v = numerics::gauss_rule<kGaussPointsPerCell>(vs.breaks());
+  const auto &y = in_y.points, &v = in_v.points;
+  const GeneratorFactors y_factor = displacement_factors(problem.system, ys, y);
+  const GeneratorFactors v_factor =
+      velocity_factors(problem, vs, v, impulse_means(vs, problem.impulses, v));
+  const auto walls = impact_walls(problem.system);
+  std::vector<Eigen::MatrixXd> jumps;
+
+  const Eigen::Index ny = std::ssize(y) / kGaussPointsPerCell,
+                     nv = std::ssize(v) / kGaussPointsPerCell;
+  const auto count = static_cast<Eigen::Index>(functions.size());
+  in_cells_.resize(ny * nv, count);
+  contrasts_ = Eigen::VectorXd::Zero(count);
+  const Eigen::MatrixXd in_wells = well_averages(problem, in_y, fit.weight_y);
+  const Eigen::VectorXd over_v = normalised_weights(in_v, fit.weight_v);
+  for (const ImpactWall& wall : walls) {
+    const auto u = numerics::gauss_rule<kGaussPointsPerCell>(impact_jump_breaks(vs, wall)).points;
+    jumps.push_back(impact_jumps(vs, wall, u));
+    at_walls_.emplace_back(std::ssize(u) / kGaussPointsPerCell, count);
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const Eigen::MatrixXd coefficients =
+        h.coefficients.col(k).reshaped<Eigen::RowMajor>(ys.size(), vs.size());
+    Eigen::MatrixXd residual = values_of(functions[at], y, v).array() - h.means[at];
+    for (std::size_t term = 0; term < y_factor.size(); ++term) {
+      residual.noalias() += y_factor[term] * coefficients * v_factor[term].transpose();
+    }
+    if (in_wells.rows() > 1) {
+      const Eigen::VectorXd means = in_wells * (residual * over_v);
+      contrasts_(k) = means.maxCoeff() - means.minCoeff();
+    }
+    for (Eigen::Index i = 0; i < ny; ++i) {
+      for (Eigen::Index j = 0; j < nv; ++j) {
+        in_cells_(i * nv + j, k) = residual
+                                       .block<kGaussPointsPerCell, kGaussPointsPerCell>(
+                                           i * kGaussPointsPerCell, j * kGaussPointsPerCell)
+                                       .cwiseAbs()
+                                       .mean();
+      }
+    }
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+      const Eigen::Index row = walls[n].rebound_sign > 0 ? 0 : coefficients.rows() - 1;
+      const Eigen::VectorXd jump = jumps[n] * coefficients.row(row).transpose();
+      for (Eigen::Index i = 0; i < at_walls_[n].rows(); ++i) {
+        at_walls_[n](i, k) =
+            jump.segment<kGaussPointsPerCell>(i * kGaussPointsPerCell).cwiseAbs().mean();
+      }
+    }
+  }
+}
+
+Eigen::VectorXd UnresolvedResidual::mean_residuals(const WeakForm& density) const {
+  const Eigen::VectorXd masses = density.cells.reshaped<Eigen::RowMajor>().cwiseAbs();
+  Eigen::VectorXd sums = in_cells_.transpose() * masses;
+  for (std::size_t n = 0; n < at_walls_.size(); ++n) {
+    sums += at_walls_[n].transpose() * density.impacts[n].cwiseAbs();
+  }
+  return sums;
+}
+
+}  // namespace fpkcheck::backward

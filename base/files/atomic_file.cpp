@@ -1,0 +1,130 @@
+#include "base/files/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <system_error>
+
+namespace fpkcheck::base {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPartialMarker = ".partial-";
+
+[[noreturn]] void throw_system_error() { throw std::system_error(errno, std::generic_category()); }
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {
+    if (number_ < 0) throw_system_error();
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+
+  void write_all(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = write(number_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) throw_system_error();
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+  // Some file systems do not support fsync of directories.
+  void flush() const {
+    if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_error();
+  }
+  // A full disk may be reported only by close().
+  void close_checked() {
+    const int number = number_;
+    number_ = -1;
+    if (close(number) != 0 && errno != EINTR) throw_system_error();
+  }
+
+ private:
+  int number_;
+};
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
+  std::string host(name.data());
+  for (char& c : host) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  constexpr std::size_t kMaxHostLength = 32;  // file names are limited in length
+  return host.substr(0, kMaxHostLength);
+}
+
+std::string partial_suffix(const std::string& host) {
+  return fmt::format("{}{}-", kPartialMarker, host);
+}
+
+// Process id in the name of a partial file of this host; 0 when the name is another one.
+long partial_writer_pid(const std::string& name) {
+  const std::string suffix = partial_suffix(WriterProcess::current_process().host);
+  const auto at = name.rfind(suffix);
+  if (!name.starts_with('.') || at == std::string::npos) return 0;
+  const char* const end = name.data() + name.size();
+  long pid = 0;
+  const auto [stop, error] = std::from_chars(name.data() + at + suffix.size(), end, pid);
+  return error == std::errc{} && stop == end && pid > 0 ? pid : 0;
+}
+
+}  // namespace
+
+WriterProcess WriterProcess::current_process() {
+  static const std::string host = host_name();
+  return {host, getpid()};
+}
+
+bool WriterProcess::may_be_running() const {
+  if (host != current_process().host) return true;
+  return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH;
+}
+
+fs::path partial_path(const fs::path& target) {
+  const auto [host, pid] = WriterProcess::current_process();
+  return target.parent_path() /
+         fmt::format(".{}{}{}", target.filename().string(), partial_suffix(host), pid);
+}
+
+void remove_abandoned_partials(const fs::path& directory) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const long pid = partial_writer_pid(entry.path().filename().string());
+    if (pid == 0 || WriterProcess{WriterProcess::current_process().host, pid}.may_be_running())
+      continue;
+    std::error_code ignored;
+    if (fs::is_regular_file(entry.symlink_status(ignored))) fs::remove(entry.path(), ignored);
+  }
+}
+
+void write_new_file(const fs::path& file, std::string_view bytes) {
+  // O_NOFOLLOW: a planted link must not redirect the file.
+  Descriptor out(
+      open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode));
+  try {
+    out.write_all(bytes);
+    out.flush();
+    out.close_checked();
+  } catch (const std::system_error&) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    throw;
+  }
+}
+
+void flush(const fs::path& path) {
+  Descriptor(open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC)).flush();
+}
+
+}  // namespace fpkcheck::base

@@ -1,0 +1,155 @@
+#include "cli/shutdown.hpp"
+
+#include <fmt/format.h>
+#include <semaphore.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#include "base/process/stop.hpp"
+#include "base/process/write_guard.hpp"
+#include "cli/interruption.hpp"
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Time between the signal and the shutdown by the watchdog. The rest of the second is for the
+// shutdown hooks, which write files on busy processors. A simulation ends after its current round,
+// to keep its result: a round of 2e7 events takes longer than a second on few processors.
+constexpr auto kAbortDelay = 300ms;
+constexpr auto kFinishDelay = 4000ms;
+
+constexpr const char* kNothingWritten = "nothing was written";
+
+struct ShutdownState {
+  std::mutex mutex;  // guards the members below
+  std::vector<const std::function<void()>*> hooks;
+  std::string message = kNothingWritten;
+  bool command_ended = false;
+  std::condition_variable changed;
+};
+
+// Never destroyed: threads may still use the state while the process exits.
+ShutdownState& shutdown_state() {
+  static ShutdownState& state = *new ShutdownState;
+  return state;
+}
+
+std::atomic<bool> watchdog_active = false, shutdown_claimed = false;
+sem_t signal_received;
+
+[[noreturn]] void wait_for_exit() {
+  while (true) pause();
+}
+
+// Not by stdio: another thread may hold its locks while it waits for a reader.
+void write_line(const std::string& line) {
+  const std::string text = (can_rewrite_line() ? "\r\033[K" : "") + line + '\n';
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+// Returns if the command has claimed the shutdown; the command then prints the message and joins
+// this thread.
+void shut_down_process() {
+  if (shutdown_claimed) return;
+  base::reserve_writes_for_this_thread();
+  if (shutdown_claimed.exchange(true)) return;
+  std::vector<const std::function<void()>*> hooks;
+  std::unique_lock lock(shutdown_state().mutex);
+  hooks.swap(shutdown_state().hooks);
+  lock.unlock();
+  std::ranges::reverse(hooks);
+  for (const auto* hook : hooks) {
+    try {
+      (*hook)();
+    } catch (const std::exception& error) {
+      set_exit_message(fmt::format("{} ({})", kNothingWritten, error.what()));
+    }
+  }
+  write_line("fpkcheck: " + exit_message());
+  _exit(signal_exit_code(base::stop_signal()));
+}
+
+void run_watchdog() {
+  while (sem_wait(&signal_received) != 0) continue;
+  ShutdownState& e = shutdown_state();
+  std::unique_lock lock(e.mutex);
+  const auto grace =
+      interruption_policy() == InterruptionPolicy::finish_early ? kFinishDelay : kAbortDelay;
+  if (e.changed.wait_for(lock, grace, [&] { return e.command_ended; })) return;
+  lock.unlock();
+  shut_down_process();
+}
+
+}  // namespace
+
+ShutdownHook::ShutdownHook(std::function<void()> action) : action_(std::move(action)) {
+  const std::lock_guard lock(shutdown_state().mutex);
+  shutdown_state().hooks.push_back(&action_);
+}
+
+ShutdownHook::~ShutdownHook() {
+  std::unique_lock lock(shutdown_state().mutex);
+  if (std::erase(shutdown_state().hooks, &action_) > 0) return;
+  lock.unlock();
+  wait_for_exit();  // the watchdog runs the hook: its data must stay alive until the exit
+}
+
+OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
+    : hook_([this] { directory_ = {}; }) {
+  if (!out) return;
+  const base::WriteGuard in_hand;
+  directory_ = results::prepare_output_directory(*out);
+}
+
+void set_exit_message(const std::string& message) {
+  const std::lock_guard lock(shutdown_state().mutex);
+  shutdown_state().message = message;
+}
+
+std::string exit_message() {
+  const std::lock_guard lock(shutdown_state().mutex);
+  return fmt::format("{}; {}", base::stop_signal() == SIGTERM ? "terminated" : "interrupted",
+                     shutdown_state().message);
+}
+
+ShutdownWatchdog::ShutdownWatchdog() {
+  shutdown_claimed = false;
+  shutdown_state().command_ended = false;
+  sem_init(&signal_received, 0, 0);
+  watchdog_active = true;
+  thread_ = std::thread(run_watchdog);
+}
+
+ShutdownWatchdog::~ShutdownWatchdog() {
+  {
+    const std::lock_guard lock(shutdown_state().mutex);
+    shutdown_state().command_ended = true;
+  }
+  shutdown_state().changed.notify_all();
+  watchdog_active = false;
+  sem_post(&signal_received);
+  thread_.join();
+}
+
+void notify_watchdog() {
+  if (watchdog_active) sem_post(&signal_received);
+}
+
+void claim_shutdown() {
+  if (watchdog_active && shutdown_claimed.exchange(true)) wait_for_exit();
+}
+
+}  // namespace fpkcheck::cli

@@ -1,0 +1,73 @@
+#include "control_variates/control_setup.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "backward/control/control_functions.hpp"
+#include "backward/control/impulse_means.hpp"
+#include "backward/control/paper_class_fit.hpp"
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::control_variates {
+namespace {
+
+constexpr double kYBinSpacing = 0.15, kVBinSpacing = 0.3, kBinExtent = 7;  // deviations
+constexpr double kLatticePointsPerDeviation = 8;  // lattice points per deviation
+constexpr double kLatticeExtension = 4;  // extension of the lattice, in deviations of the impulses
+
+std::vector<double> lattice(const mcs::DepositGrid& grid) {
+  std::vector<double> v;
+  for (int q = 0; q < grid.lattice_points; ++q) {
+    v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
+  }
+  return v;
+}
+
+}  // namespace
+
+DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells& cells) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double deflection = problem::static_deflection(problem);
+  auto splines = backward::paper_class_splines(problem, {.y = cells.y, .v = cells.v});
+  DepositLayout p{
+      .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
+  const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
+  // Half-width of a smooth bin in spacings: the outermost bins end at the extent.
+  constexpr int kBinHalfWidth = 2;
+  const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
+  p.functionals.y_bins = {.first = -y_bin,
+                          .spacing = y_bin,
+                          .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
+                          .from = 0};
+  p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
+  const double s = problem.impulses.law().deviation(), spacing = s / kLatticePointsPerDeviation;
+  const int half = static_cast<int>(std::ceil((p.v.end() + kLatticeExtension * s) / spacing));
+  p.grid = {.y_knots = p.y.knots(),
+            .v_knots = p.v.knots(),
+            .lattice_begin = -half * spacing,
+            .lattice_spacing = spacing,
+            .lattice_points = 2 * half + 1,
+            .y_bins = p.functionals.y_bins,
+            .v_bins = p.functionals.v_bins};
+  for (const auto& [amplitude, probability] : problem.impulses.law().atoms()) {
+    p.grid.shifts.push_back({amplitude, probability});
+  }
+  if (!p.grid.shifts.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;  // unused
+  return p;
+}
+
+ControlSetup make_control_setup(const problem::Problem& problem,
+                                const DepositLayout& deposit_layout, double sampling_interval) {
+  const auto control =
+      backward::paper_class_fit(problem, deposit_layout.y, deposit_layout.v, 1 / sampling_interval);
+  auto functions = backward::fit_control_functions(control, deposit_layout.functionals.functions());
+  return {.problem = problem,
+          .deposit_layout = deposit_layout,
+          .control = std::move(functions.coefficients),
+          .after_impulse = backward::impulse_means(deposit_layout.v, problem.impulses.law(),
+                                                   lattice(deposit_layout.grid)),
+          .backward_means = std::move(functions.means)};
+}
+
+}  // namespace fpkcheck::control_variates

@@ -1,0 +1,100 @@
+#include "control_variates/estimates.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace fpkcheck::control_variates {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Table = Eigen::Map<const RowMajor>;
+
+mcs::Estimate estimate_over_streams(const Eigen::VectorXd& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = values.mean();
+  return {mean, std::sqrt((values.array() - mean).square().sum() / (n - 1) / n)};
+}
+
+mcs::Estimate scale_estimate(const mcs::Estimate& e, double factor) {
+  return {e.mean * factor, e.standard_error * factor};
+}
+
+/// Error contribution of each stream to the means; the sum of squares over streams is SE^2.
+Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
+  const auto n = static_cast<double>(values.cols());
+  return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
+}
+
+mcs::SamplingL1 bins_sampling_l1(const Eigen::MatrixXd& errors) {
+  mcs::BinErrors bins;
+  for (const auto& row : errors.rowwise()) bins.emplace_back(row.begin(), row.end());
+  return mcs::sampling_l1(bins);
+}
+
+/// @param controlled means of the bins in each stream, shape (bins, streams); `plain` likewise
+BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
+                           const Eigen::MatrixXd& plain) {
+  const Eigen::MatrixXd errors = error_contributions(controlled);
+  BinEstimates result{.bins = bins,
+                      .averages = {},
+                      .covariance = errors * errors.transpose(),
+                      .controlled_l1 = bins_sampling_l1(errors),
+                      .plain_l1 = bins_sampling_l1(error_contributions(plain))};
+  for (int b = 0; b < bins.count; ++b) {
+    const double per_weight = 1 / transform::bin_weight(bins, b);
+    result.averages.push_back({scale_estimate(estimate_over_streams(controlled.row(b)), per_weight),
+                               scale_estimate(estimate_over_streams(plain.row(b)), per_weight)});
+    result.covariance.row(b) *= per_weight;
+    result.covariance.col(b) *= per_weight;
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXd generator_means(const ControlSetup& setup,
+                                std::span<const mcs::StreamDeposit> streams) {
+  const Eigen::Index ny = setup.deposit_layout.y.size(), nv = setup.deposit_layout.v.size();
+  Eigen::MatrixXd means(ny * nv, static_cast<Eigen::Index>(streams.size()));
+  RowMajor after_impulse = setup.after_impulse;
+  RowMajor sums(ny, nv);
+  for (std::size_t s = 0; s < streams.size(); ++s) {
+    const mcs::Deposit& d = streams[s].sums;
+    sums = Table(d.flow.data(), ny, d.flow_pitch).leftCols(nv);
+    sums.noalias() +=
+        Table(d.lattice.data(), ny, d.lattice_pitch).leftCols(after_impulse.rows()) * after_impulse;
+    means.col(static_cast<Eigen::Index>(s)) =
+        Eigen::Map<const Eigen::VectorXd>(sums.data(), sums.size()) / streams[s].samples;
+  }
+  return means;
+}
+
+Estimates estimate_functionals(const ControlSetup& setup, const Eigen::MatrixXd& generator,
+                               std::span<const mcs::StreamDeposit> streams) {
+  const Functionals& functionals = setup.deposit_layout.functionals;
+  Eigen::MatrixXd plain(functionals.size(), generator.cols());
+  for (std::size_t s = 0; s < streams.size(); ++s) {
+    const std::vector<double> means = functionals.means(streams[s]);
+    plain.col(static_cast<Eigen::Index>(s)) =
+        Eigen::Map<const Eigen::VectorXd>(means.data(), plain.rows());
+  }
+  const Eigen::MatrixXd controlled = plain + setup.control.transpose() * generator;
+  std::vector<EstimatePair> moments;
+  for (Eigen::Index f = 0; f < std::ssize(kMoments); ++f) {
+    moments.push_back(
+        {estimate_over_streams(controlled.row(f)), estimate_over_streams(plain.row(f))});
+  }
+  const auto bins = [&](const transform::SmoothBins& of, Eigen::Index first) {
+    return bin_estimates(of, controlled.middleRows(first, of.count),
+                         plain.middleRows(first, of.count));
+  };
+  const boost::math::students_t student(static_cast<double>(streams.size() - 1));
+  return {.moments = std::move(moments),
+          .y = bins(functionals.y_bins, std::ssize(kMoments)),
+          .v = bins(functionals.v_bins, std::ssize(kMoments) + functionals.y_bins.count),
+          .interval_factor = boost::math::quantile(student, 0.975)};
+}
+
+}  // namespace fpkcheck::control_variates

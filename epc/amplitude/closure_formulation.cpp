@@ -1,0 +1,129 @@
+#include "epc/amplitude/closure_formulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "epc/form/acceptance_limits.hpp"
+#include "epc/half_plane/search.hpp"
+
+namespace fpkcheck::epc::amplitude {
+
+using Eigen::VectorXd;
+using half_plane::ClosureDensity;
+using half_plane::Confinement;
+using half_plane::QuadraturePoints;
+using half_plane::QuadratureSize;
+using half_plane::Refinement;
+using half_plane::SearchStage;
+
+namespace {
+
+// Depths of Q_n below its peak at the confinement level, in the order of the attempts.
+constexpr std::array kDepths{24.0, 18.0, 32.0};
+// Further candidates for the confinement level, as amplitudes: multiples of the decay extent, if
+// Q_n rises again, and multiples of the deviation of v.
+constexpr std::array kBeyondDecayExtent{1.2, 1.0};
+constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
+constexpr double kFarthestDeviations = 30;
+// Largest density at the confinement level, relative to the peak. With more, the confinement would
+// determine the density.
+constexpr double kLevelDensityLimit = 1e-4;
+
+double farthest(double temperature) { return kFarthestDeviations * std::sqrt(temperature); }
+
+}  // namespace
+
+double exponent_with_gaussian_tail(const Exponent& q, const ClosureDensity& closure, double rho,
+                                   double theta) {
+  const double inside = std::min(rho, closure.decay_extent);
+  return q(inside, theta) - (rho * rho - inside * inside) / (2 * closure.temperature);
+}
+
+ClosureDensity ClosureFormulation::start() const {
+  ClosureDensity closure{.q = Polynomial({{2, 0, -1 / (2 * temperature_)}}),
+                         .temperature = temperature_};
+  closure.decay_extent = decay_extent(closure.q, temperature_);
+  return closure;
+}
+
+std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity& guess,
+                                                           SearchStage) const {
+  const double end = farthest(guess.temperature);
+  std::vector<double> confinement_levels;
+  const auto add = [&](double rho) { confinement_levels.push_back(energy_at(rho)); };
+  for (const double depth : kDepths) {
+    const DecayScan fall = scan_decay(polar_exponent(guess.q), depth, end);
+    if (fall.crossing) add(*fall.crossing);
+  }
+  if (guess.decay_extent < end) {
+    for (const double factor : kBeyondDecayExtent) add(factor * guess.decay_extent);
+  }
+  for (const double deviations : kLevelDeviations) add(deviations * std::sqrt(guess.temperature));
+  return confinement_levels;
+}
+
+// The number of points grows with the width of the domain.
+QuadratureSize ClosureFormulation::size(int order, double level_over_temperature,
+                                        SearchStage stage) const {
+  const int least = stage == SearchStage::rough ? 16 : 20;
+  const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kLevelDeviations[0]);
+  const int rho = static_cast<int>((least + 2 * order) * width);
+  return {rho, least + 2 * order, rho};
+}
+
+Refinement ClosureFormulation::refinement() const { return {Refinement::Rule::solved, 1e-5}; }
+
+double ClosureFormulation::exponent(const ClosureDensity& guess, double s, double t) const {
+  return exponent_with_gaussian_tail(polar_exponent(guess.q), guess, s, phase(s, t));
+}
+
+double ClosureFormulation::decay_extent(const Polynomial& q, double temperature) const {
+  return scan_decay(polar_exponent(q), kDepths.back(), farthest(temperature)).extent;
+}
+
+// A smaller power also weighs points beyond the decay extent: otherwise the fit would return Q_n.
+VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double support,
+                                         const QuadraturePoints& points, const VectorXd& exponent,
+                                         const VectorXd&) const {
+  constexpr double kFlatter = 0.5;
+  const double power = amplitude_at(support) > guess.decay_extent ? kFlatter : 1;
+  const VectorXd mass =
+      points.weight.array() * (power * (exponent.array() - exponent.maxCoeff())).exp();
+  return mass / mass.sum();
+}
+
+// Largest density between the confinement level and the edge of the support.
+double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStage) const {
+  constexpr int kInside = 50, kOutside = 12;
+  const Confinement confinement = half_plane::confinement_of(closure.level, tail_);
+  const Exponent q = polar_exponent(closure.q);
+  const double rho = amplitude_at(closure.level), end = amplitude_at(closure.support);
+  double peak = maximum_over_phase(q, 0), outside = -std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= kInside; ++i)
+    peak = std::max(peak, maximum_over_phase(q, rho * i / kInside));
+  for (int i = 0; i <= kOutside; ++i) {
+    const double at = rho + (end - rho) * i / kOutside;
+    outside = std::max(outside, maximum_over_phase(q, at) + confinement(energy_at(at)));
+  }
+  return std::exp(outside - peak);
+}
+
+double ClosureFormulation::decay_ratio_limit(SearchStage) const { return 1e-6; }
+
+std::string inadmissible_reason(const char* quantity, double at_level, double edge) {
+  if (!(at_level < kLevelDensityLimit)) {
+    return fmt::format("{} at or beyond the confinement level is {:.1e} of its peak (limit {:.0e})",
+                       quantity, at_level, kLevelDensityLimit);
+  }
+  if (!(edge < kEdgeDensityLimit)) {
+    return fmt::format("{} on the edge of its support is {:.1e} of its peak (limit {:.0e})",
+                       quantity, edge, kEdgeDensityLimit);
+  }
+  return "";
+}
+
+}  // namespace fpkcheck::epc::amplitude

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "epc/amplitude/half_circle.hpp"
+#include "epc/half_plane/closure_formulation.hpp"
+#include "epc/options.hpp"
+
+namespace fpkcheck::epc::amplitude {
+
+/// Exponent of an intermediate density: Q_n up to the decay extent, and a Gaussian beyond.
+/// @param q Q_n by amplitude and phase
+double exponent_with_gaussian_tail(const Exponent& q, const half_plane::ClosureDensity& closure,
+                                   double rho, double theta);
+
+/// Tolerance on the change of Q_n on more quadrature points, in standard deviations. It is below
+/// the error of the closure itself at the default orders.
+inline constexpr double kQuadratureTolerance = 1e-3;
+
+/// Formulation in which s is the amplitude. The confinement level is an energy rho^2/2 at which Q_n
+/// lies far below its peak, or else an energy beyond the amplitude at which Q_n rises again.
+class ClosureFormulation : public half_plane::ClosureFormulation {
+ public:
+  /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts
+  /// @param rate_unit unit of rates of change
+  ClosureFormulation(double temperature, double rate_unit, Tail tail)
+      : temperature_(temperature), rate_unit_(rate_unit), tail_(tail) {}
+
+  half_plane::ClosureDensity start() const override;
+  double rate_unit() const override { return rate_unit_; }
+  std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
+                                         half_plane::SearchStage stage) const override;
+  half_plane::QuadratureSize size(int order, double level_over_temperature,
+                                  half_plane::SearchStage stage) const override;
+  half_plane::Refinement refinement() const override;
+  double exponent(const half_plane::ClosureDensity& guess, double s, double t) const override;
+  double decay_extent(const Polynomial& q, double temperature) const override;
+  Eigen::VectorXd fit_weights(const half_plane::ClosureDensity& guess, double support,
+                              const half_plane::QuadraturePoints& points,
+                              const Eigen::VectorXd& exponent,
+                              const Eigen::VectorXd& mass) const override;
+  double decay_ratio(const half_plane::ClosureDensity& closure,
+                     half_plane::SearchStage stage) const override;
+  double decay_ratio_limit(half_plane::SearchStage stage) const override;
+
+ protected:
+  /// Q_n by amplitude and phase. The result refers to q.
+  virtual Exponent polar_exponent(const Polynomial& q) const = 0;
+  /// Phase at the coordinates s and t.
+  virtual double phase(double s, double t) const = 0;
+
+ private:
+  double temperature_, rate_unit_;
+  Tail tail_;
+};
+
+/// Reason why a density is inadmissible: its confinement alone makes it decay. Empty otherwise.
+/// @param quantity name of the quantity in the reason
+/// @param at_level largest value at or beyond the confinement level, relative to the peak
+/// @param edge     largest value on the edge of the support, relative to the peak
+std::string inadmissible_reason(const char* quantity, double at_level, double edge);
+
+}  // namespace fpkcheck::epc::amplitude

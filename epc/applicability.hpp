@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "epc/options.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc {
+
+/// Reason why the closure does not support a problem, as one phrase; empty for a supported problem.
+std::string unsupported_reason(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,86 @@
+#include "epc/gaussian/quadrature_rules.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Three-term recurrence of orthonormal polynomials; entry i of each vector is for step i:
+//   off_diagonal[i] h_{i+1}(t) = (t - diagonal[i]) h_i(t) - off_diagonal[i-1] h_{i-1}(t),
+//   h_0 = 1.
+struct Recurrence {
+  Eigen::VectorXd diagonal;
+  Eigen::VectorXd off_diagonal;
+};
+
+// Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix. The weights follow from the
+// recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors. Moments of degree 5n need the
+// small weights of the outer nodes to full relative accuracy, which eigenvectors do not provide.
+QuadratureRule gauss_rule(const Recurrence& recurrence) {
+  const auto& [diagonal, off_diagonal] = recurrence;
+  const Eigen::Index count = diagonal.size();
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+  eigen.computeFromTridiagonal(diagonal, off_diagonal.head(count - 1), Eigen::EigenvaluesOnly);
+  QuadratureRule rule;
+  for (const double t : eigen.eigenvalues()) {
+    double before = 0, h = 1, sum = 1;
+    for (Eigen::Index i = 0; i + 1 < count; ++i) {
+      const double carried = i > 0 ? off_diagonal[i - 1] * before : 0;
+      const double next = ((t - diagonal[i]) * h - carried) / off_diagonal[i];
+      before = h;
+      h = next;
+      sum += h * h;
+    }
+    rule.nodes.push_back(t);
+    rule.weights.push_back(1 / sum);
+  }
+  return rule;
+}
+
+// With t = u^2 / 2,  E[|u| g(u)] = int_0^inf [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi),
+// where the bracket is a polynomial in t of half the degree. E[sgn(u) g(u)] is the same integral
+// with g(u)/u: only the odd part of g contributes, and its quotient by u is again a polynomial in
+// t.
+const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
+
+}  // namespace
+
+QuadratureRule exponential_rule(int degree) {
+  const int count = degree / 2 + 1;
+  const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
+  return gauss_rule({(2 * i).array() + 1, i.array() + 1});
+}
+
+QuadratureRule uniform_rule(int degree) {
+  const int count = degree / 2 + 1;
+  const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(count, 1, count);
+  return gauss_rule({Eigen::VectorXd::Zero(count), i / (4 * i * i - 1).sqrt()});
+}
+
+QuadratureRule normal_rule(int degree) {
+  const int count = degree / 2 + 1;
+  const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
+  return gauss_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
+}
+
+QuadratureRule absolute_rule(int degree) {
+  const QuadratureRule half = exponential_rule(degree / 2);
+  QuadratureRule rule;
+  for (std::size_t i = 0; i < half.nodes.size(); ++i) {
+    const double u = std::sqrt(2 * half.nodes[i]);
+    const double weight = half.weights[i] * kNormalDensityAtZero;
+    rule.nodes.insert(rule.nodes.end(), {u, -u});
+    rule.weights.insert(rule.weights.end(), {weight, weight});
+  }
+  return rule;
+}
+
+QuadratureRule sign_rule(int degree) {
+  QuadratureRule rule = absolute_rule(degree);
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) rule.weights[i] /= rule.nodes[i];
+  return rule;
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "epc/half_plane/closure_formulation.hpp"
+#include "epc/moment/averaged_exponent.hpp"
+#include "epc/options.hpp"
+
+namespace fpkcheck::epc::moment {
+
+/// Formulation beyond the paper's class: wells, rings, walls at any position or none. The start is
+/// the density of energy averaging instead of equivalent linearisation. The first order
+/// starts from it, and every order whose start from the lower order leads to no root.
+class AveragedFormulation : public half_plane::ClosureFormulation {
+ public:
+  /// @param rate_moment lambda E[Y^j], see equations()
+  AveragedFormulation(const problem::Problem& problem, const Options& options,
+                      std::vector<double> rate_moment);
+
+  half_plane::ClosureDensity start() const override;
+  int first_order(int order) const override;
+  bool can_start_at_any_order() const override { return true; }
+  double rate_unit() const override { return rate_unit_; }
+  std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
+                                         half_plane::SearchStage stage) const override;
+  std::optional<double> improved_level(const half_plane::ClosureDensity& guess,
+                                       const half_plane::ClosureDensity& closure) const override;
+  half_plane::QuadratureSize size(int order, double level_over_temperature,
+                                  half_plane::SearchStage stage) const override;
+  half_plane::Refinement refinement() const override;
+  half_plane::QuadraturePoints points(double support,
+                                      const half_plane::QuadratureSize& size) const override;
+  half_plane::Equations equations(double support, const half_plane::Confinement& confinement,
+                                  half_plane::Basis basis, half_plane::QuadraturePoints points,
+                                  const half_plane::QuadratureSize& size) const override;
+  double exponent(const half_plane::ClosureDensity& guess, double y, double v) const override;
+  Eigen::VectorXd fit_weights(const half_plane::ClosureDensity& guess, double support,
+                              const half_plane::QuadraturePoints& points,
+                              const Eigen::VectorXd& exponent,
+                              const Eigen::VectorXd& mass) const override;
+  double decay_ratio(const half_plane::ClosureDensity& closure,
+                     half_plane::SearchStage stage) const override;
+  double decay_ratio_limit(half_plane::SearchStage stage) const override;
+
+ private:
+  std::optional<double> negligible_level(const half_plane::ClosureDensity& closure,
+                                         double from) const;
+
+  const problem::Problem& problem_;
+  Tail tail_;
+  std::vector<double> rate_moment_;
+  AveragedExponent averaged_;
+  double rate_unit_;
+};
+
+}  // namespace fpkcheck::epc::moment

@@ -1,0 +1,83 @@
+#include "fd_fpk/applicability.hpp"
+
+#include "fd_fpk/characteristics/rest_points.hpp"
+#include "problem/features.hpp"
+#include "problem/inelastic_collapse.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// True for external noise, and for equations whose excitation term contains a diffusion instead of
+// the impulses.
+bool has_diffusion(const problem::Features& features, const Options& options) {
+  return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
+}
+
+}  // namespace
+
+std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+  const auto features = problem::features(problem);
+  if (features.is_paper_oscillator) return "";
+  const bool noise = has_diffusion(features, options);
+  if (noise) {
+    std::string collapse = problem::collapse_unsupported_reason(problem, Equation::white);
+    if (!collapse.empty()) return collapse;
+  }
+  if (options.impact != Impact::map &&
+      (features.no_wall || features.two_walls || features.rests_in_contact)) {
+    return "impact delta (first order in 1-r): requires one wall without rest in contact; use map";
+  }
+  // Under white noise the contact ends at once, so there is no atom.
+  const bool rests = features.rests_in_contact && !noise;
+  if (rests && !can_use_characteristics(options)) {
+    return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
+           "use kf and leave out transport, order, nx, nv and origin-refinement";
+  }
+  if (rests || options.transport == Transport::characteristics) {
+    return noise ? "characteristics: the motion between impulses must be deterministic; use "
+                   "transport upwind"
+                 : characteristics_unsupported_reason(problem);
+  }
+  return "";
+}
+
+std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
+  const auto features = problem::features(problem);
+  if (features.rests_in_contact && !has_diffusion(features, options)) {
+    return "the mass comes to rest in contact with a wall: differences do not represent this atom; "
+           "compute the stationary density";
+  }
+  return unsupported_reason(problem, options);
+}
+
+bool can_use_characteristics(const Options& options) {
+  return options.equation == Equation::kf && options.impact == Impact::map &&
+         options.transport != Transport::upwind && !options.nx && !options.nv &&
+         !options.origin_refinement && order_of(options) == kDefaultOrder;
+}
+
+std::string characteristics_unsupported_reason(const problem::Problem& problem) {
+  const auto features = problem::features(problem);
+  if (features.noise || !features.impulses) {
+    return "characteristics: impulses alone must excite the oscillator; use transport upwind";
+  }
+  if (features.no_wall) return "characteristics: start at walls, and there is none";
+  if (features.negative_damping) {
+    return "characteristics: end at rest points, and this damping gives energy to the motion";
+  }
+  const Flow flow(problem.system);
+  const auto points = rest_points(flow);
+  if (points.empty()) return "characteristics: end at rest points, and there is no rest point";
+  for (const RestPoint& point : points) {
+    if (!point.contact && flow.contraction({point.y, 0}) <= 0) {
+      return "characteristics: end at rest points, and an equilibrium is undamped";
+    }
+  }
+  return "";
+}
+
+bool rests_in_contact(const problem::Problem& problem, const Options& options) {
+  return problem::features(problem).rests_in_contact && options.equation == Equation::kf;
+}
+
+}  // namespace fpkcheck::fd_fpk

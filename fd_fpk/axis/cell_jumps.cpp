@@ -1,0 +1,74 @@
+#include "fd_fpk/axis/cell_jumps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "problem/impulse_law.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Gauss-Legendre rule with four points on [-1/2, 1/2].
+struct Node {
+  double at;
+  double weight;
+};
+constexpr std::array kNodes{Node{-0.43056815579702629, 0.17392742256872693},
+                            Node{-0.16999052179242813, 0.32607257743127307},
+                            Node{0.16999052179242813, 0.32607257743127307},
+                            Node{0.43056815579702629, 0.17392742256872693}};
+
+// The upper end of a cell; the last cell extends to infinity.
+double upper_end(const Axis& axis, int cell) {
+  return cell + 1 < axis.cells() ? axis.face(cell + 1) : std::numeric_limits<double>::infinity();
+}
+
+// For a law with a density: quadrature over four points of the source cell.
+void add_continuous(const Axis& axis, const problem::ImpulseLaw& law, int from, CellJumps& jumps) {
+  for (const auto& [at, weight] : kNodes) {
+    const double offset = at * axis.width(from);
+    const double v = axis.centre(from) + offset;
+    double below = 0;
+    for (int to = 0; to < axis.cells(); ++to) {
+      const double end = upper_end(axis, to);
+      const double until = std::isinf(end) ? 1 : law.cumulative(end - v);
+      jumps.uniform(to, from) += weight * (until - below);
+      jumps.slope(to, from) += weight * offset * (until - below);
+      below = until;
+    }
+  }
+}
+
+// An atom shifts the whole cell; the target cells receive the fractions that overlap.
+void add_atom(const Axis& axis, const problem::Atom& atom, int from, CellJumps& jumps) {
+  const double left = axis.face(from) + atom.amplitude;
+  const double right = axis.face(from + 1) + atom.amplitude;
+  const double centre = axis.centre(from) + atom.amplitude;
+  for (int to = 0; to < axis.cells(); ++to) {
+    const double begin =
+        std::max(left, to == 0 ? -std::numeric_limits<double>::infinity() : axis.face(to));
+    const double end = std::min(right, upper_end(axis, to));
+    if (!(end > begin)) continue;
+    const double share = atom.probability * (end - begin) / (right - left);
+    jumps.uniform(to, from) += share;
+    jumps.slope(to, from) += share * ((begin + end) / 2 - centre);
+  }
+}
+
+}  // namespace
+
+CellJumps cell_jumps(const Axis& axis, const problem::ImpulseLaw& law) {
+  const int cells = axis.cells();
+  CellJumps jumps{.uniform = Eigen::MatrixXd::Zero(cells, cells),
+                  .slope = Eigen::MatrixXd::Zero(cells, cells)};
+  const auto atoms = law.atoms();
+  for (int from = 0; from < cells; ++from) {
+    if (atoms.empty()) add_continuous(axis, law, from, jumps);
+    for (const auto& atom : atoms) add_atom(axis, atom, from, jumps);
+  }
+  return jumps;
+}
+
+}  // namespace fpkcheck::fd_fpk

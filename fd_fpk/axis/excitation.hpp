@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fd_fpk/axis/axis_operators.hpp"
+
+namespace fpkcheck::problem {
+class ImpulseLaw;
+class ImpulseTrain;
+}  // namespace fpkcheck::problem
+
+namespace fpkcheck::fd_fpk {
+
+/// The excitation on a velocity axis: local derivatives by differences, and a nonlocal exchange of
+/// mass between cells.
+struct Excitation {
+  double drift = 0;      ///< a in -a p'
+  double diffusion = 0;  ///< D in D p''
+  /// Shape (cells, cells), or empty: jumps, or third and fourth differences. Conservative: the
+  /// widths of the cells times this matrix is zero.
+  Eigen::MatrixXd exchange;
+  /// A drift and a diffusion that approximate the exchange in the preconditioner: their
+  /// coefficients for long waves, and the rate at which the exchange saturates for short waves.
+  /// Zero where the differences of `diffusion` suffice.
+  double exchange_drift = 0;
+  double exchange_diffusion = 0;
+  double exchange_rate = 0;
+};
+
+/// Parameter-free regularisation length of `km4`: l^2 = E[Y^6] / (5 E[Y^4]). With this l the
+/// leading error of the fourth difference equals the sixth Kramers-Moyal term. The scheme is
+/// well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz). For a zero-mean gaussian l is
+/// the standard deviation of Y.
+double default_regularisation_length(const problem::ImpulseLaw& law);
+
+/// White noise: -lambda E[Y] p' + lambda E[Y^2]/2 p''.
+Excitation white_noise(const problem::ImpulseTrain& impulses);
+
+/// `white` and, with differences of fixed step l on any cells,
+///
+///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
+///
+/// The literal scheme has l equal to the width of the cells.
+Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Axis& axis, double length);
+
+/// The [2/2] Pade approximant of the truncated series. With D_j = lambda E[Y^j]/j!, a = D3/D2 and b
+/// = D4/D2 - a^2,
+///
+///     -D1 p' + (1 + a d/dx2 - b d^2/dx2^2)^(-1) D2 p''.
+///
+/// For a symmetric law this operator is the generator of a compound Poisson process with Laplace
+/// jumps. It exists for b > 0.
+/// @param order order of the differences, even
+Excitation kramers_moyal_pade(const problem::ImpulseTrain& impulses, const Axis& axis, int order);
+
+/// The coefficient b of kramers_moyal_pade: positive where the Pade approximant is a bounded
+/// operator.
+double pade_length_squared(const problem::ImpulseTrain& impulses);
+
+/// The jump integral lambda (E[p(x2 - Y)] - p).
+Excitation jumps(const problem::ImpulseTrain& impulses, const Axis& axis);
+
+/// Drift and diffusion of the excitation as a matrix on cell averages of the velocity axis, shape
+/// (cells, cells), to the given even order.
+AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int order);
+
+}  // namespace fpkcheck::fd_fpk

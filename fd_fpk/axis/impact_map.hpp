@@ -1,0 +1,24 @@
+#pragma once
+
+#include "fd_fpk/axis/axis_operators.hpp"
+#include "problem/model.hpp"
+
+namespace fpkcheck::fd_fpk {
+
+/// The impact as a map of probability flux. Particles reach x1 = 0 with speed u and flux f(u) = u
+/// p(0, -u). The returned flux is
+///
+///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
+///     delta   f(w) + (1-r) d(w f)/dw,            its first order in 1-r: paper (12)
+///
+/// The matrix, shape (cells, cells), maps averages of f over the cells of the speed axis to
+/// averages of the returned flux. Both forms are differences over a cell of a function of the
+/// cumulative flux, so that mass is conserved for any interpolation. Stencils never cross u = 0,
+/// where the density jumps.
+///
+/// @param speeds faces from 0 upwards
+/// @param restitution r, 0 < r <= 1
+/// @param impact map or delta
+AxisOperator impact_map(const Axis& speeds, double restitution, problem::Impact impact, int order);
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,146 @@
+#include "fd_fpk/characteristics/rest_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// The force on the mass towards the wall.
+double force_towards_wall(const Flow& flow, Side side) {
+  return inward_sign(side) * flow.force(flow.wall(side)->position);
+}
+
+// One small half-cycle from the wall, up to the next impact or until the motion is overdamped: the
+// fraction of the time with v < 0, weighted by exp(-rate t), and the impact rate.
+struct SmallMotion {
+  double fraction_below;
+  double impact_rate;
+};
+SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate) {
+  constexpr double kAtRest = 1e-6;
+  constexpr int kFiner = 10;  // factor by which steps are shortened
+  constexpr long kMostSteps = 20000;
+  const double wall = flow.wall(side)->position;
+  const SmallMotion creeping{.fraction_below = side == Side::left ? 1.0 : 0.0, .impact_rate = 0};
+  State state{wall, inward_sign(side) * speed};
+  const double least = flow.potential(wall);
+  double below = 0, time = 0;
+  for (long step = 0; step < kMostSteps; ++step) {
+    const double left = flow.energy(state) - least;
+    if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
+    double span = flow.max_step(state, flow.accessible_interval(state)) / kFiner;
+    State end = flow.advance(state, span);
+    const bool impact = flow.beyond(end.y) == side;
+    if (impact) {
+      span = flow.impact_time(state, span, side);
+      end = {wall, flow.advance(state, span).v};
+    }
+    if (state.v + end.v < 0) {
+      below += std::exp(-rate * time) * -std::expm1(-rate * span);
+    }
+    time += span;
+    if (impact) {
+      return {.fraction_below = below / -std::expm1(-rate * time), .impact_rate = 1 / time};
+    }
+    state = end;
+  }
+  return creeping;
+}
+
+// The columns of cells next to y: one where y is a wall, two where y is a face between cells.
+std::vector<int> columns_at(const Axis& axis, double y) {
+  std::vector<int> columns;
+  for (int i = 0; i < axis.cells(); ++i) {
+    if (axis.face(i) <= y && y <= axis.face(i + 1)) columns.push_back(i);
+  }
+  return columns;
+}
+
+void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& point) {
+  const int middle = grid.nv() / 2;
+  const double v = grid.x2.face(middle + 1);
+  const auto columns = columns_at(grid.x1, point.y);
+  const double low = grid.x1.face(columns.front()), high = grid.x1.face(columns.back() + 1);
+  const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
+  // The least energy on the boundary of the cells, except for walls.
+  point.escape_energy = flow.potential(point.y) + v * v / 2;
+  for (const double end : {low, high}) {
+    if (end != point.y) point.escape_energy = std::min(point.escape_energy, flow.potential(end));
+  }
+  const auto at_wall = [&]() -> std::optional<Side> {
+    for (const Side side : {Side::left, Side::right}) {
+      if (flow.wall(side) && flow.wall(side)->position == point.y) return side;
+    }
+    return std::nullopt;
+  }();
+  double below = 0.5;
+  if (at_wall && !point.contact) {
+    constexpr double kSmall = 0.1;
+    const auto motion = small_motion(flow, *at_wall, kSmall * v, rate);
+    below = motion.fraction_below;
+    point.impact_rate = motion.impact_rate;
+  }
+  for (const int i : columns) {
+    const double part = grid.x1.width(i) / (high - low);
+    point.cells.push_back({cell(i, middle - 1), below * part});
+    point.cells.push_back({cell(i, middle), (1 - below) * part});
+  }
+}
+
+}  // namespace
+
+std::vector<RestPoint> rest_points(const Flow& flow) {
+  std::vector<RestPoint> points;
+  const auto& potential_extrema = flow.potential_extrema();
+  const auto at_wall = [&](Side side) {
+    if (!flow.wall(side)) return;
+    const double wall = flow.wall(side)->position, g = force_towards_wall(flow, side);
+    // For a wall at an equilibrium the potential half way to the next extremum determines
+    // stability.
+    const double beside = side == Side::left
+                              ? (potential_extrema.empty() ? wall + 1 : potential_extrema.front())
+                              : (potential_extrema.empty() ? wall - 1 : potential_extrema.back());
+    const bool stable =
+        g > 0 || (g == 0 && flow.potential((wall + beside) / 2) > flow.potential(wall));
+    if (!stable) return;
+    RestPoint point{.y = wall};
+    if (g > 0 && flow.wall(side)->restitution < 1) point.contact = side;
+    points.push_back(point);
+  };
+  at_wall(Side::left);
+  for (const double turn : potential_extrema) {
+    // A minimum of U: g changes sign from - to +.
+    const double next = [&] {
+      for (const double other : potential_extrema) {
+        if (other > turn) return other;
+      }
+      return flow.wall(Side::right) ? flow.wall(Side::right)->position : turn + 1;
+    }();
+    if (flow.force((turn + next) / 2) > 0) points.push_back({.y = turn});
+  }
+  at_wall(Side::right);
+  return points;
+}
+
+std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double rate) {
+  auto points = rest_points(flow);
+  for (RestPoint& point : points) assign_cells(flow, grid, rate, point);
+  return points;
+}
+
+double relative_core_width(double deviation, double typical_amplitude) {
+  constexpr double kCore = 1e-3;
+  const double ratio = std::min(1.0, deviation / typical_amplitude);
+  return kCore * ratio * ratio;
+}
+
+Cascade cascade(double speed, double force_towards_wall, double restitution, double rate) {
+  const double r = restitution;
+  return {.rest_probability = std::exp(-rate * 2 * speed / (force_towards_wall * (1 - r))),
+          .momentum = speed / (1 - r),
+          .energy = speed * speed / (1 - r * r)};
+}
+
+}  // namespace fpkcheck::fd_fpk

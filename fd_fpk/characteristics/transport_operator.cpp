@@ -1,0 +1,151 @@
+#include "fd_fpk/characteristics/transport_operator.hpp"
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// The data of a cell that a visit uses, contiguous in memory: visits access cells in random order.
+struct CellMass {
+  double mass, slope_y, slope_v;
+  double ended = 0;
+};
+
+}  // namespace
+
+Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
+                                              const CellSlopes& slopes,
+                                              WallImpacts* impacts) const {
+  const auto& visits = characteristics_.visits();
+  const auto& from_walls = characteristics_.from_walls();
+  const auto& rest = characteristics_.rest_points();
+  const auto& contacts = characteristics_.contacts();
+  const auto atoms = static_cast<Eigen::Index>(contacts.size());
+  const Eigen::Index count = masses.size() - atoms;
+  std::vector<CellMass> cells;
+  cells.reserve(static_cast<std::size_t>(count));
+  for (Eigen::Index n = 0; n < count; ++n) {
+    cells.push_back({.mass = masses(n), .slope_y = slopes.y(n), .slope_v = slopes.v(n)});
+  }
+  std::vector<double> at_rest(rest.size(), 0.0), entering(from_walls.size(), 0.0);
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    for (const auto& [cell, share] : rest[k].cells) at_rest[k] += masses(cell);
+  }
+  const auto hit = [&](Side side, double number, double momentum, double energy) {
+    if (!impacts) return;
+    ImpactSums& sums = impacts->at(side);
+    sums.number += number;
+    sums.momentum += momentum;
+    sums.energy += energy;
+  };
+  for (Eigen::Index k = 0; k < atoms; ++k) {
+    const Emission& emission = emissions_[static_cast<std::size_t>(k)];
+    const int point = contacts[static_cast<std::size_t>(k)];
+    const double mass = masses(count + k);
+    for (std::size_t n = 0; n < entering.size(); ++n) entering[n] += emission.shares[n] * mass;
+    at_rest[point] += emission.rest_fraction * mass;
+    hit(*rest[point].contact, 0, emission.momentum * mass, emission.energy * mass);
+  }
+
+  const auto source = [&](const Visit& visit) {
+    const CellMass& cell = cells[visit.cell];
+    return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
+  };
+  // Mass that remains at the end of a track.
+  constexpr std::true_type kIncludeSources;
+  constexpr std::false_type kExcludeSources;  // sources are already included
+  const auto follow = [&](const Track& track, double mass, auto with_sources) {
+    for (std::size_t n = track.first; n < track.last; ++n) {
+      const Visit& visit = visits[n];
+      const double begins = with_sources ? source(visit) : 0;
+      // Two independent updates: the recurrence of `mass` depends on its previous value alone.
+      cells[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
+      mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
+    }
+    return mass;
+  };
+  const auto come_to_rest = [&](const Landing& landing, double mass) {
+    const int point = *landing.rest;
+    if (!landing.cascade) {
+      at_rest[point] += mass;
+      return;
+    }
+    // Mass whose cascade an impulse ends lies on both sides of v = 0.
+    const Cascade& cascade = *landing.cascade;
+    at_rest[point] += cascade.rest_probability * mass;
+    for (const auto& [cell, share] : rest[point].cells) {
+      cells[cell].ended += (1 - cascade.rest_probability) * share * mass;
+    }
+    hit(*landing.wall, mass, (landing.speed + cascade.momentum) * mass,
+        (landing.speed * landing.speed + cascade.energy) * mass);
+  };
+  const auto land = [&](const Track& track, double mass) {
+    const Landing& landing = track.landing;
+    if (landing.rest) {
+      come_to_rest(landing, mass);
+    } else if (landing.wall) {
+      entering[landing.faster] += landing.faster_fraction * mass;
+      entering[landing.slower] += (1 - landing.faster_fraction) * mass;
+      hit(*landing.wall, mass, landing.speed * mass, landing.speed * landing.speed * mass);
+    } else if (track.last > track.first) {
+      cells[visits[track.last - 1].cell].ended += mass;
+    }
+  };
+
+  for (const Track& track : characteristics_.from_outside()) {
+    land(track, follow(track, 0, kIncludeSources));
+  }
+  const auto leave_walls = [&](auto with_sources) {
+    for (std::size_t n = 0; n < from_walls.size(); ++n) {
+      const Track& track = from_walls[n];
+      const Landing& landing = track.landing;
+      double mass = std::exchange(entering[n], 0.0);
+      if (!with_sources && mass == 0) continue;
+      // Part of the mass may return to this characteristic: sum over all rounds.
+      double again = 0;
+      if (landing.wall && !landing.rest) {
+        if (landing.faster == static_cast<int>(n)) again += landing.faster_fraction;
+        if (landing.slower == static_cast<int>(n)) again += 1 - landing.faster_fraction;
+      }
+      if (again > 0) {
+        double lost = 0, left = 0;
+        for (std::size_t m = track.first; m < track.last; ++m) {
+          const Visit& visit = visits[m];
+          const double begins = with_sources ? source(visit) : 0;
+          left = (1.0 - visit.ended) * left + (1.0 - visit.mean_end_probability) * begins;
+          lost += (1 - lost) * visit.ended;
+        }
+        mass = (mass + again * left) / (1 - again + again * lost);
+      }
+      const double left = follow(track, mass, with_sources);
+      land(track, left);
+      // `left` already includes all rounds.
+      entering[n] -= again * left;
+    }
+  };
+  leave_walls(kIncludeSources);
+  // With two walls, mass may continue on a characteristic that has been processed already.
+  constexpr int kMostRounds = 1000;
+  constexpr double kNothing = 1e-15;
+  for (int round = 0; round < kMostRounds; ++round) {
+    double left = 0;
+    for (const double mass : entering) left += std::abs(mass);
+    if (left <= kNothing * masses.cwiseAbs().sum()) break;
+    leave_walls(kExcludeSources);
+  }
+  Eigen::VectorXd ended(masses.size());
+  for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells[static_cast<std::size_t>(n)].ended;
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    if (rest[k].contact) continue;
+    for (const auto& [cell, share] : rest[k].cells) ended(cell) += share * at_rest[k];
+  }
+  for (Eigen::Index k = 0; k < atoms; ++k) {
+    ended(count + k) = at_rest[contacts[static_cast<std::size_t>(k)]];
+  }
+  return ended;
+}
+
+}  // namespace fpkcheck::fd_fpk

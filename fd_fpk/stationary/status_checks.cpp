@@ -1,0 +1,78 @@
+#include "fd_fpk/stationary/status_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fd_fpk/operator/resolution.hpp"
+
+namespace fpkcheck::fd_fpk {
+using transform::Status;
+
+void check_box(const problem::Frame& frame, const Grid& grid, Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  solution.reason = box_failure_reason(frame, grid, summary.wall);
+  if (!solution.reason.empty()) solution.status = Status::failed;
+}
+
+void check_resolution(const Options& options, Result& result) {
+  auto& solution = result.solution;
+  if (solution.status != Status::ok) return;
+  if (!kStationaryLimits.is_density_accepted(solution.min_density)) {
+    const bool first_order_impact = options.impact == Impact::delta;
+    solution.reason = fmt::format(
+        "the density is negative, {:.1g} of its peak: {}", solution.min_density,
+        first_order_impact ? "the grid is too coarse, or the first-order impact has no nonnegative "
+                             "density; compare with a finer grid"
+                           : "the grid does not resolve it; refine the grid with nx and nv");
+  } else if (std::abs(solution.energy_residual) >
+                 std::max(kStationaryLimits.power, options.accuracy) ||
+             std::isnan(solution.energy_residual)) {
+    solution.reason = fmt::format(
+        "the power balance has a residual of {:.1g} of the input: the grid does not resolve the "
+        "density; refine the grid with nx and nv",
+        solution.energy_residual);
+  }
+  if (!solution.reason.empty()) solution.status = Status::inadmissible;
+}
+
+void check_balances(Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  const std::pair<const char*, double> balances[] = {
+      {"power", solution.energy_residual},
+      {"virial", summary.balances.virial.value_or(0)},
+      {"momentum", summary.balances.momentum.value_or(0)}};
+  for (const auto& [name, residual] : balances) {
+    if (std::abs(residual) <= kMaxBalanceResidual) continue;
+    solution.status = Status::inaccurate;
+    solution.reason =
+        fmt::format("the {} balance has a residual of {:.1g}, more than {:g}; increase max-seconds",
+                    name, std::abs(residual), kMaxBalanceResidual);
+    return;
+  }
+}
+
+void check_error(const Options& options, Result& result) {
+  auto& [solution, summary] = result;
+  if (solution.status != Status::ok) return;
+  if (!summary.error) {
+    solution.status = Status::inaccurate;
+    solution.reason =
+        "the discretisation error is unknown: two coarser grids with a density are missing; refine "
+        "the grid or increase max-seconds";
+    return;
+  }
+  const double l1 = std::max(summary.error->y_l1, summary.error->ydot_l1);
+  if (l1 <= options.accuracy) return;
+  solution.status = Status::inaccurate;
+  solution.reason = fmt::format(
+      "the estimated discretisation error is {:.2g} in L1 (observed order {:.1f}), requested {:g}; "
+      "increase max-seconds or accuracy",
+      l1, summary.error->observed_order, options.accuracy);
+}
+
+}  // namespace fpkcheck::fd_fpk

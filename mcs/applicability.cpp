@@ -1,0 +1,30 @@
+#include "mcs/applicability.hpp"
+
+#include "problem/features.hpp"
+#include "problem/inelastic_collapse.hpp"
+
+namespace fpkcheck::mcs {
+
+std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+  if (problem::is_paper_oscillator(problem)) return "";
+  if (options.tails) {
+    std::string why = unsupported_splitting_reason(problem, options);
+    if (!why.empty()) return why;
+  }
+  return problem::collapse_unsupported_reason(problem, options.equation);
+}
+
+std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
+  const auto features = problem::features(problem);
+  if (features.noise || !features.impulses || options.equation == Equation::white) {
+    return "tail splitting needs an energy that rises at impulses only, and noise raises it at "
+           "all times";
+  }
+  if (features.negative_damping) {
+    return "tail splitting needs an energy that rises at impulses only, and this damping adds "
+           "energy to the motion";
+  }
+  return "";
+}
+
+}  // namespace fpkcheck::mcs

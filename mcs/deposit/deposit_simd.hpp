@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstdint>
+
+#include "mcs/deposit/deposit.hpp"
+#include "numerics/simd/simd.hpp"
+
+// Inlined into files that are compiled for several instruction sets (mcs/motion/advance_simd.hpp).
+// A SIMD lane holds one spline of one sample, not one sample of several.
+
+namespace fpkcheck::mcs {
+namespace {
+
+using Real8 = simd::VectorTypes<8>::Real;
+
+/// Evaluates eight polynomials by Horner's rule.
+template <int kDegree>
+FPKCHECK_INLINE Real8 polynomials(const double* coefficients, double t) {
+  Real8 sum = simd::load<Real8>(coefficients);
+#pragma GCC unroll 8
+  for (int n = 1; n <= kDegree; ++n) sum = sum * t + simd::load<Real8>(coefficients + 8 * n);
+  return sum;
+}
+
+FPKCHECK_INLINE void add(double* to, const Real8& terms) {
+  simd::store(simd::load<Real8>(to) + terms, to);
+}
+
+/// Values and slopes of the splines that do not vanish at a point.
+struct SplineValues {
+  Real8 value, slope;
+  int first;
+};
+
+FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double x) {
+  // NaN has no cell: it is evaluated at the beginning.
+  const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
+  const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
+  const int last = pieces.cells() - 1;
+  // At most one break is in a cell. Within rounding of a break both polynomials agree.
+  int span = pieces.span_of_cell()[place > last ? last : place];
+  span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
+  const double* const c = pieces.coefficients() + pieces.place()[span];
+  const double t = (inside - pieces.breaks()[span]) * pieces.per_length()[span];
+  SplineValues f{polynomials<5>(c, t), Real8{}, pieces.first()[span]};
+  // Beyond the ends the splines are constant, with slope 0.
+  if (inside == x) f.slope = polynomials<4>(c + 6 * 8, t);
+  return f;
+}
+
+FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cubics, double* sums,
+                                        double x, double weight) {
+  const double cells = (x - bins.first) / bins.spacing;
+  if (!(cells >= -1.0 && cells < bins.count)) return;
+  const int cell = static_cast<int>(cells + 1.0) - 1;
+  add(sums + cell - 1 + Deposit::kBinOffset, weight * polynomials<3>(cubics, cells - cell));
+}
+
+/// Deposits lambda B_i on the lattice by Lagrange interpolation with eight points.
+FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposit, int first,
+                                        const Real8& rates, double v) {
+  const DepositGrid& grid = plan.grid;
+  double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
+  const double last = grid.lattice_points - 1;
+  cells = cells > 0 ? (cells < last ? cells : last) : 0;
+  int cell = static_cast<int>(cells);
+  cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
+  const Real8 stencil = polynomials<7>(plan.lagrange.data(), cells - cell);
+  double* line = deposit.lattice.data() + first * deposit.lattice_pitch + cell - 3;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    add(line, simd::lane(rates, i) * stencil);
+    line += deposit.lattice_pitch;
+  }
+}
+
+/// Deposits one sample.
+/// @param a second derivative of the flight's polynomial
+FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
+                                    double a, double weight) {
+  const SplineValues in_y = evaluate_splines(plan.y, y), in_v = evaluate_splines(plan.v, v);
+  // y' B_i' B_j - lambda B_i B_j + y'' B_i B_j'
+  const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
+  const Real8 of_slope = (weight * a) * in_y.value;
+  double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
+#pragma GCC unroll 6
+  for (int i = 0; i < 6; ++i) {
+    add(row, simd::lane(of_value, i) * in_v.value + simd::lane(of_slope, i) * in_v.slope);
+    row += deposit.flow_pitch;
+  }
+  const DepositGrid& grid = plan.grid;
+  const Real8 rates = (weight * plan.rate) * in_y.value;
+  if (grid.shifts.empty()) {
+    deposit_on_lattice(plan, deposit, in_y.first, rates, v);
+  } else {
+    for (const VelocityShift& shift : grid.shifts) {
+      const SplineValues after = evaluate_splines(plan.v, v + shift.by);
+      double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
+#pragma GCC unroll 6
+      for (int i = 0; i < 6; ++i) {
+        add(line, (simd::lane(rates, i) * shift.probability) * after.value);
+        line += deposit.flow_pitch;
+      }
+    }
+  }
+  add_to_smooth_bins(grid.y_bins, plan.cubics.data(), deposit.y_bins.data(), y, weight);
+  add_to_smooth_bins(grid.v_bins, plan.cubics.data(), deposit.v_bins.data(), v, weight);
+  const double acceleration = weight * a;
+  deposit.acceleration[0] += acceleration;
+  deposit.acceleration[1] += acceleration * y;
+  deposit.acceleration[2] += acceleration * v;
+}
+
+/// Deposits one impact, h(0, v+) - h(y-, v-), to first order in y-, which is 0 but for rounding.
+FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, double y_before,
+                                    double v_before, double v_after, double weight) {
+  const double per_sample = weight / plan.sampling_interval;
+  const SplineValues before = evaluate_splines(plan.v, v_before),
+                     after = evaluate_splines(plan.v, v_after);
+  const SplineValues wall = evaluate_splines(plan.y, 0.0);
+  double* row = deposit.flow.data();
+  add(row + after.first, per_sample * after.value);
+#pragma GCC unroll 2
+  for (int i = 0; i < 2; ++i) {  // only these two have a slope at the wall
+    const double at = simd::lane(wall.value, i) + y_before * simd::lane(wall.slope, i);
+    add(row + before.first, (-per_sample * at) * before.value);
+    row += deposit.flow_pitch;
+  }
+  deposit.impacts[0] -= weight * v_before;
+  deposit.impacts[1] += weight * v_after;
+  deposit.impacts[2] += weight * (y_before < 0 ? -y_before : y_before);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

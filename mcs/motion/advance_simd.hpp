@@ -1,0 +1,271 @@
+#pragma once
+
+#include "mcs/deposit/deposit_simd.hpp"
+#include "mcs/motion/advance.hpp"
+#include "mcs/motion/flight.hpp"
+#include "mcs/motion/sample_simd.hpp"
+#include "numerics/simd/simd.hpp"
+
+// Included by files that are compiled for different instruction sets (InstructionSet). Everything
+// here is inlined or has internal linkage. The linker therefore never substitutes code with
+// unsupported instructions for a common function.
+
+namespace fpkcheck::mcs {
+namespace {
+
+/// Applies one impulse, paper (3), and draws the next one.
+template <bool kRecords>
+void apply_impulse(const Motion& motion, Stream& stream) {
+  Branch& b = stream.branch;
+  const double before = b.v;
+  b.v += b.amplitude;
+  if constexpr (kRecords) {
+    const double counted_weight = motion.splitting ? motion.splitting->weight(b) : 1.0;
+    const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
+    if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted_weight;
+    if (turned(b.v, before) && b.y > 0)
+      stream.record.troughs[(*motion.y_bins)(b.y)] += counted_weight;
+    ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
+    stream.record.work +=
+        counted_weight * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+    if (motion.deposit) {
+      std::array<double, 3>& drawn = stream.record.deposit.impulses;
+      drawn[0] += counted_weight;
+      drawn[1] += counted_weight * b.amplitude;
+      drawn[2] += counted_weight * (b.amplitude * b.amplitude);
+    }
+  }
+  const Impulse next = stream.source.next();
+  b.until_impulse = next.waiting;
+  b.amplitude = next.amplitude;
+  if (kRecords && motion.splitting) motion.splitting->update_after_impulse(stream);
+}
+
+/// State and sums of several streams, one per SIMD lane.
+template <int W>
+struct LaneState {
+  using Real = typename simd::VectorTypes<W>::Real;
+  using Mask = decltype(Real{} < Real{});
+  template <class Number>
+  using Array = LaneArray<Number, W>;
+
+  const Motion& motion;
+  Stream* const* streams;
+  double* cells[W];  // of the histogram of each stream
+  Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
+  Real powers[kPowers.size()]{};
+  Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
+  Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 but for rounding
+
+  FPKCHECK_INLINE LaneState(const Motion& m, Stream* const* s) : motion(m), streams(s) {
+    for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
+  }
+
+  // Load the state from the branches of the streams, and store it there.
+  FPKCHECK_INLINE void load_branches() {
+    Array<double> a[6];
+    for (int i = 0; i < W; ++i) {
+      const Branch& b = streams[i]->branch;
+      a[0].at[i] = b.y;
+      a[1].at[i] = b.v;
+      a[2].at[i] = b.until_impulse;
+      a[3].at[i] = b.until_sample;
+      a[4].at[i] = b.remaining;
+      a[5].at[i] = motion.splitting ? motion.splitting->weight(b) : 1.0;
+    }
+    y = simd::load<Real>(a[0].at);
+    v = simd::load<Real>(a[1].at);
+    until_impulse = simd::load<Real>(a[2].at);
+    until_sample = simd::load<Real>(a[3].at);
+    remaining = simd::load<Real>(a[4].at);
+    weight = simd::load<Real>(a[5].at);
+  }
+  FPKCHECK_INLINE void store_branch(int i) const {
+    Branch& b = streams[i]->branch;
+    b.y = simd::lane(y, i);
+    b.v = simd::lane(v, i);
+    b.until_impulse = simd::lane(until_impulse, i);
+    b.until_sample = simd::lane(until_sample, i);
+    b.remaining = simd::lane(remaining, i);
+  }
+
+  FPKCHECK_INLINE void store_sums() const {
+    for (int i = 0; i < W; ++i) {
+      StreamRecord& record = streams[i]->record;
+      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += simd::lane(powers[p], i);
+      record.samples += simd::lane(samples, i);
+      record.impacts += simd::lane(impacts, i);
+      record.impact_speed += simd::lane(impact_speed, i);
+      record.impact_energy += simd::lane(impact_energy, i);
+      record.flights += static_cast<std::uint64_t>(simd::lane(flights, i));
+    }
+  }
+
+  /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
+  template <bool kRecords>
+  FPKCHECK_INLINE void apply_impact(const Mask& active) {
+    const Mask impact = active & (y <= 0.0) & (v < 0.0);
+    if constexpr (kRecords) {
+      const Real counted_weight = simd::where(impact, weight);
+      impacts = impacts + counted_weight;
+      impact_speed = impact_speed - counted_weight * v;
+      impact_energy = impact_energy + counted_weight * (v * v);
+    }
+    const Real after = simd::select(impact, -motion.oscillator.restitution * v, v);
+    if (kRecords && motion.deposit && simd::any(impact)) {
+      for (int i = 0; i < W; ++i) {
+        if (simd::lane(impact, i) == 0) continue;
+        deposit_impact(*motion.deposit, streams[i]->record.deposit, simd::lane(beyond_wall, i),
+                       simd::lane(v, i), simd::lane(after, i), simd::lane(weight, i));
+      }
+      beyond_wall = simd::select(impact, Real{}, beyond_wall);
+    }
+    v = after;
+  }
+
+  FPKCHECK_INLINE void sample(const BasicFlight<Real>& flight, const Real& span) {
+    for (;;) {
+      const Mask due = until_sample < span;
+      if (!simd::any(due)) break;
+      const Real time = simd::where(due, until_sample);
+      const BasicState<Real> at = flight.at(time);
+      count_sample(at, simd::where(due, weight));
+      if (motion.deposit) deposit(at, flight.polynomial_acceleration(time), due);
+      until_sample =
+          until_sample + simd::where(due, simd::broadcast<Real>(motion.sampling_interval));
+    }
+    until_sample = until_sample - span;
+  }
+
+  // One sample after another: the SIMD lanes hold the splines that do not vanish at a sample.
+  FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
+                               const Mask& due) const {
+    Array<double> ys, vs, as;
+    simd::store(simd::lanewise_max(at.y, Real{}), ys.at);
+    simd::store(at.v, vs.at);
+    simd::store(acceleration, as.at);
+#pragma GCC unroll 1
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane(due, i) == 0) continue;
+      deposit_sample(*motion.deposit, streams[i]->record.deposit, ys.at[i], vs.at[i], as.at[i],
+                     simd::lane(weight, i));
+    }
+  }
+
+  // A lane without a sample takes part with the weight 0.
+  FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Real& counted_weight) {
+    add_powers(at, counted_weight, powers);
+    samples = samples + counted_weight;
+    // Rounding may put a sample at an impact slightly behind the wall.
+    const Real in_front = simd::lanewise_max(at.y, Real{});
+    add_to_histogram(*motion.y_bins, *motion.v_bins, in_front, at.v, counted_weight, streams,
+                     cells);
+  }
+
+  // Maxima of y where the velocity changes its sign in flight.
+  FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
+                                  const BasicState<Real>& end) {
+    const Mask peak = (v > 0.0) & (end.v < 0.0);
+    if (!simd::any(peak)) return;
+    const Real height = flight.at(flight.peak_time(span, end)).y;
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane(v, i) > 0 && simd::lane(end.v, i) < 0) {
+        streams[i]->record.peaks[(*motion.y_bins)(simd::lane(height, i))] += simd::lane(weight, i);
+      }
+    }
+  }
+
+  /// Applies impulses and ends of branches, lane by lane.
+  template <bool kRecords>
+  FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
+    const Mask impulse_now = active & (until_impulse <= 0.0);
+    const bool splits = kRecords && motion.splitting;
+    if (splits) {
+      if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
+      for (int i = 0; i < W; ++i) {
+        store_branch(i);
+        Stream& stream = *streams[i];
+        if (simd::lane(impulse_now, i) != 0) apply_impulse<kRecords>(motion, stream);
+        while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
+          resume_next_branch(stream);
+      }
+      load_branches();
+      return;
+    }
+    if (!simd::any(impulse_now)) return;
+    Array<double> ys, vs, untils;
+    simd::store(y, ys.at);
+    simd::store(v, vs.at);
+    simd::store(until_impulse, untils.at);
+    for (int i = 0; i < W; ++i) {
+      if (!(untils.at[i] <= 0) || simd::lane(impulse_now, i) == 0) continue;
+      Branch& b = streams[i]->branch;
+      b.y = ys.at[i];
+      b.v = vs.at[i];
+      apply_impulse<kRecords>(motion, *streams[i]);
+      vs.at[i] = b.v;
+      untils.at[i] = b.until_impulse;
+    }
+    v = simd::load<Real>(vs.at);
+    until_impulse = simd::load<Real>(untils.at);
+  }
+
+  template <bool kRecords>
+  FPKCHECK_INLINE void advance_streams() {
+    // A copy, since the compiler must assume that storing a sum may change the original.
+    const Oscillator oscillator = motion.oscillator;
+    load_branches();
+    for (;;) {
+      const Mask active = remaining > 0.0;
+      if (!simd::any(active)) break;
+      // Every iteration advances the time of a lane or ends at y = 0. There the impact reverses the
+      // velocity, so the next iteration advances the time. At rest (y = v = 0) the time advances to
+      // the next impulse.
+      apply_impact<kRecords>(active);
+      const BasicFlight<Real> flight(oscillator, {y, v});
+      Real span = simd::lanewise_min(
+          simd::lanewise_min(flight.max_step(motion.step), until_impulse), remaining);
+      span = simd::where(active, span);
+      BasicState<Real> end = flight.at(span);
+      const Mask impact = (end.y < 0.0) & (y > 0.0);
+      if (simd::any(impact)) {
+        span = simd::select(impact, flight.impact_time(span, end, impact), span);
+        const BasicState<Real> at_wall = flight.at(span);
+        end.v = simd::select(impact, at_wall.v, end.v);
+        if (kRecords && motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
+        end.y = simd::select(impact, Real{}, end.y);
+      }
+      if constexpr (kRecords) {
+        flights = flights + simd::where(active, simd::broadcast<Real>(1.0));
+        sample(flight, span);
+        find_peaks(flight, span, end);
+      }
+      remaining = remaining - span;
+      until_impulse = until_impulse - span;
+      y = simd::lanewise_max(end.y, Real{});
+      v = end.v;
+      apply_lane_events<kRecords>(active);
+    }
+    for (int i = 0; i < W; ++i) store_branch(i);
+    if constexpr (kRecords) store_sums();
+  }
+};
+
+template <int W>
+void advance_in_lanes(const Motion& motion, Stream* const* streams) {
+  LaneState<W> lanes(motion, streams);
+  if (motion.records) {
+    lanes.template advance_streams<true>();
+  } else {
+    lanes.template advance_streams<false>();
+  }
+}
+
+/// Calls advance_in_lanes() for `width`, which must be one of Widths.
+template <int... Widths>
+void advance_with_width(const Motion& motion, Stream* const* streams, int width) {
+  ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);
+}
+
+}  // namespace
+}  // namespace fpkcheck::mcs

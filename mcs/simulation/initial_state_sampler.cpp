@@ -1,0 +1,49 @@
+#include "mcs/simulation/initial_state_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mcs/impulses/uniforms.hpp"
+
+namespace fpkcheck::mcs {
+
+InitialStateSampler::InitialStateSampler(const problem::Problem& problem) : averaging_(problem) {
+  double sum = 0;
+  for (const auto& band : averaging_.bands()) below_.push_back(sum += band.mass);
+}
+
+State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) const {
+  const Uniforms u = uniforms(seed, stream, Purpose::start, kBlockSize);
+  const auto index = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
+  const auto& bands = averaging_.bands();
+  const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];
+  const auto [left, right, at_left, at_right] = band.orbit.half_cycle;
+  const double middle = (left + right) / 2, half = (right - left) / 2;
+  const numerics::Polynomial& potential = averaging_.orbits().potential();
+  const auto speed = [&](double y) {
+    return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
+  };
+  // y = middle + half sin(angle). Rejection sampling draws the angle with a density proportional to
+  // the residence time half cos(angle) / speed.
+  const auto time = [&](double angle) {
+    const double v = speed(middle + half * std::sin(angle));
+    return v > 0 ? half * std::cos(angle) / v : 0.0;
+  };
+  constexpr int kGridPoints = 64;
+  const auto angle_of = [](double share) { return (share - 0.5) * std::numbers::pi; };
+  double longest = 0;
+  for (int n = 0; n < kGridPoints; ++n) {
+    longest = std::max(longest, time(angle_of((n + 0.5) / kGridPoints)));
+  }
+  constexpr double kMargin = 1.2;  // for maxima between the grid points
+  double angle = 0;
+  for (std::size_t k = 1; k < kBlockSize; ++k) {
+    angle = angle_of(u.first[k]);
+    if (u.second[k] * kMargin * longest < time(angle)) break;
+  }
+  const double y = middle + half * std::sin(angle);
+  return {y, u.third[0] < 0.5 ? -speed(y) : speed(y)};
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mcs/motion/flight.hpp"
+#include "problem/energy_averaging.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
+/// the mass of each well and each ring. The burn-in only has to remove transients of the fast
+/// motion and the error of the averaging.
+class InitialStateSampler {
+ public:
+  explicit InitialStateSampler(const problem::Problem& problem);
+
+  /// The initial state is a function of the seed and the stream.
+  State operator()(std::uint64_t seed, std::uint32_t stream) const;
+
+ private:
+  problem::EnergyAveraging averaging_;
+  std::vector<double> below_;  // cumulative masses of the bands
+};
+
+}  // namespace fpkcheck::mcs

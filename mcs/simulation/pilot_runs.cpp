@@ -1,0 +1,65 @@
+#include "mcs/simulation/pilot_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "mcs/simulation/simulation.hpp"
+#include "problem/problem.hpp"
+#include "problem/undamped_orbits.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kRarest = 1e-10;
+constexpr double kFewestVisits = 1000;  // visits of branches that define a threshold
+constexpr int kMostPilots = 30;
+constexpr double kPilotTime = 0.5;                    // least pilot time, in burn-ins
+constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number in all streams
+constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
+
+// Potential of the energy that is split. In the paper's class that of the spring. Outside that
+// class the mean of the impulses contributes, since without it the potential may be unbounded
+// below.
+numerics::Polynomial splitting_potential(const problem::Problem& problem, const Plan& plan) {
+  if (!plan.general) return problem.system.potential();
+  const problem::UndampedOrbits orbits(problem);
+  auto coefficients = orbits.potential().coefficients();
+  coefficients[0] -= orbits.lowest_potential();
+  return numerics::Polynomial(coefficients);
+}
+
+}  // namespace
+
+Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
+  const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
+  const numerics::Polynomial potential = splitting_potential(problem, plan);
+  Plan pilot = plan;
+  pilot.seed = ~plan.seed;  // random numbers that no simulation with this seed uses
+  pilot.samples_per_round =
+      static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
+                                                                         plan.excitation.interval) /
+                                 plan.sampling_interval) +
+      1;
+  Simulation simulation(problem, pilot);
+  simulation.burn_in();
+  std::vector<double> thresholds;
+  for (int n = 0; n < kMostPilots; ++n) {
+    const Splitting splitting(potential, thresholds, largest);
+    simulation.set_splitting(splitting);
+    simulation.run_round();
+    std::vector<double> energies(splitting.energy_bins().bins() + 2);
+    for (const Stream& stream : simulation.streams()) {
+      std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
+    }
+    auto next = choose_thresholds(
+        splitting.energy_bins(), energies,
+        kFewestVisits * std::pow(Splitting::kCopies, -splitting.threshold_count()), kRarest);
+    const bool further = next.size() > thresholds.size();
+    if (further || n == 0) thresholds = std::move(next);
+    if (!further) break;
+  }
+  return {potential, thresholds, largest};
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,207 @@
+#include "methods/external/external_density.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "methods/plot_style.hpp"
+#include "problem/energy_balance.hpp"
+#include "problem/features.hpp"
+#include "problem/motion_balances.hpp"
+#include "transform/balance_residuals.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Moments;
+using transform::Solution;
+using transform::Status;
+
+// Tolerances: the first two relative to the peak, the third to a mass of 1.
+constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
+
+// The largest average in the outermost cells, except at walls.
+double largest_boundary_average(const transform::GridDensity& grid, const DensityPoints& points) {
+  double most = 0;
+  for (std::size_t i = 0; i < grid.ny(); ++i) {
+    most = std::max({most, grid.average(i, 0), grid.average(i, grid.nv() - 1)});
+  }
+  for (std::size_t j = 0; j < grid.nv(); ++j) {
+    if (!points.has_wall_at_start()) most = std::max(most, grid.average(0, j));
+    if (!points.has_wall_at_end()) most = std::max(most, grid.average(grid.ny() - 1, j));
+  }
+  return most;
+}
+
+// "at y = 2 and |y'| = 3"
+std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints& points) {
+  std::string ends;
+  if (!points.has_wall_at_start()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.front());
+  if (!points.has_wall_at_end()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.back());
+  if (!ends.empty()) ends.replace(ends.size() - 2, 2, " and ");
+  return fmt::format("at {}|y'| = {:.3g}", ends, grid.v_edges.back());
+}
+
+// The reason for the status inadmissible; empty where the function is a density.
+std::string inadmissible_reason(const transform::GridDensity& grid, const DensityPoints& points,
+                                double peak, double least, double mass) {
+  if (least < -kNegativeTolerance * peak) {
+    return fmt::format("the density is negative, down to {:.1e} of its peak", least / peak);
+  }
+  const double end = largest_boundary_average(grid, points);
+  if (end > kCutOffTolerance * peak) {
+    return fmt::format("the density is cut off at {:.1e} of its peak (limit {:.0e}), {}",
+                       end / peak, kCutOffTolerance, cut_off_text(grid, points));
+  }
+  if (std::abs(mass - 1) > kMassTolerance)
+    return fmt::format("the integral is {:.6g}, not 1", mass);
+  return {};
+}
+
+// The residuals of the balances in wall coordinates.
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const PointIntegrals& integrals, double mass) {
+  const problem::Frame frame = problem::wall_frame(problem.system);
+  const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
+  const auto& force = transformed.system.force();
+  const auto mean = [&](const auto& function) {
+    return integrals.integrate([&](double y, double v) {
+      return function(frame.x(y), frame.v(v));
+    }) / mass;
+  };
+  const auto wall_momentum = [&](bool right) {
+    return (right ? integrals.right_flux(2) : integrals.left_flux(2)) / mass;
+  };
+  const problem::VirialTerms virial{
+      .mean_displacement = mean([](double x, double) { return x; }),
+      .mean_square_velocity = mean([](double, double v) { return v * v; }),
+      .mean_virial = mean([&](double x, double) { return x * force(x); }),
+      .right_momentum = frame.mirrored ? 0 : wall_momentum(true),
+      .mean_y_cubed_velocity = mean([](double x, double v) { return x * v * v * v; })};
+  problem::MomentumTerms momentum{
+      .mean_force = mean([&](double x, double) { return force(x); }),
+      .impact_momentum = wall_momentum(frame.mirrored),
+      .right_momentum = virial.right_momentum,
+      .mean_cubed_velocity = mean([](double, double v) { return v * v * v; })};
+  if (!problem::is_paper_oscillator(problem)) {
+    momentum.mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); });
+  }
+  transform::BalanceResiduals residuals{
+      .virial = problem::virial_balance(transformed, virial).residual()};
+  // Without a wall and with zero-mean impulses both sides of the momentum balance are 0.
+  const bool has_mean_impulse = problem.impulses.rate_moment(1) != 0;
+  if (problem.system.left() || problem.system.right() || has_mean_impulse) {
+    residuals.momentum = problem::momentum_balance(transformed, momentum).residual();
+  }
+  return residuals;
+}
+
+}  // namespace
+
+transform::Identity external_identity(const ExternalDensity& external, std::string_view method,
+                                      const std::string& origin) {
+  transform::Identity identity{.id = external.label,
+                               .method = std::string(method),
+                               .order = external.order,
+                               .role = transform::Role::external,
+                               .family = std::string(method),
+                               .trust = static_cast<int>(external.index),
+                               .plot_style = external_style(external.index)};
+  if (external.equation) {
+    identity.role = transform::Role::closure;
+    identity.equation = external.equation;
+    identity.impact = external.impact;
+    identity.meaning = fmt::format("An external density, {}.", origin);
+  } else {
+    identity.meaning =
+        fmt::format("An external density, {}; its equation and impact are unknown.", origin);
+  }
+  return identity;
+}
+
+void add_rest_note(const problem::Problem& problem, transform::MetricBuilder& builder) {
+  if (!problem::features(problem).rests_in_contact) return;
+  builder.text(
+      "notes[0]",
+      "the mass at rest in contact with a wall is not part of the density and counts as missing");
+}
+
+double require_density(const ExternalDensity& external, const DensityPoints& points,
+                       const std::vector<double>& values) {
+  const std::size_t nv = points.v().size();
+  if (values.size() != points.y().size() * nv) {
+    throw InputError(fmt::format("density '{}': {} values (must be {} x {})", external.label,
+                                 values.size(), points.y().size(), nv));
+  }
+  const auto bad = std::ranges::find_if(values, [](double p) { return !std::isfinite(p); });
+  if (bad != values.end()) {
+    const auto k = static_cast<std::size_t>(bad - values.begin());
+    throw InputError(fmt::format("density '{}': p({:.4g}, {:.4g}) is {} (must be a finite number)",
+                                 external.label, points.y()[k / nv], points.v()[k % nv], *bad));
+  }
+  const double mass = PointIntegrals(points, values).mass();
+  if (!(mass > 0) || !std::isfinite(mass)) {
+    throw InputError(fmt::format("density '{}': the integral is {:.4g} (must be positive)",
+                                 external.label, mass));
+  }
+  return mass;
+}
+
+Solution solution_of(const problem::Problem& problem, const SolveContext& context,
+                     const ExternalDensity& external, const DensityOptions& options,
+                     const DensityPoints& points, std::vector<double> values, double mass) {
+  if (options.normalise) {
+    for (double& value : values) value /= mass;
+  }
+  const PointIntegrals integrals(points, values);
+  const auto [least, peak] = std::ranges::minmax(values);
+  Solution solution;
+  auto grid = integrals.averages();
+  solution.mass = integrals.mass();
+  solution.min_density = least / peak;
+  solution.moments = integrals.moments(solution.mass);
+  const auto& moments = solution.moments;
+  const problem::System& system = problem.system;
+  const double damping_power = integrals.integrate([&](double y, double v) {
+    return v * v * (system.damping_polynomial()(y) + system.rayleigh() * v * v);
+  });
+  solution.energy_residual =
+      problem::energy_residual(problem, external.impact,
+                               {.mean_velocity = moments.v1,
+                                .mean_square_velocity = moments.v2,
+                                .impact_energy_flux = integrals.left_flux(3) / solution.mass,
+                                .right_energy_flux = integrals.right_flux(3) / solution.mass,
+                                .mean_damping_power = damping_power / solution.mass});
+  solution.reason = options.inadmissible_reason.empty()
+                        ? inadmissible_reason(grid, points, peak, least, solution.mass)
+                        : options.inadmissible_reason;
+  solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
+  solution.density = std::move(grid);
+
+  transform::MetricBuilder builder;
+  if (options.normalise) builder.result("normalised_by", mass);
+  add_metrics(builder, balance_residuals(problem, integrals, solution.mass));
+  add_rest_note(problem, builder);
+  solution.metrics = builder.take();
+  if (external.equation && context.error_estimator != nullptr) {
+    // An empty prefix of the reason: the density was not tested against the equation.
+    set_residual_error_estimate(*context.error_estimator, options.accuracy, solution, {}, "");
+  }
+  return solution;
+}
+
+Method make_function_method(const ExternalDensity& external, const DensityOptions& options,
+                            const DensityPoints& points, std::vector<double> values) {
+  const double mass = require_density(external, points, values);
+  return {
+      .identity = external_identity(external, transform::kExternalFunction, "given as a function"),
+      .solve = [external, options, points, mass, values = std::move(values)](
+                   const problem::Problem& problem, const SolveContext& context) {
+        return solution_of(problem, context, external, options, points, values, mass);
+      }};
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,213 @@
+#include "methods/external/external_joint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "epc/density.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/closed_form_file.hpp"
+#include "methods/external/column_meaning.hpp"
+#include "methods/external/joint_table.hpp"
+#include "results/gridded_variable.hpp"
+#include "results/joint_netcdf.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+ExternalJoint joint_from_points(JointTable table, const std::string& path) {
+  const std::size_t nv = table.v.size();
+  ExternalJoint joint{.path = path, .form = "joint points", .numbers = table.p.size()};
+  // The density is taken as 0 beyond the table.
+  constexpr double kSmall = 1e-3;
+  const double peak = std::ranges::max(table.p);
+  double end = 0;
+  for (std::size_t k = 0; k < table.p.size(); ++k) {
+    const bool last = k / nv + 1 == table.y.size() || k % nv == 0 || k % nv + 1 == nv;
+    if (last) end = std::max(end, table.p[k]);
+  }
+  if (end > kSmall * peak) {
+    joint.notes.push_back(
+        fmt::format("p(y, y') is cut off at {:.2g} of its peak and taken as 0 beyond", end / peak));
+  }
+  joint.values = [path, table = std::make_shared<const JointTable>(std::move(table))](
+                     const problem::Problem&, const DensityPoints& points) {
+    require_between_walls(points.walls(), table->y.front(), table->y.back(), path);
+    return evaluate_at(*table, points);
+  };
+  return joint;
+}
+
+ExternalJoint joint_from_run(const ExternalArgument& argument, const std::string& where,
+                             const std::string& default_case, const Registry& registry) {
+  auto file = results::read_joint_netcdf(argument.file);
+  std::vector<std::string> cases, solutions;
+  for (const auto& [case_name, joint] : file.joints) {
+    if (std::ranges::find(cases, case_name) == cases.end()) cases.push_back(case_name);
+  }
+  auto requested = argument.case_name;
+  if (!requested && std::ranges::find(cases, default_case) != cases.end()) requested = default_case;
+  const std::string& of_case = cases[select_index(cases, requested, "case", where)];
+  std::vector<const transform::GridDensity*> densities;
+  for (const auto& [case_name, joint] : file.joints) {
+    if (case_name != of_case) continue;
+    solutions.push_back(joint.solution);
+    densities.push_back(&joint.density);
+  }
+  const auto place = select_index(solutions, argument.solution, "solution", where);
+  const auto& cells = *densities[place];
+  ExternalJoint joint{.path = where, .form = "joint cells", .numbers = cells.averages.size()};
+  const auto finite = [](double p) { return std::isfinite(p); };
+  if (!std::ranges::all_of(cells.averages, finite)) {
+    throw InputError(fmt::format("{}: {} has values that are not finite", where,
+                                 base::in_quotes(solutions[place])));
+  }
+  if (const auto method = registry.method_by_id(solutions[place])) {
+    joint.equation = method->identity.equation;
+    joint.impact = method->identity.impact;
+    joint.order = method->identity.order;
+  }
+  joint.values = [where, external = std::make_shared<const transform::GridDensity>(cells)](
+                     const problem::Problem&, const DensityPoints& points) {
+    require_between_walls(points.walls(), external->y_edges.front(), external->y_edges.back(),
+                          where);
+    return evaluate_at(*external, points);
+  };
+  return joint;
+}
+
+// The first parameter of the file's problem that differs from the run's; empty if none differs.
+std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
+  const auto here = problem::sections(of_run);
+  for (const auto& section : problem::sections(of_file)) {
+    const auto same = std::ranges::find(here, section.name, &problem::Section::name);
+    for (const auto& value : section.values) {
+      if (same != here.end() && std::ranges::find(same->values, value) != same->values.end()) {
+        continue;
+      }
+      return fmt::format("{}.{} = {}", section.name, value.name, base::text_of(value.value));
+    }
+  }
+  return {};
+}
+
+JointTable to_joint_table(results::GriddedVariable variable, const std::string& where) {
+  const std::vector<std::string> names{variable.first_name, variable.second_name, "p"};
+  const auto of_v = velocity_column_index(names);
+  if (of_v >= names.size()) {
+    throw InputError(fmt::format("{}: {} has the coordinates {} and {}; name them y and v", where,
+                                 base::sanitise(variable.name), base::sanitise(names[0]),
+                                 base::sanitise(names[1])));
+  }
+  if (of_v == 1)
+    return {std::move(variable.first), std::move(variable.second), std::move(variable.values)};
+  JointTable table{std::move(variable.second), std::move(variable.first), {}};
+  for (std::size_t i = 0; i < table.y.size(); ++i) {
+    for (std::size_t j = 0; j < table.v.size(); ++j) {
+      table.p.push_back(variable.values[j * table.y.size() + i]);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+ExternalJoint joint_from_table(const NumberTable& table) {
+  return joint_from_points(make_joint_table(table), table.source);
+}
+
+ExternalJoint joint_from_netcdf(const ExternalArgument& argument, std::string bytes,
+                                const std::string& default_case, const Registry& registry) {
+  const std::string where = base::sanitise(argument.file.string());
+  if (results::is_joint_netcdf(bytes))
+    return joint_from_run(argument, where, default_case, registry);
+  if (argument.solution || argument.case_name) {
+    throw InputError(fmt::format("{} contains a single density; omit the key {}", where,
+                                 argument.solution ? "solution" : "case"));
+  }
+  auto table = to_joint_table(results::read_gridded_variable(std::move(bytes), where), where);
+  require_usable(table, where);
+  return joint_from_points(std::move(table), where);
+}
+
+ExternalJoint joint_from_json(const ExternalArgument& argument, const std::string& text,
+                              const std::string& default_case) {
+  const std::string where = base::sanitise(argument.file.string());
+  auto file = std::make_shared<const ClosedFormFile>(
+      read_closed_form_file(text, where, {argument.solution, argument.case_name, default_case}));
+  const auto& [form, problem, solution] = *file;
+  ExternalJoint joint{.path = where, .form = "closed form", .numbers = form.q.terms().size()};
+  // A normalisation constant in an external file is checked; that of a saved run is not.
+  joint.normalise = solution.has_value() || !form.frame.log_constant;
+  using enum epc::Variables;
+  if (form.frame.variables == plane || form.frame.variables == physical) {
+    joint.order = form.q.degree();
+  }
+  if (solution) {
+    joint.problem = problem;
+    joint.equation = solution->identity.equation;
+    joint.impact = solution->identity.impact;
+    joint.order = solution->identity.order;
+    const bool has_usable_density =
+        solution->is_ok() || solution->status == transform::Status::inaccurate;
+    if (!has_usable_density) {
+      joint.inadmissible_reason =
+          fmt::format("the status in the file is {}: {}", name(solution->status), solution->reason);
+    }
+  }
+  joint.values = [file](const problem::Problem& of_run, const DensityPoints& points) {
+    const auto density = epc::density(file->form, file->problem ? &*file->problem : &of_run);
+    std::vector<double> values;
+    values.reserve(points.y().size() * points.v().size());
+    for (const double y : points.y()) {
+      for (const double v : points.v()) values.push_back(density.value(y, v));
+    }
+    return values;
+  };
+  return joint;
+}
+
+Method make_joint_method(const ExternalDensity& external, const ExternalJoint& joint) {
+  const auto check = [external, joint](const problem::Problem& problem) {
+    const DensityPoints points(compare::comparison_axes(problem), problem.system.walls());
+    return require_density(external, points, joint.values(problem, points));
+  };
+  const auto solve = [external, joint](const problem::Problem& problem,
+                                       const SolveContext& context) {
+    const DensityPoints points(context.axes, problem.system.walls());
+    auto values = joint.values(problem, points);
+    const double mass = require_density(external, points, values);
+    auto solution = solution_of(
+        problem, context, external,
+        {.normalise = joint.normalise, .inadmissible_reason = joint.inadmissible_reason}, points,
+        std::move(values), mass);
+    auto notes = joint.notes;
+    constexpr double kNearOne = 0.1;
+    if (joint.normalise && std::abs(mass - 1) > kNearOne && joint.form != "closed form") {
+      notes.push_back(fmt::format("the density was divided by its integral, {:.4g}", mass));
+    }
+    const auto other = joint.problem ? first_difference(*joint.problem, problem) : std::string();
+    if (!other.empty())
+      notes.push_back(fmt::format("the density is of another problem: {}", other));
+    transform::MetricBuilder builder;
+    builder.text("files[0].file", joint.path)
+        .text("files[0].form", joint.form)
+        .work("files[0].numbers", transform::count_value(joint.numbers));
+    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::Kind::text);
+    for (std::size_t n = 0; n < notes.size(); ++n) {
+      builder.text(fmt::format("files[0].notes[{}]", n), notes[n]);
+    }
+    std::ranges::move(builder.take(), std::back_inserter(solution.metrics));
+    return solution;
+  };
+  return {.identity = external_identity(external, transform::kExternalFile, "from a file"),
+          .solve = solve,
+          .check = [check](const problem::Problem& problem) { check(problem); }};
+}
+
+}  // namespace fpkcheck::methods

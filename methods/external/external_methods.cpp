@@ -1,0 +1,272 @@
+#include "methods/external/external_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "methods/external/argument.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/external_density.hpp"
+#include "methods/external/external_joint.hpp"
+#include "methods/external/external_marginal.hpp"
+#include "methods/external/families.hpp"
+#include "methods/external/file_content.hpp"
+#include "methods/external/joint_table.hpp"
+#include "methods/external/label.hpp"
+#include "problem/motion_balances.hpp"
+#include "transform/balance_residuals.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using transform::Variable;
+
+double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
+
+// The comparison ignores mass beyond its axes.
+std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, double share,
+                                             const std::vector<double>& bins) {
+  constexpr double kSmall = 1e-3;
+  if (share <= kSmall) return std::nullopt;
+  return fmt::format(
+      "{:.3g} % of the mass is outside the comparison axes, {} = {:.3g} to {:.3g}, and ignored; "
+      "check the units",
+      100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
+}
+
+// Adds the contents of a file and their treatment as metrics, under "files[k]".
+void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
+                 double min_density, std::size_t k, transform::MetricBuilder& builder) {
+  const std::string path = fmt::format("files[{}].", k);
+  const FileTreatment& file = marginal.file();
+  const double beyond = marginal.fraction_outside(bins.front(), bins.back());
+  builder.text(path + "file", file.path)
+      .text(path + "variable", std::string(name(marginal.variable())))
+      .text(path + "form", file.form)
+      .work(path + "rows", transform::count_value(file.rows));
+  if (!file.values.empty()) builder.text(path + "values", file.values);
+  builder.result(path + "from", file.from)
+      .result(path + "to", file.to)
+      .result(path + "integral", file.integral);
+  if (file.divided_by) builder.result(path + "normalised_by", *file.divided_by);
+  auto notes = file.notes;
+  if (const auto note = outside_mass_note(marginal, beyond, bins)) notes.push_back(*note);
+  if (notes.empty()) builder.add_empty_list(path + "notes", transform::Kind::text);
+  for (std::size_t n = 0; n < notes.size(); ++n) {
+    builder.text(fmt::format("{}notes[{}]", path, n), notes[n]);
+  }
+  builder.result(path + "mass", mass)
+      .result(path + "min_density", min_density)
+      .result(path + "beyond_axes", beyond);
+}
+
+void add_sampling_error(const ExternalMarginal& marginal, const std::vector<double>& bins,
+                        transform::Solution& solution) {
+  if (!marginal.has_errors()) return;
+  const auto [expected, quantile_99] = marginal.sampling_l1(bins);
+  auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
+  const bool of_y = marginal.variable() == Variable::y;
+  (of_y ? sampling.y : sampling.ydot) = expected;
+  (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
+}
+
+// Balance residuals of a solution with both marginals, in wall coordinates. Marginals determine
+// neither fluxes at walls nor joint moments.
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const std::vector<ExternalMarginal>& marginals) {
+  const auto of = [&](Variable variable) {
+    return std::ranges::find(marginals, variable, &ExternalMarginal::variable);
+  };
+  const auto y = of(Variable::y), ydot = of(Variable::ydot);
+  if (y == marginals.end() || ydot == marginals.end()) return {};
+  const problem::System& system = problem.system;
+  if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
+  const problem::Frame frame = problem::wall_frame(system);
+  const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
+  // Substitutes x(y): a polynomial of x becomes a polynomial of y.
+  const auto in_y = [&](const numerics::Polynomial& of_x) {
+    return of_x.compose_affine(frame.inverse().origin, frame.sign());
+  };
+  const auto virial = in_y(transformed.system.force().times_argument());
+  double mean_virial = virial.coefficient(0) * y->moment(0);
+  for (std::size_t n = 1; n <= virial.degree(); ++n) {
+    if (virial.coefficient(n) == 0) continue;
+    mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
+  }
+  return {.virial =
+              problem::virial_balance(transformed, {.mean_displacement = frame.x(y->moment(1)),
+                                                    .mean_square_velocity = ydot->moment(2),
+                                                    .mean_virial = mean_virial})
+                  .residual()};
+}
+
+transform::Solution solution_of(const problem::Problem& problem,
+                                const std::vector<ExternalMarginal>& marginals,
+                                const compare::ComparisonAxes& axes) {
+  transform::Solution solution;
+  solution.status = transform::Status::ok;
+  solution.energy_residual = unknown();
+  auto& m = solution.moments;
+  m = {unknown(), unknown(), unknown(), unknown(), unknown(), unknown()};
+  transform::MetricBuilder builder;
+  for (std::size_t k = 0; k < marginals.size(); ++k) {
+    const auto& marginal = marginals[k];
+    const bool of_y = marginal.variable() == Variable::y;
+    (of_y ? m.y1 : m.v1) = marginal.moment(1);
+    (of_y ? m.y2 : m.v2) = marginal.moment(2);
+    (of_y ? m.y4 : m.v4) = marginal.moment(4);
+    const auto& bins = compare::edges(axes, marginal.variable());
+    auto on_axes = marginal.average_over(bins);
+    const double mass = marginal.moment(0);
+    const auto [least, most] = std::ranges::minmax(on_axes.density);
+    const double min_density = most > 0 ? least / most : 0;
+    // The worse of several files.
+    if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
+    if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
+    add_sampling_error(marginal, bins, solution);
+    add_metrics(marginal, bins, mass, min_density, k, builder);
+    solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
+  }
+  add_metrics(builder, balance_residuals(problem, marginals));
+  add_rest_note(problem, builder);
+  solution.metrics = builder.take();
+  return solution;
+}
+
+// The file of a marginal; the walls are known only with a case.
+struct MarginalFile {
+  NumberTable table;
+  Variable variable;
+};
+
+std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
+                                             const std::vector<MarginalFile>& files) {
+  std::vector<ExternalMarginal> marginals;
+  for (const auto& file : files) marginals.emplace_back(file.table, problem.system.walls());
+  return marginals;
+}
+
+// The arguments of one label.
+struct LabelledFiles {
+  ExternalDensity external;
+  std::vector<MarginalFile> marginals;
+  std::optional<ExternalJoint> joint;
+};
+
+// Sets equation, impact and order: from the argument, else from the file.
+void set_identity(const ExternalArgument& argument, const ExternalJoint* joint,
+                  ExternalDensity& external) {
+  const auto differ = [&](const char* what) {
+    throw InputError(fmt::format("the files of '{}' have different {}s; give the same for all",
+                                 external.label, what));
+  };
+  auto equation = argument.equation;
+  auto impact = argument.impact;
+  auto order = argument.order;
+  if (joint != nullptr) {
+    if (!equation) {
+      equation = joint->equation;
+      impact = joint->impact;
+    }
+    if (!order) order = joint->order;
+  }
+  if (equation) {
+    const auto own_impact = impact.value_or(problem::Impact::map);
+    if (external.equation && (*external.equation != *equation || external.impact != own_impact))
+      differ("equation");
+    external.equation = equation;
+    external.impact = own_impact;
+  }
+  if (order) {
+    if (external.order && *external.order != *order) differ("order");
+    external.order = order;
+  }
+}
+
+void add_marginal(NumberTable table, LabelledFiles& given) {
+  const Variable variable = ExternalMarginal(table, {}).variable();
+  if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
+      given.marginals.end()) {
+    throw InputError(
+        fmt::format("two files of '{}' are densities of {}; give one file another label",
+                    given.external.label, variable == Variable::y ? "y" : "y'"));
+  }
+  given.marginals.push_back({std::move(table), variable});
+}
+
+void read_into(const ExternalArgument& argument, const std::string& case_name,
+               const Registry& registry, LabelledFiles& given) {
+  auto [form, bytes] = read_file_content(argument.file);
+  std::optional<ExternalJoint> joint;
+  if (form == ContentForm::netcdf) {
+    joint = joint_from_netcdf(argument, std::move(bytes), case_name, registry);
+  } else if (form == ContentForm::json) {
+    joint = joint_from_json(argument, bytes, case_name);
+  } else {
+    if (argument.solution || argument.case_name) {
+      throw InputError(fmt::format("{} contains a single density; omit the key {}",
+                                   base::in_quotes(argument.file.string()),
+                                   argument.solution ? "solution" : "case"));
+    }
+    std::istringstream in(std::move(bytes));
+    auto table = read_number_table(in, argument.file.string());
+    if (is_joint_density(table)) {
+      joint = joint_from_table(table);
+    } else {
+      add_marginal(std::move(table), given);
+    }
+  }
+  if (given.joint || (joint && !given.marginals.empty())) {
+    throw InputError(
+        fmt::format("two files of '{}', one of them a joint density; give one file another label",
+                    given.external.label));
+  }
+  set_identity(argument, joint ? &*joint : nullptr, given.external);
+  given.joint = std::move(joint);
+}
+
+Method make_marginals_method(const ExternalDensity& external,
+                             const std::vector<MarginalFile>& files) {
+  return {.identity = external_identity(external, transform::kExternalFile, "from a file"),
+          .solve =
+              [files](const problem::Problem& problem, const SolveContext& context) {
+                return solution_of(problem, read_marginals(problem, files), context.axes);
+              },
+          .check = [files](const problem::Problem& problem) { read_marginals(problem, files); }};
+}
+
+}  // namespace
+
+std::vector<Method> external_methods(std::span<const std::string> arguments,
+                                     const Registry& registry, const std::string& case_name) {
+  std::vector<LabelledFiles> solutions;
+  for (const auto& text : arguments) {
+    auto argument = parse_external_argument(text);
+    if (argument.solution && !argument.has_label) argument.label = "given-" + *argument.solution;
+    const std::string& label = argument.label;
+    require_valid_label(label, registry);
+    const auto label_of = [](const LabelledFiles& given) { return given.external.label; };
+    auto external = std::ranges::find(solutions, label, label_of);
+    for (const auto& given : solutions) require_distinct_labels(given.external.label, label);
+    if (external == solutions.end()) {
+      external = solutions.insert(external, {{.label = label, .index = solutions.size()}, {}, {}});
+    }
+    read_into(argument, case_name, registry, *external);
+  }
+  std::vector<Method> methods;
+  for (const auto& [external, marginals, joint] : solutions) {
+    methods.push_back(joint ? make_joint_method(external, *joint)
+                            : make_marginals_method(external, marginals));
+  }
+  group_families(methods);
+  return methods;
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,95 @@
+#include "methods/moment_error_estimates.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "backward/residual/density_residuals.hpp"
+#include "base/input_error.hpp"
+#include "methods/out_of_memory.hpp"
+#include "methods/parallel_for.hpp"
+#include "transform/change_of_frame.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using results::Case;
+using transform::Moments;
+
+/// The results for a solution.
+struct SolutionErrors {
+  results::MomentErrorEstimate error;
+  std::vector<results::ErrorSource> sources;
+};
+
+results::ErrorSource error_source(const backward::DensityResiduals& residuals,
+                                  const problem::Frame& frame, const std::string& solution,
+                                  const transform::NamedMoment& moment,
+                                  const Eigen::MatrixXd& contributions,
+                                  const transform::GridDensity& cells) {
+  Eigen::MatrixXd values =
+      residuals.spread_contributions(contributions, transform::to_x_edges(frame, cells.y_edges),
+                                     transform::transform_v_edges(frame, cells.v_edges));
+  if (frame.mirrored) values = values.reverse().eval();
+  results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
+  for (const auto& row : values.rowwise()) {
+    // Files store single precision.
+    for (const double value : row) {
+      result.density.averages.push_back(static_cast<float>(value));
+    }
+  }
+  return result;
+}
+
+/// @param cells of the error sources; null for none
+std::optional<SolutionErrors> estimate_moment_errors(const backward::DensityResiduals& residuals,
+                                                     const problem::Frame& frame,
+                                                     const transform::Solution& solution,
+                                                     const transform::GridDensity* cells) try {
+  const auto weighted =
+      residuals.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
+  SolutionErrors found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
+  for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
+    const auto& named = transform::kMoments[k];
+    found.error.error.*named.moment =
+        solution.moments.*named.moment - weighted.corrected.*named.moment;
+    const bool has_error_source = named.moment == &Moments::y2 || named.moment == &Moments::v2;
+    if (!has_error_source || cells == nullptr) continue;
+    found.sources.push_back(
+        error_source(residuals, frame, solution.id(), named, weighted.contributions[k], *cells));
+  }
+  return found;
+} catch (const InputError&) {
+  return std::nullopt;  // the density has no mean
+}
+
+}  // namespace
+
+void add_moment_error_estimates(Case& case_result, const ResidualErrorEstimator& estimator,
+                                int threads) {
+  std::vector<const transform::Solution*> densities;
+  for (const auto& solution : case_result.solutions) {
+    if (solution.density && solution.identity.role != transform::Role::simulation) {
+      densities.push_back(&solution);
+    }
+  }
+  if (densities.empty()) return;
+  const auto* cells = case_result.joints.empty() ? nullptr : &case_result.joints.front().density;
+  std::vector<std::optional<SolutionErrors>> found(densities.size());
+  const bool completed = try_within_memory([&] {
+    const auto* residuals = estimator.get();
+    if (residuals == nullptr) return;
+    parallel_for(densities.size(), threads, [&](std::size_t k) {
+      found[k] = estimate_moment_errors(*residuals, estimator.frame(), *densities[k], cells);
+    });
+  });
+  if (!completed) return;
+  for (auto& each : found) {
+    if (!each) continue;
+    case_result.moment_error_estimates.push_back(std::move(each->error));
+    std::ranges::move(each->sources, std::back_inserter(case_result.error_sources));
+  }
+}
+
+}  // namespace fpkcheck::methods

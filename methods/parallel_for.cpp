@@ -1,0 +1,40 @@
+#include "methods/parallel_for.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/process/processors.hpp"
+
+namespace fpkcheck::methods {
+
+int number_of_threads(int requested) { return requested > 0 ? requested : base::processors(); }
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  const auto thread_count = static_cast<std::size_t>(number_of_threads(threads));
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t w = 0; w < std::min(thread_count, count); ++w) {
+      workers.emplace_back([&] {
+        for (std::size_t t = next++; t < count; t = next++) {
+          try {
+            work(t);
+          } catch (...) {
+            const std::lock_guard lock(failure_mutex);
+            if (!failure) failure = std::current_exception();
+            next = count;
+          }
+        }
+      });
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace fpkcheck::methods

@@ -1,0 +1,102 @@
+#include "methods/plot_style.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::methods {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Identity;
+using transform::PlotStyle;
+
+constexpr const char* kBlack = "#000000";
+constexpr const char* kSkyBlue = "#56B4E9";
+constexpr const char* kBlue = "#0072B2";
+constexpr const char* kGreen = "#009E73";
+
+// The higher the order, the larger the drawn share of the line.
+constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
+                             "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
+
+constexpr const char* kEquationMarker = "triangle-down";
+
+// Index among the orders 2, 4, .. 12, limited to the number of dash patterns.
+std::size_t order_index(int order) {
+  return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
+}
+
+}  // namespace
+
+PlotStyle closure_style(const ColourRamp& ramp, const Identity& identity,
+                        const std::string& symbol) {
+  const auto shade = order_index(identity.order.value_or(2));
+  return {.colour = ramp[shade],
+          .dash = kDashes[shade],
+          .width = 2,
+          .as_points = false,
+          .layer = 2,
+          .symbol = symbol};
+}
+
+PlotStyle equation_style(const Identity& identity) {
+  PlotStyle plot_style{.colour = kBlack,
+                       .dash = "solid",
+                       .width = 1.5,
+                       .as_points = false,
+                       .layer = 1,
+                       .symbol = kEquationMarker};
+  if (identity.impact == Impact::delta) {
+    plot_style.dash = "(6,2)";
+  } else if (identity.equation == Equation::kf) {
+    plot_style.colour = kSkyBlue;
+    plot_style.width = 5;
+    plot_style.layer = 0;
+  } else if (identity.equation == Equation::km4) {
+    plot_style.colour = kBlue;
+  } else if (identity.equation == Equation::white) {
+    plot_style.colour = kGreen;
+    plot_style.dash = "(1,2)";
+    plot_style.width = 2;
+  }
+  return plot_style;
+}
+
+PlotStyle scheme_style(std::size_t rank) {
+  constexpr std::array kBlues{"#9ECAE1", "#4292C6", "#08519C", "#08306B"};
+  const auto shade = std::min(rank, kBlues.size() - 1);
+  return {.colour = kBlues[shade],
+          .dash = kDashes[shade],
+          .width = 2,
+          .as_points = false,
+          .layer = 1,
+          .symbol = kEquationMarker};
+}
+
+PlotStyle simulation_style(const Identity&) {
+  return {.colour = kBlack,
+          .dash = "solid",
+          .width = 1,
+          .as_points = true,
+          .layer = 3,
+          .symbol = "circle"};
+}
+
+PlotStyle external_style(std::size_t rank) {
+  constexpr std::array kColours{"#DC050C", "#882E72", "#777777"};
+  constexpr std::array kDashesOfFiles{"(4,3)", "(8,3)", "(4,3,1,3)"};
+  return {.colour = kColours[rank % kColours.size()],
+          .dash = kDashesOfFiles[rank % kDashesOfFiles.size()],
+          .width = 2.5,
+          .as_points = false,
+          .layer = 4,
+          .symbol = "pentagon"};
+}
+
+PlotStyle external_family_style(std::size_t rank, int order) {
+  PlotStyle plot_style = external_style(rank);
+  plot_style.dash = kDashes[order_index(order)];
+  return plot_style;
+}
+
+}  // namespace fpkcheck::methods

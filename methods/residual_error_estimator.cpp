@@ -1,0 +1,119 @@
+#include "methods/residual_error_estimator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+#include "backward/generator/normal_equations.hpp"
+#include "backward/residual/applicability.hpp"
+#include "backward/residual/density_residuals.hpp"
+#include "base/input_error.hpp"
+#include "transform/change_of_frame.hpp"
+
+namespace fpkcheck::methods {
+
+using transform::Status;
+
+struct ResidualErrorEstimator::LazyFit {
+  explicit LazyFit(const problem::Problem& of)
+      : problem(problem::to_wall_coordinates(problem::wall_frame(of.system), of)),
+        unsupported_reason(backward::residuals_unsupported_reason(problem)) {}
+
+  problem::Problem problem;
+  std::string unsupported_reason;
+  std::once_flag once = {};
+  std::optional<backward::DensityResiduals> estimator = {};
+};
+
+ResidualErrorEstimator::ResidualErrorEstimator(const problem::Problem& problem)
+    : fit_(std::make_unique<LazyFit>(problem)) {}
+ResidualErrorEstimator::ResidualErrorEstimator(ResidualErrorEstimator&&) noexcept = default;
+ResidualErrorEstimator::~ResidualErrorEstimator() = default;
+
+const backward::DensityResiduals* ResidualErrorEstimator::get() const {
+  std::call_once(fit_->once, [&] {
+    if (!fit_->unsupported_reason.empty()) return;
+    try {
+      fit_->estimator.emplace(fit_->problem);
+    } catch (const backward::FitFailure&) {
+    }
+  });
+  return fit_->estimator ? &*fit_->estimator : nullptr;
+}
+
+const problem::Frame& ResidualErrorEstimator::frame() const { return fit_->problem.frame; }
+const std::string& ResidualErrorEstimator::unsupported_reason() const {
+  return fit_->unsupported_reason;
+}
+
+std::vector<ResidualErrorEstimator> make_error_estimators(
+    const std::vector<problem::Problem>& problems) {
+  return {problems.begin(), problems.end()};
+}
+
+namespace {
+
+std::optional<backward::DensityErrors> weighted_residuals(const ResidualErrorEstimator& estimator,
+                                                          const transform::Density& density,
+                                                          const problem::Frame& coordinates) try {
+  const auto* known = estimator.get();
+  if (known == nullptr) return std::nullopt;
+  if (coordinates == estimator.frame()) return known->estimate_errors(density);
+  return known->estimate_errors(transform::to_wall_coordinates(estimator.frame(), density));
+} catch (const InputError&) {
+  return std::nullopt;  // the density has no mean
+}
+
+// The reason for a missing error estimate.
+std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
+                                    const std::optional<backward::DensityErrors>& weighted) {
+  if (weighted) {
+    return "the error is unknown: the solution of the backward equation is too coarse for this "
+           "problem; compare with fd or mcs";
+  }
+  return fmt::format("the error cannot be estimated: {}",
+                     estimator.unsupported_reason().empty()
+                         ? "the backward equation of this problem cannot be solved"
+                         : estimator.unsupported_reason());
+}
+
+// The reason for an error estimate above the required accuracy: an inaccurate density, or an
+// estimate that is only an upper bound.
+std::string large_estimate_reason(const backward::DensityErrors& weighted,
+                                  const transform::ErrorEstimate& error, double accuracy) {
+  const double found = backward::DensityErrors::kSubBinFactor *
+                       std::max(weighted.y_l1.found, weighted.ydot_l1.found);
+  if (found <= accuracy) {
+    return fmt::format(
+        "the residuals only bound the error by L1 {:.2g} in p(y) and {:.2g} in p(y'): the solution "
+        "of the backward equation is too coarse for a sharper bound",
+        error.y_l1, error.ydot_l1);
+  }
+  return fmt::format("the residual-based L1 error estimate is {:.2g} in p(y) and {:.2g} in p(y')",
+                     error.y_l1, error.ydot_l1);
+}
+
+}  // namespace
+
+void set_residual_error_estimate(const ResidualErrorEstimator& estimator, double accuracy,
+                                 transform::Solution& solution, const problem::Frame& coordinates,
+                                 std::string_view reason_prefix) {
+  if (!solution.density) return;
+  const auto weighted = weighted_residuals(estimator, *solution.density, coordinates);
+  solution.error = weighted ? weighted->error_estimate() : std::nullopt;
+  if (!solution.is_ok()) return;
+  if (!solution.error) {
+    solution.status = Status::inaccurate;
+    solution.reason = missing_estimate_reason(estimator, weighted);
+    return;
+  }
+  transform::require_accuracy(
+      accuracy,
+      fmt::format("{}{}", reason_prefix,
+                  large_estimate_reason(*weighted, *solution.error, accuracy)),
+      solution);
+}
+
+}  // namespace fpkcheck::methods

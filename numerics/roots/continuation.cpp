@@ -1,0 +1,192 @@
+#include "numerics/roots/continuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "numerics/linear_algebra/dense.hpp"
+
+namespace fpkcheck::numerics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMaxCorrections = 6;
+constexpr int kFoldBisections = 40;
+
+class CurveTracer {
+ public:
+  CurveTracer(const Homotopy& family, const ContinuationOptions& options)
+      : family_(family), options_(options) {}
+
+  SolutionCurve from(const VectorXd& start);
+
+ private:
+  MatrixXd bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const;
+  VectorXd tangent(const CurvePoint& at, const VectorXd& before) const;
+  bool is_converged(const VectorXd& residual, double correction) const;
+  std::optional<CurvePoint> correct(const CurvePoint& predict, const VectorXd& tangent,
+                                    double step);
+  std::optional<CurvePoint> correct_at_fixed_t(CurvePoint point);
+  std::optional<CurvePoint> point_at_limit(const CurvePoint& before, const CurvePoint& beyond);
+  CurvePoint locate_fold(const CurvePoint& from, const VectorXd& tangent, double step);
+  void record(const CurvePoint& at) { curve_.points.push_back(at); }
+  void record_fold(const CurvePoint& at, const VectorXd& direction, double step);
+
+  const Homotopy& family_;
+  const ContinuationOptions& options_;
+  SolutionCurve curve_;
+};
+
+CurvePoint predict(const CurvePoint& from, const VectorXd& tangent, double step) {
+  const Index n = from.a.size();
+  return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
+}
+
+// The matrix [dG/da dG/dt] with one more row below.
+MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const {
+  const Index n = at.a.size();
+  MatrixXd matrix(n + 1, n + 1);
+  matrix.topLeftCorner(n, n) = family_.jacobian(at.a, at.t);
+  matrix.col(n).head(n) = family_.parameter_derivative(at.a, at.t);
+  matrix.row(n) = last_row.transpose();
+  return matrix;
+}
+
+// The unit tangent, oriented like the previous tangent.
+VectorXd CurveTracer::tangent(const CurvePoint& at, const VectorXd& before) const {
+  const Index n = at.a.size();
+  return LuFactors(bordered_jacobian(at, before)).solve(VectorXd::Unit(n + 1, n)).normalized();
+}
+
+bool CurveTracer::is_converged(const VectorXd& residual, double correction) const {
+  return residual.lpNorm<Eigen::Infinity>() < options_.tolerance ||
+         correction < options_.correction_tolerance;
+}
+
+// Corrector: Newton steps in the plane through `start`, normal to the tangent.
+std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const VectorXd& tangent,
+                                               double step) {
+  const Index n = start.a.size();
+  CurvePoint point = start;
+  VectorXd residual = family_.residual(point.a, point.t);
+  for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
+    VectorXd right(n + 1);
+    right << -residual, 0;
+    const VectorXd change = LuFactors(bordered_jacobian(point, tangent)).solve(right);
+    point.a += change.head(n);
+    point.t += change[n];
+    ++curve_.iterations;
+    residual = family_.residual(point.a, point.t);
+    if (residual.allFinite() && is_converged(residual, change.norm())) {
+      const double displacement = std::hypot((point.a - start.a).norm(), point.t - start.t);
+      return displacement < options_.max_relative_correction * std::abs(step) ? std::optional(point)
+                                                                              : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+// Newton steps at fixed t.
+std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
+  VectorXd residual = family_.residual(point.a, point.t);
+  for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
+    const VectorXd change = LuFactors(family_.jacobian(point.a, point.t)).solve(residual);
+    point.a -= change;
+    ++curve_.iterations;
+    residual = family_.residual(point.a, point.t);
+    if (residual.allFinite() && is_converged(residual, change.norm())) return point;
+  }
+  return std::nullopt;
+}
+
+// The point at an end of the range of t, between a point inside and a point beyond the end.
+std::optional<CurvePoint> CurveTracer::point_at_limit(const CurvePoint& before,
+                                                      const CurvePoint& beyond) {
+  const double end = beyond.t >= 1 ? 1 : options_.min_t;
+  const double share = (end - before.t) / (beyond.t - before.t);
+  const CurvePoint between{before.a + share * (beyond.a - before.a), end};
+  return options_.correct_end_point ? correct_at_fixed_t(between) : between;
+}
+
+// The fold, where t is stationary, between a point and the next step; by bisection of the step.
+CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tangent_there,
+                                    double step) {
+  const Index n = from.a.size();
+  double low = 0, high = step;
+  CurvePoint fold = from;
+  for (int i = 0; i < kFoldBisections; ++i) {
+    const double middle = (low + high) / 2;
+    const auto point = correct(predict(from, tangent_there, middle), tangent_there, step);
+    if (!point) break;
+    fold = *point;
+    (tangent(fold, tangent_there)[n] * tangent_there[n] > 0 ? low : high) = middle;
+  }
+  return fold;
+}
+
+void CurveTracer::record_fold(const CurvePoint& at, const VectorXd& direction, double step) {
+  record(locate_fold(at, direction, step));
+  curve_.folds.push_back(curve_.points.size() - 1);
+}
+
+SolutionCurve CurveTracer::from(const VectorXd& start) {
+  const Index n = start.size();
+  CurvePoint at{start, 0};
+  VectorXd direction = tangent(at, VectorXd::Unit(n + 1, n));
+  record(at);
+  double step = options_.first_step;
+  for (int left = options_.max_points; left > 0; --left) {
+    if (options_.should_stop && options_.should_stop()) break;
+    const auto next = correct(predict(at, direction, step), direction, step);
+    const bool beyond = next && (next->t >= 1 || next->t <= options_.min_t);
+    const auto last = beyond ? point_at_limit(at, *next) : next;
+    if (!last) {
+      step /= 2;
+      if (step < options_.min_step) return std::move(curve_);
+      continue;
+    }
+    const VectorXd onwards = tangent(*next, direction);
+    if (options_.locate_folds && onwards[n] * direction[n] < 0) record_fold(at, direction, step);
+    record(*last);
+    if (beyond) {
+      curve_.end = last->t == 1 ? Termination::end_reached : Termination::fell_back;
+      return std::move(curve_);
+    }
+    if (next->a.norm() > options_.max_norm) {
+      curve_.end = Termination::diverged;
+      return std::move(curve_);
+    }
+    at = *next;
+    direction = onwards;
+    step = std::min(options_.max_step, step * options_.step_growth);
+  }
+  curve_.end = Termination::limit_exceeded;
+  return std::move(curve_);
+}
+
+}  // namespace
+
+Homotopy newton_homotopy(std::function<VectorXd(const VectorXd&)> residual,
+                         std::function<MatrixXd(const VectorXd&)> jacobian, const VectorXd& start) {
+  const VectorXd initial = residual(start);
+  return {.residual = [residual = std::move(residual), initial](const VectorXd& a, double t)
+              -> VectorXd { return residual(a) - (1 - t) * initial; },
+          .jacobian = [jacobian = std::move(jacobian)](const VectorXd& a,
+                                                       double) { return jacobian(a); },
+          .parameter_derivative = [initial](const VectorXd&, double) { return initial; }};
+}
+
+const CurvePoint& SolutionCurve::furthest() const {
+  return *std::ranges::max_element(points, {}, &CurvePoint::t);
+}
+
+SolutionCurve trace_curve(const Homotopy& family, const VectorXd& start,
+                          const ContinuationOptions& options) {
+  return CurveTracer(family, options).from(start);
+}
+
+}  // namespace fpkcheck::numerics

@@ -1,0 +1,169 @@
+"""External densities: functions, samples and files."""
+
+from __future__ import annotations
+
+import inspect
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _fpkcheck
+
+Array = NDArray[np.float64]
+Function = Callable[[Any, Any], Any]
+Sampler = Callable[[np.random.Generator, int], Any]
+
+
+@dataclass(frozen=True)
+class Density:
+    """A joint density p(y, y') on y >= 0 as a function.
+
+    The function is evaluated once, before any method runs, at the Gauss-Legendre points of cells. The cells extend to
+    10 standard deviations of equivalent linearisation. The comparison uses the averages over these cells.
+
+    Parameters
+    ----------
+    function : callable
+        ``p(y, v)``. The arguments are two arrays of shape (601, 600); the result must have that shape or broadcast to
+        it. If the call raises TypeError or ValueError, the function is called point by point with two floats.
+    equation : {"kf", "km4", "km4-pade", "white"}, optional
+        The equation that the density approximates. The density is then a closure, with a status, an error estimate
+        (residual-based, against the full problem) and an error budget. Without an equation there are only distances.
+    impact : {"map", "delta"}
+        Impact condition of the equation: exact, or to first order in 1 - r.
+    normalise : bool
+        Divide the density by its integral. Otherwise an integral other than 1 gives the status ``inadmissible``.
+    accuracy : float
+        Largest L1 error estimate of p(y) and of p(y') with which a closure is ``ok``; above it is ``inaccurate``.
+    vectorised : bool, optional
+        Whether the function accepts arrays. By default arrays are tried first.
+    order : int, optional
+        Order of the closure. Densities whose labels end with their orders (``"chi-n2"``, ``"chi-n4"``) form a family.
+    """
+
+    function: Function
+    equation: str | None = None
+    impact: str = "map"
+    normalise: bool = True
+    accuracy: float = 0.02
+    vectorised: bool | None = None
+    order: int | None = None
+
+    def _values(self, label: str, y: Array, v: Array) -> Array:
+        """Values at all points: shape (len(y), len(v))."""
+        shape = (len(y), len(v))
+        if self.vectorised is not False:
+            ys, vs = np.meshgrid(y, v, indexing="ij")
+            try:
+                values = np.asarray(self.function(ys, vs), dtype=float)
+            except (TypeError, ValueError):
+                if self.vectorised:
+                    raise
+            else:
+                try:
+                    return np.ascontiguousarray(np.broadcast_to(values, shape))
+                except ValueError:
+                    raise ValueError(
+                        f"density '{label}': values of shape {values.shape} at points of shape {shape}"
+                    ) from None
+        return np.array([[float(self.function(a, b)) for b in v.tolist()] for a in y.tolist()])
+
+    def _method(self, label: str, problem: _fpkcheck.Problem, place: int) -> _fpkcheck.Method:
+        values = self._values(label, *_fpkcheck.points_of(problem))
+        return _fpkcheck.function_method(
+            problem, values, label, self.equation, self.impact, self.order, self.normalise, self.accuracy, place
+        )
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Samples of (y, y'), or a sampler.
+
+    Parameters
+    ----------
+    source : array of shape (n, 2), or callable
+        y and y' of each sample; or a sampler ``sampler(rng, n)`` that returns such an array, with ``rng`` a
+        `numpy.random.Generator`.
+    equation, impact, order
+        As in `Density`. Samples have no residual-based error estimate, only sampling errors.
+    n : int
+        Number of samples that the sampler must draw.
+    seed : int
+        Seed of the generator for the sampler.
+    independent : float, optional
+        Effective number of independent samples, for sampling errors. Samples along a trajectory have a smaller
+        effective number. By default the number of samples.
+    """
+
+    source: Union[Sampler, Array, Any]
+    equation: str | None = None
+    impact: str = "map"
+    n: int = 100_000
+    seed: int = 1
+    independent: float | None = None
+    order: int | None = None
+
+    def _method(self, label: str, problem: _fpkcheck.Problem, place: int) -> _fpkcheck.Method:
+        drawn = self.source(np.random.default_rng(self.seed), self.n) if callable(self.source) else self.source
+        samples = np.asarray(drawn, dtype=float)
+        if samples.ndim != 2 or samples.shape[1] != 2:
+            raise ValueError(f"samples '{label}': shape {samples.shape} (must be (n, 2): y and y')")
+        y, v = np.ascontiguousarray(samples.T)
+        return _fpkcheck.samples_method(
+            y, v, label, self.equation, self.impact, self.order, self.independent or 0, place
+        )
+
+
+@dataclass(frozen=True)
+class File:
+    """A density in a file (docs/foreign.md), with its equation and order.
+
+    Parameters
+    ----------
+    path : str or path
+        Columns of a marginal or of a joint density, netCDF-4, a closed form as JSON, or the ``summary.json`` or
+        ``joint.nc`` of a run.
+    equation, impact
+        As in `Density`; the impact may also be ``"exact"``.
+    order : int, optional
+        Order of the closure.
+    solution, case : str, optional
+        The solution and case to use, where the file is of a run.
+    """
+
+    path: str | os.PathLike[str]
+    equation: str | None = None
+    impact: str | None = None
+    order: int | None = None
+    solution: str | None = None
+    case: str | None = None
+
+    def _argument(self, label: str) -> str:
+        """The argument of `fpkcheck run --against`."""
+        said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case")}
+        settings = "".join(f",{key}={value}" for key, value in said.items() if value is not None)
+        return f"{os.fspath(self.path)}:{label}{settings}"
+
+
+def _is_sampler(function: Callable[..., Any]) -> bool:
+    """Whether a function is a sampler, by the name of its first argument: (rng, n), (seed, size), ..."""
+    try:
+        names = list(inspect.signature(function).parameters)
+    except (TypeError, ValueError):
+        return False
+    return bool(names) and names[0] in ("rng", "seed", "random", "generator")
+
+
+def _as_external(what: Any) -> Density | Samples | None:
+    """Converts a function, an array or samples to the corresponding class; returns None for files."""
+    if isinstance(what, (Density, Samples)):
+        return what
+    if callable(what):
+        return Samples(what) if _is_sampler(what) else Density(what)
+    if isinstance(what, np.ndarray):
+        return Samples(what)
+    return None

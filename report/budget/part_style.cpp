@@ -1,0 +1,61 @@
+#include "report/budget/part_style.hpp"
+
+#include <fmt/format.h>
+
+#include "compare/budget.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+struct PartStyle {
+  const char* colour;
+  const char* pattern;  ///< fill pattern of plotly.js; "" for none
+  int hatch;            ///< fill pattern of gnuplot; 0 for none
+};
+
+// Colours of Okabe and Ito, distinct for colour-blind readers; hatching distinguishes equal greys.
+PartStyle part_style(const std::string& part) {
+  using compare::Link;
+  const auto links = compare::parse_links(part);
+  if (links.size() > 1) return {"#999999", ".", 2};
+  switch (links.front()) {
+    case Link::closure:
+      return {"#D55E00", "", 0};
+    case Link::impact:
+      return {"#E69F00", "/", 4};
+    case Link::truncation:
+      return {"#0072B2", "", 0};
+    case Link::white_noise:
+      return {"#009E73", "|", 6};
+    case Link::discretisation:
+      return {"#56B4E9", "\\", 5};
+    case Link::sampling:
+      break;
+  }
+  return {"#CC79A7", "x", 1};
+}
+
+}  // namespace
+
+const char* part_colour(const std::string& part) { return part_style(part).colour; }
+
+std::string part_boxes(const std::string& part, bool faint) {
+  const auto& [colour, pattern, hatch] = part_style(part);
+  if (hatch == 0) {
+    return fmt::format("with boxes fillstyle solid {} border rgb '{}' linecolor rgb '{}'",
+                       faint ? 0.3 : 1.0, colour, colour);
+  }
+  // A pattern has no fill density: its colour is mixed with white, 0.3 as for the solid bars.
+  std::string hatch_colour = "#";
+  for (const std::size_t position : {1, 3, 5}) {
+    const int part_of_colour = std::stoi(std::string(colour).substr(position, 2), nullptr, 16);
+    hatch_colour +=
+        fmt::format("{:02X}", faint ? 255 - 3 * (255 - part_of_colour) / 10 : part_of_colour);
+  }
+  return fmt::format("with boxes fillstyle pattern {} border rgb '{}' linecolor rgb '{}'", hatch,
+                     colour, hatch_colour);
+}
+
+const char* part_pattern(const std::string& part) { return part_style(part).pattern; }
+
+}  // namespace fpkcheck::report

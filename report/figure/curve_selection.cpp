@@ -1,0 +1,95 @@
+#include "report/figure/curve_selection.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "compare/reference.hpp"
+#include "report/references.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Identity;
+using transform::Role;
+
+constexpr const char* kAll = "all";
+
+bool matches(const std::string& requested, const Identity& identity) {
+  return requested == kAll || requested == identity.id || requested == identity.family ||
+         requested == identity.method;
+}
+
+bool has_curve(const results::Case& case_result, const transform::Solution& solution) {
+  return std::ranges::any_of(transform::kVariables, [&](transform::Variable variable) {
+    return case_result.curve(solution.id(), variable) != nullptr;
+  });
+}
+
+// All solutions with a curve, by decreasing priority.
+std::vector<const transform::Solution*> solutions_by_priority(const results::Case& case_result) {
+  std::vector<const transform::Solution*> order;
+  const auto add = [&](const transform::Solution& solution) {
+    const bool is_new = std::ranges::count(order, &solution) == 0;
+    if (is_new && has_curve(case_result, solution)) order.push_back(&solution);
+  };
+  for (const auto* solution : references(case_result)) add(*solution);
+  const auto closures =
+      compare::closures_by_reference_distance(case_result.solutions, case_result.pairs);
+  std::set<std::string> formulations;
+  for (const auto& rank : closures) {
+    if (formulations.insert(rank.solution->identity.formulation).second) add(*rank.solution);
+  }
+  for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
+       ++solution) {
+    if (solution->identity.role != Role::closure && solution->is_ok()) add(*solution);
+  }
+  for (const auto& rank : closures) add(*rank.solution);
+  for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
+       ++solution) {
+    add(*solution);
+  }
+  return order;
+}
+
+}  // namespace
+
+std::set<std::string> select_curves(const results::Case& case_result,
+                                    const std::vector<std::string>& requested) {
+  std::set<std::string> ids;
+  for (const auto& solution : case_result.solutions) {
+    const bool is_requested = requested.empty()
+                                  ? transform::is_external(solution.identity)
+                                  : std::ranges::any_of(requested, [&](const std::string& item) {
+                                      return matches(item, solution.identity);
+                                    });
+    if (is_requested && has_curve(case_result, solution)) ids.insert(solution.id());
+  }
+  if (!requested.empty()) return ids;
+  for (const auto* solution : solutions_by_priority(case_result)) {
+    if (ids.size() < kMaxCurves) ids.insert(solution->id());
+  }
+  return ids;
+}
+
+void validate_curves(const std::vector<std::string>& requested,
+                     std::span<const Identity> available) {
+  for (const auto& item : requested) {
+    const bool known =
+        item == kAll || std::ranges::any_of(available, [&](const Identity& identity) {
+          return matches(item, identity);
+        });
+    if (known) continue;
+    std::vector<std::string> ids;
+    for (const auto& identity : available) {
+      if (std::ranges::count(ids, identity.id) == 0) ids.push_back(identity.id);
+    }
+    throw InputError(fmt::format("--curves: {} matches no solution; use all, a family or one of {}",
+                                 base::in_quotes(item), fmt::join(ids, ", ")));
+  }
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,169 @@
+#include "report/page/distance_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/reference.hpp"
+#include "report/figure/text.hpp"
+#include "report/page/html.hpp"
+#include "report/page/number_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Solution;
+
+// Lengths in units of the SVG, which the page scales to its width.
+constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
+constexpr double kLeast = 1e-9;  // smaller distances are drawn here
+
+class DistancePlot {
+ public:
+  DistancePlot(const results::Run& run, const std::vector<AgreementRow>& all)
+      : run_(run), all_(all) {
+    for (const auto& row : all) {
+      for (const auto& entry : row.entries) {
+        if (const auto l1 = entry.largest_l1()) include(*l1);
+      }
+    }
+    for (const auto& case_result : run.cases) {
+      if (const Solution* reference = compare::reference(case_result.solutions)) {
+        const double error =
+            std::max(compare::error_estimate(*reference, transform::Variable::y),
+                     compare::error_estimate(*reference, transform::Variable::ydot));
+        if (std::isfinite(error)) reference_error_ = std::max(reference_error_, error);
+      }
+    }
+    if (reference_error_ > 0) include(reference_error_);
+    if (any_) include(kCloseL1);
+  }
+
+  bool empty() const { return !any_; }
+
+  std::string svg() const {
+    return fmt::format(
+        "<svg viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-label=\"Distances of all solutions to the "
+        "reference, on a logarithmic axis\">\n{}{}{}</svg>\n",
+        kWidth, height(), reference_error_rectangle(), axis(), rows());
+  }
+
+ private:
+  void include(double l1) {
+    const double decade = std::log10(std::max(l1, kLeast));
+    from_ = any_ ? std::min(from_, std::floor(decade)) : std::floor(decade);
+    to_ = any_ ? std::max(to_, std::ceil(decade)) : std::ceil(decade);
+    any_ = true;
+  }
+
+  double bottom() const { return kTop + kRow * static_cast<double>(all_.size()); }
+  double height() const { return bottom() + kBottom; }
+  double x_of(double l1) const {
+    const double share = (std::log10(std::max(l1, kLeast)) - from_) / std::max(1.0, to_ - from_);
+    return kNames + share * (kWidth - kNames - kRight);
+  }
+
+  static std::string text(double x, double y, const char* anchor, std::string_view words) {
+    return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y,
+                       anchor, escape_html(words));
+  }
+  std::string vertical_line(double x, const char* look) const {
+    return fmt::format(
+        "<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2}\" y2=\"{3}\"/>\n", look, x,
+        kTop, bottom());
+  }
+
+  // The rectangle of distances within the error estimate of the references.
+  std::string reference_error_rectangle() const {
+    if (!(reference_error_ > 0)) return "";
+    const double end = x_of(reference_error_);
+    return fmt::format("<rect class=\"known\" x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"/>\n",
+                       kNames, kTop, end - kNames, bottom() - kTop) +
+           (end - kNames > 60 ? text((kNames + end) / 2, kTop - 7, "middle", "reference error")
+                              : "");
+  }
+
+  std::string axis() const {
+    std::string svg;
+    for (double decade = from_; decade <= to_ + 0.5; ++decade) {
+      const double x = x_of(std::pow(10, decade));
+      svg += vertical_line(x, "grid");
+      svg += fmt::format(
+          "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">10<tspan dy=\"-5\" "
+          "font-size=\"9\">{}</tspan></text>\n",
+          x, bottom() + 16, with_minus_signs(fmt::format("{:.0f}", decade)));
+    }
+    svg += vertical_line(x_of(kCloseL1), "close") +
+           text(x_of(kCloseL1), kTop - 7, "middle", fmt::format("close: {}", kCloseL1));
+    return svg + text((kNames + kWidth - kRight) / 2, bottom() + 36, "middle",
+                      "L1 distance to the reference, the larger of p(y) and p(y\u2032)");
+  }
+
+  std::string rows() const {
+    std::string svg;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const AgreementRow& row = all_[k];
+      const double y = kTop + kRow * (static_cast<double>(k) + 0.5);
+      svg +=
+          fmt::format("<line class=\"row\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
+                      kNames, kWidth - kRight, y);
+      svg += text(kNames - 6, y + 4, "end", row.identity->id);
+      for (std::size_t c = 0; c < row.entries.size(); ++c) svg += mark(row, c, y);
+      if (std::ranges::none_of(row.entries,
+                               [](const AgreementEntry& s) { return bool(s.largest_l1()); })) {
+        svg += text(kNames + 6, y + 4, "start", text_without_distance(row));
+      }
+    }
+    return svg;
+  }
+
+  static std::string text_without_distance(const AgreementRow& row) {
+    for (const auto& entry : row.entries) {
+      if (entry.agreement == Agreement::reference) return "the reference";
+      if (entry.solution != nullptr && !entry.solution->is_ok()) {
+        return std::string(name(entry.solution->status));
+      }
+    }
+    return "";
+  }
+
+  // Filled circle: ok; open circle: another status; cross: no admissible density.
+  std::string mark(const AgreementRow& row, std::size_t c, double y) const {
+    const AgreementEntry& entry = row.entries[c];
+    const auto l1 = entry.largest_l1();
+    if (!l1) return "";
+    const double x = x_of(*l1);
+    const std::string title = fmt::format(
+        "<title>{}, {}: {}{}</title>", escape_html(row.identity->id),
+        escape_html(run_.cases[c].name()), number_text(l1, 2),
+        entry.solution->is_ok() ? "" : fmt::format(" ({})", name(entry.solution->status)));
+    if (entry.agreement == Agreement::no_density) {
+      return fmt::format("<path class=\"cross\" d=\"M{0:.1f} {1:.1f}l8 8m0 -8l-8 8\">{2}</path>\n",
+                         x - 4, y - 4, title);
+    }
+    return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\">{}</circle>\n",
+                       entry.solution->is_ok() ? "full" : "hollow", x, y, title);
+  }
+
+  const results::Run& run_;
+  const std::vector<AgreementRow>& all_;
+  bool any_ = false;
+  double from_ = 0, to_ = 0;    // decades
+  double reference_error_ = 0;  // largest error estimate of a reference
+};
+
+}  // namespace
+
+std::string distance_plot(const results::Run& run,
+                          const std::vector<AgreementRow>& agreement_rows) {
+  const DistancePlot plot(run, agreement_rows);
+  if (plot.empty()) return "";
+  return "<figure class=\"strip\">\n" + plot.svg() +
+         fmt::format(
+             "<figcaption>{}: filled for status <b>ok</b>, open for another status, a cross "
+             "without an admissible density.</figcaption>\n</figure>\n",
+             run.cases.size() > 1 ? "A mark for each case" : "A mark for each method");
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/run.hpp"
+
+namespace fpkcheck::report {
+
+/// Why solutions of a case are not ok. Solutions with status not_offered and the same reason share
+/// an entry.
+struct StatusReason {
+  std::vector<std::string> solutions;  ///< ids, in the order of the case
+  transform::Status status;
+  std::string text;
+};
+
+std::vector<StatusReason> status_reasons(const results::Case& case_result);
+
+}  // namespace fpkcheck::report

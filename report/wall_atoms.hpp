@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/run.hpp"
+
+namespace fpkcheck::report {
+
+/// The walls at which a solution of the case has an atom (mass at rest in contact), in increasing
+/// order. Empty for the cases of the paper.
+std::vector<double> walls_with_atoms(const results::Case& case_result);
+
+/// The header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls have atoms.
+std::string atom_header(const results::Case& case_result, double wall);
+
+/// The probability of the atom at a wall; NaN if the solution has no atom there.
+double atom_probability(const transform::Solution& solution, double wall);
+
+}  // namespace fpkcheck::report

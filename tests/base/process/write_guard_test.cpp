@@ -1,0 +1,47 @@
+#include "base/process/write_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+namespace fpkcheck::base {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Must be the last test of its executable: the guard is reserved until the process ends.
+TEST(WriteGuard, DelaysReservationAndThenBlocksOthers) {
+  std::atomic<bool> reserved = false;
+  std::optional<WriteGuard> outer(std::in_place);
+  std::optional<WriteGuard> inner(std::in_place);
+  std::jthread ending([&] {
+    reserve_writes_for_this_thread();
+    reserved = true;
+    reserved.notify_all();
+    const WriteGuard own;  // the thread that ends the process may write
+    reserved.wait(true);   // blocks as until the process ends
+  });
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(reserved);
+  inner.reset();
+  std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(reserved);
+  outer.reset();
+  reserved.wait(false);
+
+  static std::atomic<bool> late = false;
+  std::thread([] {
+    const WriteGuard too_late;
+    late = true;
+  }).detach();
+  std::this_thread::sleep_for(50ms);
+  EXPECT_FALSE(late);
+  reserved = false;
+  reserved.notify_all();
+}
+
+}  // namespace
+}  // namespace fpkcheck::base

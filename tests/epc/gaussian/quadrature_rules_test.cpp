@@ -1,0 +1,75 @@
+#include "epc/gaussian/quadrature_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Highest degree of a term of (22) times a projection function, at the highest order.
+constexpr int kDegree = 5 * 12 - 4;
+constexpr double kRelative = 1e-12;
+
+double apply(const QuadratureRule& rule, const std::function<double(double)>& g) {
+  double sum = 0;
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * g(rule.nodes[i]);
+  return sum;
+}
+
+double power_average(const QuadratureRule& rule, int power) {
+  return apply(rule, [&](double u) { return std::pow(u, power); });
+}
+
+// E|u|^power = 2^(power/2) Gamma((power+1)/2) / sqrt(pi).
+double absolute_moment(int power) {
+  return std::pow(2.0, power / 2.0) * std::tgamma((power + 1) / 2.0) / std::sqrt(std::numbers::pi);
+}
+
+void expect_relative(double value, double expected, int power) {
+  EXPECT_NEAR(value / expected, 1.0, kRelative) << "power " << power;
+}
+
+TEST(GaussianRules, NormalRuleGivesEveryMomentUpToItsDegree) {
+  for (const int degree : {2, 6, 17, kDegree}) {
+    const QuadratureRule rule = normal_rule(degree);
+    for (int power = 0; power <= degree; power += 2) {
+      expect_relative(power_average(rule, power), absolute_moment(power), power);
+    }
+    EXPECT_NEAR(power_average(rule, 1), 0.0, 1e-14);
+    EXPECT_NEAR(power_average(rule, 3), 0.0, 1e-13);
+  }
+}
+
+TEST(GaussianRules, SignRuleGivesTheOddAbsoluteMoments) {
+  for (const int degree : {1, 5, 6, kDegree}) {
+    const QuadratureRule rule = sign_rule(degree);
+    for (int power = 1; power <= degree; power += 2) {
+      expect_relative(power_average(rule, power), absolute_moment(power), power);
+    }
+    EXPECT_NEAR(power_average(rule, 0), 0.0, 1e-14);
+    EXPECT_NEAR(power_average(rule, 2), 0.0, 1e-13);
+  }
+}
+
+TEST(GaussianRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
+  for (const int degree : {1, 4, 7, kDegree}) {
+    const QuadratureRule rule = absolute_rule(degree);
+    for (int power = 0; power <= degree; power += 2) {
+      expect_relative(power_average(rule, power), absolute_moment(power + 1), power);
+    }
+    EXPECT_NEAR(power_average(rule, 1), 0.0, 1e-14);
+    EXPECT_NEAR(power_average(rule, 3), 0.0, 1e-13);
+  }
+}
+
+TEST(GaussianRules, TooLowADegreeIsNotExact) {
+  EXPECT_GT(std::abs(power_average(normal_rule(4), 6) - absolute_moment(6)), 1.0);
+  EXPECT_GT(std::abs(power_average(sign_rule(3), 5) - absolute_moment(5)), 1.0);
+  EXPECT_GT(std::abs(power_average(absolute_rule(2), 4) - absolute_moment(5)), 1.0);
+}
+
+}  // namespace
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,138 @@
+#include "fd_fpk/axis/axis_operators.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+Eigen::VectorXd monomial_averages(const Axis& axis, int power) {
+  Eigen::VectorXd averages(axis.cells());
+  for (int i = 0; i < axis.cells(); ++i) {
+    averages(i) = (std::pow(axis.face(i + 1), power + 1) - std::pow(axis.face(i), power + 1)) /
+                  ((power + 1) * axis.width(i));
+  }
+  return averages;
+}
+
+// Cells of unequal width, with ratios of neighbouring widths up to 4/3.
+const Axis kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
+                  1.42},
+                 EndCondition::boundary);
+
+// Rows whose stencil extends beyond the right end use p = 0 there and are not exact.
+int last_exact_face(int points) { return kLine.cells() - points; }
+
+TEST(AxisOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary) {
+  for (int points = 2; points <= 8; ++points) {
+    for (int power = 0; power < points; ++power) {
+      const auto averages = monomial_averages(kLine, power);
+      for (const Bias bias : {Bias::left, Bias::right}) {
+        const Eigen::VectorXd values = face_values(kLine, points, bias) * averages;
+        for (int f = 1; f <= last_exact_face(points); ++f) {
+          EXPECT_NEAR(values(f), std::pow(kLine.face(f), power), 1e-11) << points << " " << power;
+        }
+      }
+      if (points % 2 == 0) {
+        const Eigen::VectorXd slopes = face_derivatives(kLine, points) * averages;
+        for (int f = 1; f <= last_exact_face(points); ++f) {
+          EXPECT_NEAR(slopes(f), power == 0 ? 0 : power * std::pow(kLine.face(f), power - 1), 1e-9);
+        }
+      }
+      EXPECT_NEAR((first_face_value(kLine, points) * averages)(0), std::pow(kLine.face(0), power),
+                  1e-11);
+    }
+  }
+}
+
+TEST(AxisOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
+  const AxisOperator left = face_values(kLine, 3, Bias::left);
+  const AxisOperator right = face_values(kLine, 3, Bias::right);
+  EXPECT_NE(left.coeff(6, 4), 0.0);
+  EXPECT_EQ(left.coeff(6, 7), 0.0);
+  EXPECT_EQ(right.coeff(6, 4), 0.0);
+  EXPECT_NE(right.coeff(6, 7), 0.0);
+}
+
+TEST(AxisOperators, NothingFlowsThroughTheEndFaces) {
+  const AxisOperator values = face_values(kLine, 5, Bias::left);
+  EXPECT_EQ(values.row(0).norm(), 0.0);
+  EXPECT_EQ(values.row(kLine.cells()).norm(), 0.0);
+}
+
+TEST(AxisOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier) {
+  const numerics::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
+  const int barrier = 7;
+  for (const int points : {1, 3, 5}) {
+    const AxisOperator op = weighted_averages(kLine, points, weight, barrier);
+    for (int power = 0; power < points; ++power) {
+      const Eigen::VectorXd weighted = op * monomial_averages(kLine, power);
+      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cells());
+      for (int q = 0; q <= 5; ++q) {
+        exact += weight.coefficient(q) * monomial_averages(kLine, power + q);
+      }
+      for (int i = 0; i < kLine.cells() - points / 2; ++i) {
+        EXPECT_NEAR(weighted(i), exact(i), 1e-12) << points << " " << power << " " << i;
+      }
+    }
+    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cells() - barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(barrier, 0, kLine.cells() - barrier, barrier).norm(), 0.0);
+  }
+}
+
+TEST(AxisOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
+  // avg(x^3 cos x) from averages of cos x with three cells: order 4.
+  const auto error = [](int cells) {
+    const Axis axis = Axis::uniform(0.2, 1.0 / cells, cells, EndCondition::boundary);
+    Eigen::VectorXd averages(cells);
+    for (int i = 0; i < cells; ++i) {
+      averages(i) = (std::sin(axis.face(i + 1)) - std::sin(axis.face(i))) / axis.width(i);
+    }
+    const auto primitive = [](double x) {  // primitive of x^3 cos x
+      return x * x * x * std::sin(x) + 3 * x * x * std::cos(x) - 6 * x * std::sin(x) -
+             6 * std::cos(x);
+    };
+    const Eigen::VectorXd weighted =
+        weighted_averages(axis, 3, numerics::Polynomial({0, 0, 0, 1})) * averages;
+    double largest = 0;
+    for (int i = 0; i < cells - 1; ++i) {
+      const double exact = (primitive(axis.face(i + 1)) - primitive(axis.face(i))) / axis.width(i);
+      largest = std::max(largest, std::abs(weighted(i) - exact));
+    }
+    return largest;
+  };
+  const double coarse = error(20), middle = error(40), fine = error(80);
+  for (const double order : {std::log2(coarse / middle), std::log2(middle / fine)}) {
+    EXPECT_GT(order, 3.7) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(order, 4.3) << coarse << " " << middle << " " << fine;
+  }
+}
+
+TEST(AxisOperators, DivergenceTelescopes) {
+  const AxisOperator div = divergence(kLine);
+  const Eigen::VectorXd flux = Eigen::VectorXd::LinSpaced(kLine.cells() + 1, 1, 7).array().exp();
+  EXPECT_NEAR(kLine.widths().dot(div * flux), flux(kLine.cells()) - flux(0), 1e-9);
+  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.width(3), 1e-12);
+}
+
+TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
+  const Axis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, EndCondition::vacuum,
+                  EndCondition::boundary);
+  const int cells = axis.cells(), degree = 4;
+  const Eigen::VectorXd p = monomial_averages(axis, degree);
+  EXPECT_NEAR((last_face_value(axis, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
+  const Eigen::VectorXd times_x =
+      weighted_averages(axis, degree + 1, numerics::Polynomial({0, 1})) * p;
+  const Eigen::VectorXd exact = monomial_averages(axis, degree + 1);
+  for (const Bias bias : {Bias::left, Bias::right}) {
+    const Eigen::VectorXd values = face_values(axis, degree + 1, bias) * p;
+    for (int f = 4; f < cells; ++f) {  // stencils of the other cells extend into the vacuum
+      EXPECT_NEAR(values(f), std::pow(axis.face(f), degree), 1e-10) << f;
+      EXPECT_NEAR(times_x(f), exact(f), 1e-10) << f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,139 @@
+#include "fd_fpk/axis/jump_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "laws.hpp"
+#include "paper_cases.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+double normal_distribution(double x, double mean, double deviation) {
+  return 0.5 * std::erfc((mean - x) / (deviation * std::sqrt(2.0)));
+}
+
+Eigen::VectorXd normal_averages(const Axis& axis, double mean, double deviation) {
+  Eigen::VectorXd averages(axis.cells());
+  for (int i = 0; i < axis.cells(); ++i) {
+    averages(i) = (normal_distribution(axis.face(i + 1), mean, deviation) -
+                   normal_distribution(axis.face(i), mean, deviation)) /
+                  axis.width(i);
+  }
+  return averages;
+}
+
+TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
+  const Axis axis = Axis::uniform(-6, 0.12, 100);
+  for (const double amplitude : {0.12, -0.7, 1.234}) {
+    const Eigen::VectorXd change = shift_matrix(axis, amplitude) * normal_averages(axis, 0, 0.6);
+    const Eigen::VectorXd exact =
+        normal_averages(axis, amplitude, 0.6) - normal_averages(axis, 0, 0.6);
+    EXPECT_LT((change - exact).cwiseAbs().maxCoeff(), 3e-7) << amplitude;
+  }
+}
+
+TEST(JumpMatrix, AddsAGaussianImpulseToAGaussianVelocity) {
+  // N(0.1, 0.6^2) + N(0.2, E[Y^2] - 0.2^2), on cells of equal and of unequal width.
+  const auto law = tests::make_problem({.intensity = 0.5, .mean = 0.2}).impulses.law();
+  const double deviation = std::hypot(0.6, std::sqrt(0.5 - 0.04));
+  const auto error = [&](int cells, const Grading& grading) {
+    const auto positive = graded_faces(8, cells / 2, grading);
+    std::vector<double> faces;
+    for (auto f = positive.rbegin(); f != positive.rend(); ++f) faces.push_back(-*f);
+    faces.insert(faces.end(), positive.begin() + 1, positive.end());
+    const Axis axis(faces);
+    const Eigen::VectorXd change = jump_matrix(axis, law) * normal_averages(axis, 0.1, 0.6);
+    const Eigen::VectorXd exact =
+        normal_averages(axis, 0.3, deviation) - normal_averages(axis, 0.1, 0.6);
+    return (change - exact).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(error(160, {}), 1e-8);
+  EXPECT_LT(error(200, {0.6, 0.1}), 1e-8);
+  // Order 8: the cumulative is interpolated with degree 7 and integrated against a smooth density.
+  const double coarse = error(48, {}), middle = error(68, {}), fine = error(96, {});
+  for (const double order : {2 * std::log2(coarse / middle), 2 * std::log2(middle / fine)}) {
+    EXPECT_GT(order, 6.5) << coarse << " " << middle << " " << fine;
+    EXPECT_LT(order, 10.5) << coarse << " " << middle << " " << fine;
+  }
+}
+
+// Moments of the discrete operator about the centre of the source cell: E[Y^j], j = 0..6, for every
+// law and any ratio of cell width to impulse.
+TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
+  for (const auto* name : {"gaussian", "laplace", "two_point", "uniform"}) {
+    for (const double deviation : {0.05, 0.3, 1.0}) {
+      const auto law = problem::ImpulseLaw::from_name(name, 0.3 * deviation, deviation);
+      // As short as possible: the rounding error of a far cell enters with the sixth power of its
+      // distance.
+      const double reach = law.density_breakpoints().empty() ? 2 : law.density_breakpoints().back();
+      const int half = static_cast<int>(reach / 0.12) + 6;
+      const Axis axis = Axis::uniform(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
+      const Eigen::VectorXd rates = jump_matrix(axis, law).col(half);
+      for (int j = 0; j <= 6; ++j) {
+        double moment = 0;
+        for (int to = 0; to < axis.cells(); ++to) {
+          moment += rates(to) * std::pow(axis.centre(to), j);
+        }
+        const double exact = j == 0 ? 0 : law.moment(j);
+        const double rounding = 1e-14 * std::pow(axis.faces().back(), j);
+        EXPECT_NEAR(moment, exact, 1e-10 * std::abs(exact) + rounding)
+            << name << " " << j << " " << deviation;
+      }
+    }
+  }
+}
+
+// E[C(x - Y)] - C(x) with the normal distribution C: the sum of (-1)^k E[Y^k]/k! times its
+// derivatives, which are Hermite polynomials times the density.
+double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, double deviation) {
+  const double z = x / deviation, density = std::exp(-z * z / 2) / std::sqrt(2 * M_PI);
+  double sum = 0, before = 0, hermite = 1, factorial = 1;
+  for (int k = 1; k <= 20; ++k) {
+    factorial *= k;
+    const double derivative = (k % 2 == 1 ? 1 : -1) * hermite * density / std::pow(deviation, k);
+    sum += (k % 2 == 1 ? -1 : 1) * law.moment(k) / factorial * derivative;
+    const double next = z * hermite - (k - 1) * before;
+    before = hermite;
+    hermite = next;
+  }
+  return sum;
+}
+
+// Frequent impulses of a given intensity are short. Piecewise interpolation has kinks at the faces;
+// with lambda E|Y| ~ 1 / E|Y| these caused an error of 3 % for impulses of a hundredth of a cell.
+TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
+  constexpr double kWidth = 0.12, kDeviation = 0.6;
+  const Axis axis = Axis::uniform(-4.8, kWidth, 80);
+  const Eigen::VectorXd averages = normal_averages(axis, 0, kDeviation);
+  for (const auto& name : tests::law_names_without_table()) {
+    for (const double cells : {0.25, 0.1, 1e-2, 1e-4, 1e-7}) {
+      const double deviation = cells * kWidth;
+      const auto law = problem::ImpulseLaw::from_name(name, 0.2 * deviation, deviation);
+      const Eigen::VectorXd change = jump_matrix(axis, law) * averages / law.moment(2);
+      double largest = 0, error = 0;
+      for (int i = 0; i < axis.cells(); ++i) {
+        const double exact = (change_of_normal_distribution(law, axis.face(i + 1), kDeviation) -
+                              change_of_normal_distribution(law, axis.face(i), kDeviation)) /
+                             kWidth / law.moment(2);
+        largest = std::max(largest, std::abs(exact));
+        error = std::max(error, std::abs(change(i) - exact));
+      }
+      EXPECT_LT(error, 1e-5 * largest) << name << " " << cells;
+    }
+  }
+}
+
+TEST(JumpMatrix, JumpsBeyondTheAxisDoNotTakePlace) {
+  const auto law = tests::make_problem({.intensity = 4}).impulses.law();
+  const Axis axis = Axis::uniform(-1, 0.1, 20);
+  const Eigen::MatrixXd jump = jump_matrix(axis, law);
+  EXPECT_LT((axis.widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
+  // From the middle cell jumps with |Y| < 1 take place: a fraction erf(1/(2 sqrt 2)).
+  EXPECT_NEAR(-jump.diagonal()(10), std::erf(1 / (2 * std::sqrt(2.0))), 0.03);
+}
+
+}  // namespace
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,170 @@
+#include "methods/external/external_density.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "base/input_error.hpp"
+#include "exact/closed_forms.hpp"
+#include "methods/builtin.hpp"
+#include "methods/external/between_walls.hpp"
+#include "methods/external/external_samples.hpp"
+#include "methods/external/label.hpp"
+#include "methods/run_cases.hpp"
+#include "paper_cases.hpp"
+#include "saved_run.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+using problem::Equation;
+using tests::contains;
+using transform::Status;
+using transform::Variable;
+using Function = std::function<double(double, double)>;
+
+// External densities at r = 1, where the density under white noise is known exactly.
+class ExternalDensities : public testing::Test {
+ protected:
+  Method of(const Function& p,
+            const ExternalDensity& own = {.label = "own", .equation = Equation::white},
+            const DensityOptions& how = {}) {
+    std::vector<double> values;
+    for (const double y : points_.y()) {
+      for (const double v : points_.v()) values.push_back(p(y, v));
+    }
+    return make_function_method(own, how, points_, values);
+  }
+  transform::Solution solved(const Method& method) {
+    return solve_with(method, problem_, {axes_, {}});
+  }
+  std::string refusal(const std::function<void()>& what) {
+    try {
+      what();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  problem::Problem problem_ = tests::make_problem({.restitution = 1});
+  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  DensityPoints points_{axes_, problem_.system.walls()};
+  exact::WhiteNoiseDensity exact_{problem_};
+};
+
+TEST_F(ExternalDensities, ReproduceTheFunction) {
+  const auto own = solved(of([&](double y, double v) { return 5 * exact_(y, v); }));
+  EXPECT_EQ(own.status, Status::ok);
+  EXPECT_NEAR(own.mass, 1, 1e-9);
+  EXPECT_NEAR(own.moments.v2, 0.5, 1e-8);
+  EXPECT_NEAR(own.moments.v4, 0.75, 1e-7);
+  EXPECT_NEAR(own.energy_residual, 0, 1e-8);
+  EXPECT_NEAR(transform::number(own.metrics, "normalised_by").value(), 2.5, 1e-8);
+  EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 1e-7);
+  EXPECT_NEAR(transform::number(own.metrics, "balances.momentum").value(), 0, 1e-7);
+  EXPECT_EQ(transform::equation_and_impact_text(own.identity), "white/map");
+  const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
+  // The average over a bin differs from the density at its centre.
+  for (const std::size_t b : {0, 20, 70}) {
+    EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
+  }
+}
+
+TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
+  const Function p = [&](double y, double v) { return exact_(y, v); };
+  auto methods = builtin_registry().select("fd-white,fd-kf", {});
+  methods.insert(methods.begin(), of(p, {.label = "nobody"}));
+  methods.insert(methods.begin() + 1,
+                 of(p, {.label = "own", .equation = Equation::white}, {.accuracy = 1}));
+  const auto one = run_cases({problem_}, methods, 0, {}).front();
+  const auto& own = *one.find("own");
+  EXPECT_EQ(own.identity.role, transform::Role::closure);
+  EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::external);
+  EXPECT_EQ(own.status, Status::ok);
+  // The error against the full problem is that of the white-noise model.
+  const double far = one.l1("own", "fd-kf", Variable::y).value();
+  EXPECT_GT(own.error.value().y_l1, far);
+  EXPECT_LT(own.error.value().y_l1, 1.7 * far);
+  ASSERT_EQ(one.budget.size(), 2u);
+  for (const auto& row : one.budget) {
+    EXPECT_EQ(row.solution, "own");
+    EXPECT_LT(row.find("closure")->l1, 1e-4);
+    EXPECT_GT(row.find("white noise")->l1, 0.01);
+  }
+  EXPECT_FALSE(builtin_registry().method_for_solution(own, {}));
+}
+
+TEST_F(ExternalDensities, AreInadmissibleIfNoDensity) {
+  const auto status_of = [&](const Function& p, bool normalise = true) {
+    const auto own = solved(
+        of(p, {.label = "own", .equation = Equation::kf}, {.normalise = normalise, .accuracy = 1}));
+    return std::string(name(own.status)) + ": " + own.reason;
+  };
+  EXPECT_EQ(status_of([&](double y, double v) { return exact_(y, v); }, false),
+            "inadmissible: the integral is 0.5, not 1");
+  EXPECT_TRUE(contains(status_of([](double, double) { return 1; }), "), at y ="));
+  EXPECT_TRUE(
+      contains(status_of([&](double y, double v) { return exact_(y, v) * (2 - y); }), "negative"));
+}
+
+TEST_F(ExternalDensities, AreRefusedIfInvalid) {
+  EXPECT_EQ(refusal([&] { of([](double y, double) { return 1 / y; }); }).find("density 'own': p(0"),
+            0u);
+  EXPECT_TRUE(contains(refusal([&] { of([](double, double) { return -1; }); }), "integral is -"));
+  EXPECT_TRUE(contains(refusal([&] {
+                         make_function_method({.label = "a"}, {}, points_, {1, 2});
+                       }),
+                       "2 values (must be 601 x 600)"));
+  const std::vector<double> few(99, 1), many(100, 1), behind(100, -1), other(101, 1);
+  const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
+    return refusal([&] { make_samples_method({.label = "a"}, y, v, independent).check(problem_); });
+  };
+  EXPECT_EQ(samples(few, few), "samples 'a': 99 pairs (must be at least 100)");
+  EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y' (must be equal)");
+  EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
+  EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
+  EXPECT_EQ(samples(many, many, 100), "accepted");
+  const auto all = builtin_registry();
+  EXPECT_TRUE(
+      contains(refusal([&] { require_valid_label("fd.kf", all); }), "is the name of a method"));
+  EXPECT_TRUE(contains(refusal([&] { require_distinct_labels("a.b", "a-b"); }), "differ only in"));
+  // The message must not name a command-line option: the caller used the library.
+  for (const char* label : {"fd.kf", "a b"}) {
+    EXPECT_FALSE(contains(refusal([&] { require_valid_label(label, all); }), "--")) << label;
+  }
+  EXPECT_EQ(refusal([&] { require_distinct_labels("a.b", "a.b"); }), "accepted");
+}
+
+TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
+  constexpr int kSamples = 50'000;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0, std::sqrt(0.5));
+  std::vector<double> y, v;
+  for (int k = 0; k < kSamples; ++k) {
+    y.push_back(std::abs(normal(engine)));
+    v.push_back(normal(engine));
+  }
+  const auto drawn =
+      solved(make_samples_method({.label = "drawn", .equation = Equation::white}, y, v));
+  const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
+  for (const auto variable : transform::kVariables) {
+    const auto& edges = compare::edges(axes_, variable);
+    const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
+    const double expected = transform::expected(*drawn.sampling, variable).value();
+    EXPECT_NEAR(far / expected, 1, 0.3);
+    EXPECT_LT(far, transform::quantile_99(*drawn.sampling, variable).value());
+  }
+  EXPECT_NEAR(drawn.mass, 1, 1e-9);
+  EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
+  EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
+  // A quarter as many independent samples double the errors.
+  const auto fewer = solved(make_samples_method({.label = "a"}, y, v, kSamples / 4.0));
+  EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
+  EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);
+}
+
+}  // namespace
+}  // namespace fpkcheck::methods

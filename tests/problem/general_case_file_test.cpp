@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "base/input_error.hpp"
+#include "problem/case_file.hpp"
+#include "problem/features.hpp"
+#include "problem/named_cases.hpp"
+
+namespace fpkcheck::problem {
+namespace {
+
+Problem general_case(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  std::istringstream ini(text);
+  return read_case(ini, "a", "a.ini", overrides, CaseNaming::with_overrides);
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    general_case(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string kWells = "[system]\ndamping = 0.1\nstiffness = -1\ncubic = 1\n";
+const std::string kNoWall = "[wall]\nnone = true\n";
+const std::string kNoise = "[noise]\nintensity = 0.2\n";
+const std::string kImpulses = "[impulse]\nrate = 4\nlaw = gaussian\nintensity = 0.5\n";
+
+TEST(GeneralCaseFile, ReadsEveryKey) {
+  const Problem p = general_case(
+      "[system]\ndamping = -1\nvan_der_pol = 2\nrayleigh = 3\nconstant = 4\nstiffness = 5\n"
+      "quadratic = 6\ncubic = 7\nquintic = 8\n[wall]\nleft = -2\nleft_restitution = 0.7\n"
+      "right = 3\nright_restitution = 0.8\n" +
+      kImpulses + kNoise);
+  EXPECT_EQ(p.system.damping(), -1);
+  EXPECT_EQ(p.system.damping_polynomial().coefficient(2), 2);
+  EXPECT_EQ(p.system.rayleigh(), 3);
+  const numerics::Polynomial::Coefficients force{4, 5, 6, 7, 0, 8};
+  EXPECT_EQ(p.system.force().coefficients(), force);
+  EXPECT_EQ(p.system.left(), (Wall{-2, 0.7}));
+  EXPECT_EQ(p.system.right(), (Wall{3, 0.8}));
+  EXPECT_EQ(p.noise.intensity, 0.2);
+  EXPECT_NEAR(total_intensity(p), 0.7, 1e-15);
+  EXPECT_EQ(parameters_text(p),
+            "c = -1, c_yy = 2, c_vv = 3, g0 = 4, k = 5, k2 = 6, mu = 7, k5 = 8, a = -2, r_a = 0.7, "
+            "b = 3, r_b = 0.8; gaussian impulses, lambda = 4, lambda E[Y^2] = 0.5, 2D = 0.2");
+}
+
+TEST(GeneralCaseFile, ExcitationMayBeImpulsesOrNoiseOrBoth) {
+  EXPECT_FALSE(general_case(kWells + kNoWall + kNoise).impulses.is_present());
+  EXPECT_FALSE(general_case(kWells + kNoWall + kImpulses).noise.is_present());
+  EXPECT_NE(refusal_of(kWells + kNoWall).find("nothing excites the oscillator"), std::string::npos);
+  EXPECT_NE(refusal_of(kWells + kNoWall + "[impulse]\nrate = 1\n").find("'impulse.law' is missing"),
+            std::string::npos);
+}
+
+TEST(GeneralCaseFile, SectionsRoundTrip) {
+  for (const std::string& text :
+       {kWells + kNoWall + kNoise, kWells + kNoWall + kImpulses,
+        kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise}) {
+    const Problem p = general_case(text), again = problem_from_sections("a", sections(p));
+    EXPECT_EQ(parameters_text(again), parameters_text(p));
+    EXPECT_EQ(again.system.wall_parameters(), p.system.wall_parameters());
+    EXPECT_EQ(total_intensity(again), total_intensity(p));
+  }
+}
+
+TEST(GeneralCaseFile, OldFilesKeepTheirFields) {
+  std::istringstream ini("[system]\ndamping = 0.1\nstiffness = 1\ncubic = 0\nrestitution = 1\n" +
+                         kImpulses);
+  const Problem p = read_case(ini, "a", "a.ini");
+  const auto all = sections(p);
+  ASSERT_EQ(all.size(), 2u);
+  std::vector<std::string> names;
+  for (const auto& value : all[0].values) names.push_back(value.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"damping", "stiffness", "cubic", "restitution"}));
+}
+
+TEST(GeneralCaseFile, IsNamedByWhatChanges) {
+  EXPECT_EQ(
+      general_case(kWells + kNoWall + kNoise, {"system.quintic=0.5", "noise.intensity=0.3"}).name,
+      "a, k5 = 0.5, 2D = 0.3");
+  EXPECT_EQ(general_case(kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise,
+                         {"wall.right=auto", "wall.right_restitution=auto", "wall.none=true"})
+                .name,
+            "a, no wall");
+}
+
+TEST(ExampleSystems, HaveExpectedFeatures) {
+  ASSERT_GE(example_systems().size(), 12u);
+  for (const auto& named : example_systems()) {
+    const Problem p = load_case(named.name);
+    EXPECT_EQ(p.name, named.name);
+    EXPECT_FALSE(features(p).is_paper_oscillator) << p.name;
+  }
+  EXPECT_TRUE(features(load_case("preload")).rests_in_contact);
+  EXPECT_TRUE(features(load_case("ball")).rests_in_contact);
+  EXPECT_EQ(features(load_case("stops")).wells, 2);
+  EXPECT_TRUE(features(load_case("stops")).rests_in_contact);
+  EXPECT_EQ(features(load_case("bistable")).wells, 2);
+  EXPECT_TRUE(features(load_case("box")).two_walls);
+  EXPECT_TRUE(features(load_case("ring")).negative_damping);
+  EXPECT_TRUE(features(load_case("gap")).offset_wall);
+}
+
+}  // namespace
+}  // namespace fpkcheck::problem

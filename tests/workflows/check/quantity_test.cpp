@@ -1,0 +1,146 @@
+#include "workflows/check/quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fpkcheck::check {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The comparison of a single quantity in two runs.
+QuantityChange held(const Quantity& was, const Quantity& is) {
+  const auto changes = compare_quantities("case", {was}, {is});
+  EXPECT_EQ(changes.size(), 1u);
+  return changes.at(0);
+}
+
+Quantity number(double value, QuantityKind kind = QuantityKind::mass, double scale = 1) {
+  Quantities quantities;
+  return PartQuantities{quantities, "solution", kWholeSolution}.number("x", kind, value, 0.1,
+                                                                       scale);
+}
+
+TEST(Quantity, NumbersChangeInUnitsOfTheScaleOfTheBaseline) {
+  const auto change = [](double was, double is, double scale = 1) {
+    const auto kind = QuantityKind::mass;
+    return held(number(was, kind, scale), number(is, kind, 7)).change;
+  };
+  EXPECT_EQ(change(1, 3), 2);
+  EXPECT_EQ(change(3, 1, 4), 0.5);
+  EXPECT_EQ(change(0, 0, 0), 0);
+  EXPECT_EQ(change(0, 1, 0), kInfinity);
+  EXPECT_EQ(change(NAN, NAN), 0);
+  EXPECT_EQ(change(kInfinity, NAN), 0);  // both are empty values in files
+  EXPECT_EQ(change(NAN, 1), kInfinity);
+  EXPECT_EQ(change(1, NAN), kInfinity);
+}
+
+TEST(Quantity, ErrorsChangeByTheirRatio) {
+  const auto change = [](double was, double is) {
+    const auto kind = QuantityKind::simulated_error;
+    return held(number(was, kind), number(is, kind)).change;
+  };
+  EXPECT_EQ(change(1, 3), 2);
+  EXPECT_EQ(change(3, 1), 2);
+  EXPECT_EQ(change(2, 2), 0);
+  EXPECT_EQ(change(0, 1), kInfinity);
+  EXPECT_EQ(change(1, -1), kInfinity);
+  EXPECT_EQ(change(1, NAN), kInfinity);
+}
+
+TEST(Quantity, SimulatedNumbersChangeInStandardErrorsOfBoth) {
+  const auto change = [](double error_was, double error_is) {
+    Quantity was = number(1, QuantityKind::simulated), is = number(6, QuantityKind::simulated);
+    was.error = error_was;
+    is.error = error_is;
+    return held(was, is).change;
+  };
+  EXPECT_DOUBLE_EQ(change(3, 4), 1);
+  EXPECT_DOUBLE_EQ(change(NAN, 1), 5 / std::sqrt(2.0));  // the baseline states no error
+  EXPECT_EQ(change(1, NAN), kInfinity);
+  EXPECT_EQ(change(0, 0), kInfinity);
+}
+
+TEST(Quantity, AnL1IsAllowedItsExpectationAndSomeScatter) {
+  Quantity quantity = number(0, QuantityKind::simulated_l1);
+  quantity.error = 0.01;
+  quantity.quantile_99 = 0.03;
+  quantity.allowed = 0;
+  EXPECT_NEAR(held(quantity, quantity).allowed, std::hypot(0.01, 0.01), 1e-12);
+  quantity.allowed = 2.326;  // 99 % quantile of the normal law
+  EXPECT_NEAR(held(quantity, quantity).allowed, std::hypot(0.03, 0.03), 1e-12);
+}
+
+TEST(Quantity, WordsMustBeTheSame) {
+  const auto moved = [](const base::Value& was, const base::Value& is) {
+    Quantities one, other;
+    PartQuantities{one, "solution", kWholeSolution}.word("x", was);
+    PartQuantities{other, "solution", kWholeSolution}.word("x", is);
+    return held(one[0], other[0]).moved();
+  };
+  EXPECT_FALSE(moved("ok", "ok"));
+  EXPECT_TRUE(moved("ok", "failed"));
+  EXPECT_TRUE(moved("ok", {}));
+  EXPECT_TRUE(moved(false, true));
+}
+
+/// A list with this number of entries, in a group.
+Quantities list(std::size_t entries) {
+  Quantities quantities;
+  const PartQuantities whole{quantities, "solution", kWholeSolution};
+  whole.begin(QuantityKind::status);
+  const PartQuantities group =
+      PartQuantities{quantities, "solution", "group"}.begin(QuantityKind::detail);
+  const PartQuantities one = PartQuantities{quantities, "solution", "group.list"}.begin(
+      QuantityKind::detail, static_cast<std::int64_t>(entries), group.name);
+  for (std::size_t k = 0; k < entries; ++k) {
+    const PartQuantities entry{quantities, "solution", "group.list[" + std::to_string(k) + ']'};
+    entry.begin(QuantityKind::detail, "there", one.name)
+        .number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
+  }
+  return quantities;
+}
+
+TEST(Quantity, PresenceOfAPartIsNotCounted) {
+  EXPECT_EQ(compare_quantities("case", list(3), list(3)).size(), 3u);
+}
+
+TEST(Quantity, ReportsAChangedPartOnce) {
+  const auto longer = compare_quantities("case", list(3), list(5));
+  ASSERT_EQ(longer.size(), 1u);
+  EXPECT_EQ(longer[0].name, "group.list");
+  EXPECT_EQ(compare_quantities("case", list(5), list(3)).size(), 1u);
+}
+
+TEST(Quantity, ReportsAMissingPartOnce) {
+  Quantities none;
+  PartQuantities{none, "solution", kWholeSolution}.begin(QuantityKind::status);
+  const auto lost = compare_quantities("case", list(3), none);
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].name, "group");
+  EXPECT_EQ(lost[0].baseline, base::Value("there"));
+  EXPECT_EQ(lost[0].now, base::Value("missing"));
+  const auto won = compare_quantities("case", none, list(3));
+  ASSERT_EQ(won.size(), 1u);
+  EXPECT_EQ(won[0].baseline, base::Value("missing"));
+  ASSERT_EQ(compare_quantities("case", list(3), {}).size(), 1u);
+  EXPECT_EQ(compare_quantities("case", list(3), {})[0].name, kWholeSolution);
+}
+
+TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
+  const Quantity error = number(1, QuantityKind::simulated_error);
+  EXPECT_TRUE(compare_quantities("case", {}, {error}).empty());
+  EXPECT_EQ(compare_quantities("case", {error}, {}).size(), 1u);
+  Quantities stated;
+  PartQuantities{stated, "s", kStatedError}
+      .begin(QuantityKind::status)
+      .number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
+  EXPECT_TRUE(compare_quantities("case", {}, stated).empty());
+  EXPECT_FALSE(compare_quantities("case", stated, {}).empty());
+}
+
+}  // namespace
+}  // namespace fpkcheck::check

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "epc/solve.hpp"
+#include "judged_run.hpp"
+#include "methods/builtin.hpp"
+#include "methods/run_cases.hpp"
+#include "paper_cases.hpp"
+
+/// The paper's cases, solved once for all tests of this file.
+namespace fpkcheck::paper {
+namespace {
+
+// A density within L1 2e-4 of finite volumes and of the simulation (docs/results.md), in place of
+// both: they take longer.
+std::vector<transform::Solution> quick_references(const problem::Problem& problem) {
+  auto solution =
+      epc::solve(problem, {.order = 6, .formulation = epc::Formulation::polar}).solution;
+  solution.error = transform::ErrorEstimate{.y_l1 = 2e-4, .ydot_l1 = 2e-4, .moments = {}};
+  using problem::Equation;
+  using problem::Impact;
+  auto equation = solution;
+  equation.identity = tests::identity("fd-kf", "fd", Equation::kf, Impact::map);
+  solution.identity = tests::identity("mcs", "mcs", Equation::kf, Impact::exact);
+  return {std::move(equation), std::move(solution)};
+}
+
+const std::vector<Judgement>& judgements() {
+  static const auto all = [] {
+    results::Run run{results::this_program("fpkcheck paper"), {}};
+    for (int number = 1; number <= 4; ++number) {
+      auto problem = tests::paper_case(number);
+      problem.name = case_name(number);
+      const auto axes = compare::comparison_axes(problem);
+      std::vector<transform::Solution> solutions;
+      for (const int order : {2, 4, 6, 8}) {
+        // Without `accuracy` no error estimate is computed: the claims do not need it.
+        const auto method = methods::builtin_registry().method_by_id(closure_id(order),
+                                                                     {{"accuracy", base::Value()}});
+        solutions.push_back(methods::solve_with(*method, problem, {axes, {}}));
+      }
+      std::ranges::move(quick_references(problem), std::back_inserter(solutions));
+      run.cases.push_back(results::make_case(problem, axes, std::move(solutions)));
+    }
+    return judge(run);
+  }();
+  return all;
+}
+
+std::map<Outcome, int> counts() {
+  std::map<Outcome, int> found;
+  for (const auto& one : judgements()) ++found[one.outcome];
+  return found;
+}
+
+TEST(ThePaper, IsJudgedInEveryClaim) {
+  const auto found = counts();
+  EXPECT_FALSE(found.contains(Outcome::unjudged));
+  EXPECT_EQ(found.at(Outcome::established), 35);
+  EXPECT_EQ(found.at(Outcome::qualified), 3);
+  EXPECT_EQ(found.at(Outcome::not_established), 6);
+}
+
+TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
+  for (const auto& one : judgements()) {
+    if (one.outcome != Outcome::not_established) continue;
+    const bool less_gaussian_velocity = one.claim.relation == Relation::further_than_in_case_1 &&
+                                        one.claim.variables.front() == transform::Variable::ydot;
+    const bool of_case_4 =
+        one.claim.cases == std::vector<int>{4} && (one.claim.order == 4 || one.claim.order == 8);
+    EXPECT_TRUE(less_gaussian_velocity || of_case_4) << claim_text(one.claim);
+  }
+}
+
+TEST(ThePaper, ClaimsThatOrderSixAgreesAreEstablished) {
+  for (const auto& one : judgements()) {
+    if (one.claim.order != 6) continue;
+    EXPECT_EQ(one.outcome, Outcome::established) << claim_text(one.claim) << ": " << one.note;
+  }
+}
+
+}  // namespace
+}  // namespace fpkcheck::paper

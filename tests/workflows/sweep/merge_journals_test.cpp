@@ -1,0 +1,92 @@
+#include "workflows/sweep/execution/merge_journals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/input_error.hpp"
+#include "made_up_sweep.hpp"
+#include "temporary_directory.hpp"
+#include "workflows/sweep/execution/shard.hpp"
+#include "workflows/sweep/result/journal.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+void write_shard(const Plan& plan, const std::filesystem::path& directory, const Shard& shard) {
+  std::filesystem::create_directories(directory);
+  Journal journal(directory / shard.journal_name(), plan);
+  for (const auto point : shard.points(plan.points.size())) {
+    journal.append(tests::result_of(plan, point));
+  }
+}
+
+TEST(MergedSweep, JoinsShards) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  write_shard(plan, directory.path() / "a", {1, 3});
+  write_shard(plan, directory.path() / "a", {2, 3});
+  write_shard(plan, directory.path() / "b", {3, 3});
+  const auto all =
+      merge_journals({directory.path() / "b", directory.path() / "a"}, methods::builtin_registry());
+  EXPECT_TRUE(all.results.is_complete());
+  EXPECT_TRUE(all.remarks.empty());
+  EXPECT_EQ(csv(all.results), csv(tests::results_of(plan)));
+}
+
+std::string remark_without(const std::vector<Shard>& missing, std::size_t of) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  for (std::size_t number = 1; number <= of; ++number) {
+    if (std::ranges::find(missing, number, &Shard::number) != missing.end()) continue;
+    write_shard(plan, directory.path(), {number, of});
+  }
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  EXPECT_FALSE(all.results.is_complete());
+  EXPECT_EQ(all.remarks.size(), 1);
+  return all.remarks.empty() ? "" : all.remarks[0];
+}
+
+TEST(MergedSweep, ReportsShardsWithMissingPoints) {
+  const std::string one = remark_without({{2, 3}}, 3);
+  EXPECT_NE(one.find("2 of 6 points"), std::string::npos) << one;
+  EXPECT_NE(one.find("--shard 2/3 (2 points)"), std::string::npos) << one;
+  EXPECT_EQ(one.find("1/3"), std::string::npos) << one;
+  const std::string two = remark_without({{1, 4}, {3, 4}}, 4);
+  EXPECT_NE(two.find("--shard 1/4 (2 points), 3/4 (1 point)"), std::string::npos) << two;
+}
+
+TEST(MergedSweep, ReportsAnIncompleteShard) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  write_shard(plan, directory.path(), {1, 2});
+  Journal(directory.path() / Shard{2, 2}.journal_name(), plan).append(tests::result_of(plan, 1));
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  ASSERT_EQ(all.remarks.size(), 1);
+  EXPECT_NE(all.remarks[0].find("--shard 2/2 (2 points)"), std::string::npos) << all.remarks[0];
+}
+
+TEST(MergedSweep, WithoutShardsSuggestsToRepeatTheSweep) {
+  const tests::TemporaryDirectory directory;
+  const Plan plan = tests::small_plan();
+  Journal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
+  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  ASSERT_EQ(all.remarks.size(), 1);
+  EXPECT_EQ(all.remarks[0].find("--shard"), std::string::npos) << all.remarks[0];
+}
+
+TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
+  const tests::TemporaryDirectory directory;
+  write_shard(tests::small_plan(), directory.path(), {1, 2});
+  write_shard(tests::plan_of({parse_axis("impulse.rate", "1,2", "x")}), directory.path(), {2, 2});
+  EXPECT_THROW(merge_journals({directory.path()}, methods::builtin_registry()), InputError);
+  const tests::TemporaryDirectory empty;
+  EXPECT_THROW(merge_journals({empty.path()}, methods::builtin_registry()), InputError);
+  EXPECT_THROW(merge_journals({empty.path() / "absent"}, methods::builtin_registry()), InputError);
+}
+
+}  // namespace
+}  // namespace fpkcheck::sweep

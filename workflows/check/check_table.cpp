@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "report/text/columns.hpp"
+#include "report/text/wrap_text.hpp"
+#include "workflows/check/check.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using base::Value;
+using report::Column;
+using report::kAbsent;
+using report::kAlwaysShown;
+using report::TextFormat;
+
+constexpr std::size_t kMaxRows = 40;
+
+std::string change_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
+}
+
+// Few digits, and all where the few do not show the change.
+std::string value_text(const Value& value, int digits) {
+  if (base::is_unset(value)) return kAbsent;
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::text_of(value);
+}
+
+std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
+  constexpr int kFewDigits = 8, kAllDigits = 15;
+  std::pair few{value_text(quantity_change.baseline, kFewDigits),
+                value_text(quantity_change.now, kFewDigits)};
+  if (few.first != few.second) return few;
+  return {value_text(quantity_change.baseline, kAllDigits),
+          value_text(quantity_change.now, kAllDigits)};
+}
+
+void add_row(std::vector<Column>& columns, const std::vector<std::string>& cells) {
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
+}
+
+std::string moved_table(const std::vector<QuantityChange>& moved, const TextFormat& format) {
+  std::vector<Column> columns{{"", "case", true, kAlwaysShown},
+                              {"", "solution", true, kAlwaysShown},
+                              {"", "figure", true, kAlwaysShown},
+                              {"", "baseline", false, 2},
+                              {"", "now", false, 2},
+                              {"", "change", false, kAlwaysShown},
+                              {"", "allowed", false, kAlwaysShown},
+                              {"", "", true, 1}};
+  for (const QuantityChange& f : moved) {
+    const bool is_number = f.kind != QuantityKind::status;
+    const auto [baseline, now] = value_texts(f);
+    add_row(columns, {f.case_name, f.solution, f.name, baseline, now,
+                      is_number ? change_text(f.change) : kAbsent,
+                      is_number ? change_text(f.allowed) : kAbsent, std::string(unit(f.kind))});
+  }
+  return report::rows(std::move(columns), format);
+}
+
+std::string kinds_table(const Check& check, const TextFormat& format) {
+  std::vector<Column> columns{{"", "compared", true, kAlwaysShown},
+                              {"", "figures", false, kAlwaysShown},
+                              {"", "moved", false, kAlwaysShown},
+                              {"within allowance", "largest", false, kAlwaysShown},
+                              {"within allowance", "allowed", false, kAlwaysShown},
+                              {"within allowance", "", true, 2},
+                              {"", "of", true, 1}};
+  for (const auto& [kind, count, moved, largest] : summarise_by_kind(check)) {
+    const bool shown = largest != nullptr && kind != QuantityKind::status;
+    const std::string of =
+        shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
+    add_row(columns, {std::string(name(kind)), fmt::format("{}", count), fmt::format("{}", moved),
+                      shown ? change_text(largest->change) : kAbsent,
+                      shown ? change_text(largest->allowed) : kAbsent,
+                      std::string(shown ? unit(kind) : ""), of});
+  }
+  return report::rows(std::move(columns), format);
+}
+
+// The largest changes in units of their tolerance, in the order of the run.
+std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
+                                            std::size_t most) {
+  if (moved.size() <= most) return moved;
+  std::vector<double> shares;
+  for (const auto& quantity_change : moved)
+    shares.push_back(quantity_change.change_over_tolerance());
+  std::ranges::nth_element(shares, shares.begin() + static_cast<std::ptrdiff_t>(most - 1),
+                           std::greater<>{});
+  const double least = shares[most - 1];
+  std::vector<QuantityChange> result;
+  for (const auto& quantity_change : moved) {
+    if (!(quantity_change.change_over_tolerance() < least) && result.size() < most)
+      result.push_back(quantity_change);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string check_table(const Check& check, const TextFormat& format) {
+  const auto moved = check.moved();
+  std::string text;
+  if (!moved.empty()) {
+    const auto shown = largest_changes(moved, kMaxRows);
+    text += moved_table(shown, format) + '\n';
+    if (shown.size() < moved.size()) {
+      text += fmt::format("and {} more (all of them: --json or --out)\n\n",
+                          moved.size() - shown.size());
+    }
+  }
+  text += kinds_table(check, format) + '\n';
+  for (const auto& note : check.notes) text += report::wrap_text(note, format.width);
+  text += moved.empty() ? fmt::format("{} figures of {} solutions agree.\n", check.changes.size(),
+                                      check.solutions)
+                        : fmt::format("{} of {} figures of {} solutions moved.\n", moved.size(),
+                                      check.changes.size(), check.solutions);
+  return text;
+}
+
+}  // namespace fpkcheck::check

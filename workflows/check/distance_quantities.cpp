@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "workflows/check/quantities.hpp"
+#include "workflows/check/sampling_tolerance.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using compare::PairDistances;
+
+double deviation(const transform::Solution* reference, transform::Variable variable) {
+  if (reference == nullptr || !reference->has_density()) return 1;
+  const auto& moments = reference->moments;
+  return std::sqrt(variable == transform::Variable::y ? moments.y2 : moments.v2);
+}
+
+bool has_finite_divergence(const results::Case& one, const PairDistances& pair) {
+  const auto* found = compare::find_pair(one.pairs, pair.a, pair.b, pair.variable);
+  return found == nullptr || std::isfinite(found->distances.kl);
+}
+
+void add_tail(const compare::Distances& d, const PartQuantities& pair, double allowed) {
+  // The decades and their numbers of bins identify the tail: tails over other bins are not
+  // compared.
+  std::string bins;
+  for (const auto& decade : d.log10_tail) {
+    bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
+                        decade.bins_omitted);
+  }
+  const PartQuantities tail{pair.quantities, pair.solution, "tail " + pair.name};
+  tail.begin(QuantityKind::tail, bins, pair.name);
+  for (const auto& decade : d.log10_tail) {
+    tail.number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
+                decade.mean_abs, allowed);
+  }
+}
+
+void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
+                        const Tolerances& tolerances, const PartQuantities& part) {
+  constexpr std::size_t kBothVariables = 2;
+  part.number("standard error of L1 " + part.name, QuantityKind::simulated_error,
+              *pair.l1_standard_error,
+              allowed_error_change(simulation, kBothVariables, 1, tolerances));
+}
+
+}  // namespace
+
+Quantities distance_quantities(const results::Case& one, const results::Case& other,
+                               const Tolerances& tolerances) {
+  Quantities quantities;
+  for (const PairDistances& pair : one.pairs) {
+    const auto *a = one.find(pair.a), *b = one.find(pair.b);
+    const auto& d = pair.distances;
+    const PartQuantities part{quantities, pair.a,
+                              fmt::format("{} to {}", density_name(pair.variable), pair.b)};
+    const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
+      return part.number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance, distance,
+                         tolerances.deterministic, scale);
+    };
+    part.begin(QuantityKind::distance);
+    Quantity& l1 = add("L1", d.l1, 1);
+    for (const auto* end : {a, b}) {
+      if (end == nullptr) continue;
+      const bool measured = pair.l1_standard_error.has_value();
+      set_sampling_tolerance(l1, measured ? transform::best_sampling_error(*end) : end->sampling,
+                             pair.variable, tolerances);
+    }
+    const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
+    const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
+    if (pair.l1_standard_error && measure != nullptr) {
+      add_standard_error(pair, *measure, tolerances, part);
+    }
+    if (has_sampling_error) continue;
+    const double unit = 1 / deviation(b, pair.variable);
+    add("L2", d.l2, std::sqrt(unit));
+    add("sup", d.sup, unit);
+    add("Hellinger", d.hellinger, 1);
+    if (has_finite_divergence(one, pair) && has_finite_divergence(other, pair)) add("KL", d.kl, 1);
+    add_tail(d, part, tolerances.tail());
+  }
+  return quantities;
+}
+
+}  // namespace fpkcheck::check

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "workflows/check/quantities.hpp"
+#include "workflows/check/sampling_tolerance.hpp"
+
+namespace fpkcheck::check {
+namespace {
+
+using results::Curve;
+using transform::Solution;
+
+constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
+// A bin with a wider interval (relative to its density) holds a handful of events: only the L1
+// distance covers it.
+constexpr double kMaxRelativeHalfWidth = 0.5;
+
+// True where both curves have the same bins up to rounding.
+bool has_same_bins(const Curve& one, const Curve& other) {
+  constexpr double kAbscissaTolerance = 1e-9;
+  if (one.abscissa.size() != other.abscissa.size() || one.abscissa.empty()) return false;
+  const double extent = std::abs(one.abscissa.back());
+  return std::ranges::equal(one.abscissa, other.abscissa, [&](double x, double y) {
+    return std::abs(x - y) <= kAbscissaTolerance * extent;
+  });
+}
+
+base::Value bin_range_text(const Curve* curve) {
+  if (curve == nullptr) return "missing";
+  return fmt::format("{} bins to {:.6g}", curve->abscissa.size(),
+                     curve->abscissa.empty() ? 0 : curve->abscissa.back());
+}
+
+bool has_narrow_interval(const Curve& curve, std::size_t k) {
+  return curve.density[k] > 0 &&
+         curve.upper[k] - curve.density[k] <= kMaxRelativeHalfWidth * curve.density[k];
+}
+
+double standard_error(const Curve& curve, std::size_t k) {
+  return (curve.upper[k] - curve.density[k]) / kNormal95;
+}
+
+// The bin with the largest change. For simulations the change is in standard errors, over the bins
+// that both runs resolve.
+QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, const Curve& is,
+                            bool has_sampling_error, const Tolerances& tolerances) {
+  const double peak = std::ranges::max(was.density);
+  std::size_t compared = 0;
+  quantity_change.change = -1;
+  for (std::size_t k = 0; k < was.density.size(); ++k) {
+    if (has_sampling_error && !(has_narrow_interval(was, k) && has_narrow_interval(is, k)))
+      continue;
+    const double difference = std::abs(is.density[k] - was.density[k]);
+    const double scale =
+        has_sampling_error ? std::hypot(standard_error(was, k), standard_error(is, k)) : peak;
+    const double change = difference == 0 ? 0 : difference / scale;
+    ++compared;
+    if (change <= quantity_change.change) continue;
+    quantity_change.name = fmt::format("{} at {:.4g}", density_name(was.variable), was.abscissa[k]);
+    quantity_change.baseline = was.density[k];
+    quantity_change.now = is.density[k];
+    quantity_change.change = std::isnan(change) ? kInfinity : change;
+  }
+  quantity_change.change = std::max(quantity_change.change, 0.0);
+  quantity_change.kind = has_sampling_error ? QuantityKind::simulated_bin : QuantityKind::marginal;
+  quantity_change.allowed =
+      has_sampling_error ? tolerances.bonferroni_threshold(compared) : tolerances.deterministic;
+  return quantity_change;
+}
+
+double l1(const Curve& was, const Curve& is) {
+  const auto widths = results::bin_widths(was);
+  double sum = 0;
+  for (std::size_t k = 0; k < was.density.size(); ++k) {
+    sum += std::abs(is.density[k] - was.density[k]) * widths[k];
+  }
+  return sum;
+}
+
+// The L1 distance between a simulation and the baseline, as a quantity of the simulation.
+Quantities l1_quantity(const Solution& simulation, const Curve& curve, double l1,
+                       const Tolerances& tolerances) {
+  Quantities quantities;
+  Quantity& quantity = PartQuantities{quantities, curve.solution, kWholeSolution}.number(
+      fmt::format("L1 {} to baseline", density_name(curve.variable)), QuantityKind::simulated_l1,
+      l1, 0);
+  set_sampling_tolerance(quantity, simulation.sampling, curve.variable, tolerances);
+  return quantities;
+}
+
+}  // namespace
+
+std::vector<QuantityChange> marginal_changes(const results::Case& baseline,
+                                             const results::Case& now,
+                                             const Tolerances& tolerances) {
+  std::vector<QuantityChange> changes;
+  const auto change_of_curve = [&](const Curve& curve) {
+    return QuantityChange{
+        .case_name = baseline.name(),
+        .solution = curve.solution,
+        .name = density_name(curve.variable),
+        .kind = QuantityKind::marginal,
+        .baseline = bin_range_text(baseline.curve(curve.solution, curve.variable)),
+        .now = bin_range_text(now.curve(curve.solution, curve.variable)),
+        .change = kInfinity,
+        .allowed = 0};
+  };
+  for (const Curve& was : baseline.curves) {
+    const Solution *one = baseline.find(was.solution), *other = now.find(was.solution);
+    const Curve* is = now.curve(was.solution, was.variable);
+    if (is == nullptr || !has_same_bins(was, *is)) {
+      changes.push_back(change_of_curve(was));
+    } else if (one != nullptr && other != nullptr) {  // else reported with the solution
+      const bool has_sampling_error =
+          one->standard_errors && !was.upper.empty() && !is->upper.empty();
+      changes.push_back(
+          compare_bins(change_of_curve(was), was, *is, has_sampling_error, tolerances));
+      if (has_sampling_error) {
+        const auto compared =
+            compare_quantities(baseline.name(), l1_quantity(*one, was, 0, tolerances),
+                               l1_quantity(*other, *is, l1(was, *is), tolerances));
+        changes.push_back(compared.front());
+      }
+    }
+  }
+  for (const Curve& is : now.curves) {
+    if (baseline.curve(is.solution, is.variable) == nullptr) changes.push_back(change_of_curve(is));
+  }
+  return changes;
+}
+
+}  // namespace fpkcheck::check

@@ -1,0 +1,112 @@
+#include "workflows/check/quantity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace fpkcheck::check {
+namespace {
+
+using base::Value;
+
+using Key = std::pair<std::string, std::string>;  // solution and name of a quantity
+
+double change(const Quantity& was, const Quantity& is) {
+  const double a = number_in(was.value), b = number_in(is.value), difference = std::abs(b - a);
+  if (was.value == is.value || difference == 0) return 0;
+  double result = difference / was.scale;
+  if (was.kind == QuantityKind::simulated_error) {
+    result = a > 0 && b > 0 ? std::max(a / b, b / a) - 1 : kInfinity;
+  } else if (was.kind == QuantityKind::simulated) {
+    result = difference / std::hypot(std::isnan(was.error) ? is.error : was.error, is.error);
+  }
+  return std::isnan(result) ? kInfinity : result;
+}
+
+double allowed(const Quantity& was, const Quantity& is) {
+  if (was.kind != QuantityKind::simulated_l1) return was.allowed;
+  constexpr double kNormalQuantile99 = 2.326;  // of the normal law
+  const double expected = std::hypot(was.error, is.error);
+  const double deviation =
+      (std::hypot(was.quantile_99, is.quantile_99) - expected) / kNormalQuantile99;
+  return expected + was.allowed * std::max(deviation, 0.0);
+}
+
+bool is_error(const Quantity& quantity) {
+  return quantity.kind == QuantityKind::simulated_error || quantity.name == kStatedError ||
+         quantity.part == kStatedError;
+}
+
+}  // namespace
+
+const PartQuantities& PartQuantities::begin(QuantityKind kind, const Value& what,
+                                            const std::string& outer) const {
+  quantities.push_back({.solution = solution,
+                        .name = name,
+                        .kind = kind,
+                        .value = what,
+                        .part = name == outer ? "" : outer,
+                        .opens_part = true});
+  return *this;
+}
+
+void PartQuantities::word(const std::string& of, const Value& value) const {
+  quantities.push_back({.solution = solution, .name = of, .value = value, .part = name});
+}
+
+Quantity& PartQuantities::number(const std::string& of, QuantityKind kind, double value,
+                                 double allowed, double scale) const {
+  return quantities.emplace_back(Quantity{.solution = solution,
+                                          .name = of,
+                                          .kind = kind,
+                                          .value = std::isfinite(value) ? Value(value) : Value(),
+                                          .allowed = allowed,
+                                          .scale = scale,
+                                          .part = name});
+}
+
+double number_in(const Value& value) {
+  if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? *number : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<QuantityChange> compare_quantities(const std::string& case_name,
+                                               const Quantities& baseline, const Quantities& now) {
+  std::map<Key, const Quantity*> was_index, is_index;
+  for (const Quantity& was : baseline) was_index.emplace(Key{was.solution, was.name}, &was);
+  for (const Quantity& is : now) is_index.emplace(Key{is.solution, is.name}, &is);
+  std::vector<QuantityChange> changes;
+  std::set<Key> excluded_parts;  // parts that differ as a whole, or that one run lacks
+  const auto add = [&](const Quantity& quantity, const Value& was, const Value& is,
+                       double change_value, double tolerance, bool opens_part) {
+    const Key key{quantity.solution, quantity.name};
+    const bool is_in_excluded_part = excluded_parts.contains({quantity.solution, quantity.part});
+    QuantityChange quantity_change{case_name, quantity.solution, quantity.name, quantity.kind, was,
+                                   is,        change_value,      tolerance};
+    if (opens_part && (is_in_excluded_part || quantity_change.moved())) excluded_parts.insert(key);
+    if (!is_in_excluded_part && (!opens_part || quantity_change.moved()))
+      changes.push_back(std::move(quantity_change));
+  };
+  for (const Quantity& was : baseline) {
+    const auto found = is_index.find({was.solution, was.name});
+    if (found == is_index.end()) {
+      add(was, "there", "missing", kInfinity, 0, was.opens_part);
+    } else {
+      const Quantity& is = *found->second;
+      add(was, was.value, is.value, change(was, is), allowed(was, is),
+          was.opens_part || is.opens_part);
+    }
+  }
+  for (const Quantity& is : now) {
+    if (was_index.contains({is.solution, is.name})) continue;
+    if (is_error(is)) continue;
+    add(is, "missing", "there", kInfinity, 0, is.opens_part);
+  }
+  return changes;
+}
+
+}  // namespace fpkcheck::check

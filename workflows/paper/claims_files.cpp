@@ -1,0 +1,118 @@
+#include "workflows/paper/claims_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "results/csv_field.hpp"
+#include "results/json.hpp"
+#include "results/run_json.hpp"
+#include "workflows/paper/claims_table.hpp"
+#include "workflows/paper/criteria.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using results::Json;
+
+std::vector<std::string> densities(const Claim& claim) {
+  std::vector<std::string> names;
+  for (const auto variable : claim.variables) names.emplace_back(transform::name(variable));
+  return names;
+}
+
+std::string number_text(const std::optional<double>& number) {
+  return number ? fmt::format("{:.6g}", *number) : "";
+}
+
+std::string limit_text(const MeasuredNumber& of) {
+  return of.limit ? fmt::format("{} {:.6g}", of.above ? ">" : "<=", *of.limit) : "";
+}
+
+Json number_json(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json measured_json(const MeasuredNumber& of) {
+  Json json{{"value", number_json(of.value)}};
+  json["wanted"] = of.limit ? Json{{of.above ? "above" : "at_most", *of.limit}} : Json();
+  return json;
+}
+
+Json claim_json(const Judgement& judgement) {
+  const Claim& claim = judgement.claim;
+  Json figures = Json::array();
+  for (const int number : claim.cases) {
+    if (!claim.panels.empty()) figures.push_back(Claim::figure(number));
+  }
+  return {{"cases", claim.cases},
+          {"figures", figures},
+          {"panels", claim.panels},
+          {"claim", claim_text(claim)},
+          {"quote", claim.quote},
+          {"solution", closure_id(claim.order)},
+          {"variables", densities(claim)},
+          {"relation", name(claim.relation)},
+          {"rival", claim.rival == 0 ? Json() : Json(closure_id(claim.rival))},
+          {"l1", measured_json(judgement.l1)},
+          {"tail", measured_json(judgement.tail)},
+          {"status", judgement.status ? Json(name(*judgement.status)) : Json()},
+          {"reason", judgement.reason},
+          {"outcome", name(judgement.outcome)},
+          {"note", judgement.note}};
+}
+
+void add_claims(std::span<const Judgement> judgements, Json& json) {
+  json["criteria"] = {{"agreement_l1", kAgreementL1},
+                      {"agreement_in_tail", kAgreementInTail},
+                      {"same_gaussian_l1", kSameGaussianL1}};
+  Json& all = json["claims"] = Json::array();
+  for (const auto& judgement : judgements) all.push_back(claim_json(judgement));
+}
+
+}  // namespace
+
+std::string claims_csv(std::span<const Judgement> judgements) {
+  std::string text =
+      "case,figure,claim,n,density,relation,rival,l1,l1_wanted,tail,tail_wanted,status,outcome,note,"
+      "quote\n";
+  for (const auto& judgement : judgements) {
+    const Claim& claim = judgement.claim;
+    const std::string fields[] = {cases_text(claim),
+                                  figure_text(claim),
+                                  claim_text(claim),
+                                  fmt::format("{}", claim.order),
+                                  fmt::format("{}", fmt::join(densities(claim), " ")),
+                                  std::string(name(claim.relation)),
+                                  claim.rival == 0 ? "" : fmt::format("{}", claim.rival),
+                                  number_text(judgement.l1.value),
+                                  limit_text(judgement.l1),
+                                  number_text(judgement.tail.value),
+                                  limit_text(judgement.tail),
+                                  judgement.status ? std::string(name(*judgement.status)) : "",
+                                  std::string(name(judgement.outcome)),
+                                  judgement.note,
+                                  claim.quote};
+    std::string separator;
+    for (const auto& field : fields) {
+      text += separator + results::csv_field(field);
+      separator = ",";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string claims_json(std::span<const Judgement> judgements, const results::Program& program) {
+  Json json{{"schema", results::kSummarySchema}, {"program", results::program_json(program)}};
+  add_claims(judgements, json);
+  return results::text_of(results::with_null_for_non_finite(json));
+}
+
+std::string summary_with_claims(std::span<const Judgement> judgements, const results::Run& run) {
+  Json json = Json::parse(results::summary_text(run));
+  add_claims(judgements, json);
+  return results::text_of(results::with_null_for_non_finite(json));
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,187 @@
+#include "workflows/paper/claims_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "report/text/columns.hpp"
+#include "report/text/l1_text.hpp"
+#include "report/text/wrap_text.hpp"
+#include "workflows/paper/criteria.hpp"
+#include "workflows/paper/measured_text.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using report::Column;
+using report::kAlwaysShown;
+
+std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
+  return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
+}
+
+// `differs` holds if L1 or the tail exceeds its limit.
+std::string tail_limit(const Judgement& judgement) {
+  const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
+  return judgement.claim.relation == Relation::differs && !text.empty() ? "or " + text : text;
+}
+
+std::string cell_or_dash(const std::string& cell) {
+  return cell.empty() ? std::string(report::kAbsent) : cell;
+}
+
+std::string table_rows(std::span<const Judgement> judgements, const report::TextFormat& format) {
+  constexpr int kLimits = 1;
+  std::vector<Column> columns{{"", "case", true, kAlwaysShown},
+                              {"", "fig.", true, kAlwaysShown},
+                              {"", "claim of the paper", true, kAlwaysShown},
+                              {"L1", "is", false, kAlwaysShown},
+                              {"L1", "required", true, kLimits},
+                              {"tail", "is", false, kAlwaysShown},
+                              {"tail", "required", true, kLimits},
+                              {"", "outcome", true, kAlwaysShown}};
+  for (const auto& row : rows(judgements)) {
+    const std::string cells[] = {
+        row.cases,    cell_or_dash(row.figure), row.claim,      cell_or_dash(row.l1),
+        row.l1_limit, cell_or_dash(row.tail),   row.tail_limit, row.outcome};
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells[k]);
+  }
+  return report::rows(std::move(columns), format);
+}
+
+// "n=6 agrees with MCS in p(y) (case 1, 2)": each claim once, with the cases of this outcome.
+std::string claims_with_outcome(std::span<const Judgement> judgements, Outcome outcome) {
+  std::vector<std::pair<std::string, std::string>> claims;
+  for (const auto& judgement : judgements) {
+    if (judgement.outcome != outcome) continue;
+    const std::string claim = claim_text(judgement.claim);
+    const auto known =
+        std::ranges::find(claims, claim, &std::pair<std::string, std::string>::first);
+    if (known == claims.end()) {
+      claims.emplace_back(claim, cases_text(judgement.claim));
+    } else {
+      known->second += ", " + cases_text(judgement.claim);
+    }
+  }
+  std::vector<std::string> texts;
+  for (const auto& [claim, cases] : claims)
+    texts.push_back(fmt::format("{} (case {})", claim, cases));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string indented(const std::vector<std::string>& lines, std::size_t width) {
+  std::string text;
+  for (const auto& line : lines) text += report::wrap_text("  " + line, width, 4);
+  return text;
+}
+
+std::string paragraphs(const std::vector<std::string>& sentences, std::size_t width) {
+  std::string text;
+  for (const auto& sentence : sentences) text += report::wrap_text(sentence, width);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Row> rows(std::span<const Judgement> judgements) {
+  std::vector<Row> all;
+  for (const auto& judgement : judgements) {
+    all.push_back({.cases = cases_text(judgement.claim),
+                   .figure = figure_text(judgement.claim),
+                   .claim = claim_text(judgement.claim),
+                   .l1 = judgement.l1.value ? report::l1_text(*judgement.l1.value) : "",
+                   .l1_limit = limit_text(judgement.l1, l1_text(judgement.l1.limit)),
+                   .tail = judgement.tail.value ? fmt::format("{:.3f}", *judgement.tail.value) : "",
+                   .tail_limit = tail_limit(judgement),
+                   .outcome = std::string(name(judgement.outcome))});
+  }
+  return all;
+}
+
+std::vector<std::string> notes(std::span<const Judgement> judgements) {
+  std::set<std::pair<int, int>> quoted_closures;  // case, n
+  std::vector<std::string> lines;
+  for (const auto& judgement : judgements) {
+    const bool is_search = judgement.claim.relation == Relation::not_found;
+    if (judgement.note.empty() && !is_search) continue;
+    std::string line = fmt::format("case {}, {}: {}", cases_text(judgement.claim),
+                                   claim_text(judgement.claim), name(judgement.outcome));
+    if (!judgement.note.empty()) {
+      line +=
+          fmt::format("{} {}", judgement.outcome == Outcome::qualified ? "" : ":", judgement.note);
+    }
+    const bool shows_reason = is_search || judgement.status == transform::Status::inadmissible;
+    if (shows_reason && !judgement.reason.empty() &&
+        quoted_closures.insert({judgement.claim.cases.front(), judgement.claim.order}).second) {
+      line += ": " + judgement.reason;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<std::string> criteria() {
+  return {
+      fmt::format("MCS: the simulation; n: the order of the paper's closure, epc-gaussian. L1: "
+                  "integral of |p - MCS|. tail: mean |log10 p - log10 MCS| where MCS is 1e-5 .. "
+                  "1e-3."),
+      fmt::format("agrees: L1 at most {:g}, the accuracy required of closures, and tail at most "
+                  "{:g}, a factor of 1.6: the resolution of a simulation with the paper's 1e7 "
+                  "samples. differs: L1 or tail exceeds its limit. better: both are smaller, by "
+                  "more than the error of the reference (L1: its error estimate; tail: its "
+                  "distance to finite volumes). less Gaussian: the L1 of n=2, a Gaussian, is "
+                  "larger than in case 1.",
+                  kAgreementL1, kAgreementInTail),
+      fmt::format("equivalent linearisation: L1 to its Gaussian at most {:g}. not found: plain "
+                  "Newton steps from equivalent linearisation find no root.",
+                  kSameGaussianL1)};
+}
+
+std::string cases_text(const Claim& claim) {
+  const auto& cases = claim.cases;
+  return cases.size() == 1 ? fmt::format("{}", cases.front())
+                           : fmt::format("{}-{}", cases.front(), cases.back());
+}
+
+std::string figure_text(const Claim& claim) {
+  if (claim.panels.empty()) return "";
+  const int first = Claim::figure(claim.cases.front()), last = Claim::figure(claim.cases.back());
+  return first == last ? fmt::format("{}{}", first, claim.panels)
+                       : fmt::format("{}-{}", first, last);
+}
+
+std::string closing_sentence(std::span<const Judgement> judgements) {
+  std::vector<std::string> parts;
+  for (const auto& [outcome, name, meaning] : kOutcomeNames) {
+    const auto count = std::ranges::count(judgements, outcome, &Judgement::outcome);
+    if (count == 0) continue;
+    parts.push_back(meaning.empty() ? fmt::format("{} {}", count, name)
+                                    : fmt::format("{} {} ({})", count, name, meaning));
+  }
+  return fmt::format("{} claims of the paper: {}.", judgements.size(), fmt::join(parts, "; "));
+}
+
+std::vector<std::string> summary(std::span<const Judgement> judgements) {
+  std::vector<std::string> sentences{closing_sentence(judgements)};
+  for (const auto outcome : {Outcome::qualified, Outcome::not_established, Outcome::unjudged}) {
+    const std::string claims = claims_with_outcome(judgements, outcome);
+    if (claims.empty()) continue;
+    std::string subject(name(outcome));
+    subject.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(subject.front())));
+    sentences.push_back(fmt::format("{}: {}.", subject, claims));
+  }
+  return sentences;
+}
+
+std::string table(std::span<const Judgement> judgements, const report::TextFormat& format) {
+  return table_rows(judgements, format) + indented(notes(judgements), format.width) + '\n' +
+         paragraphs(criteria(), format.width) + '\n' +
+         report::wrap_text(closing_sentence(judgements), format.width);
+}
+
+}  // namespace fpkcheck::paper

@@ -1,0 +1,116 @@
+#include "workflows/study/method_variants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using methods::Method;
+using methods::Registry;
+using problem::Equation;
+using problem::Impact;
+using transform::Identity;
+using transform::Role;
+
+// Empty also where the solver has the id, but the options are invalid.
+std::optional<Method> find_method(const Registry& registry, const std::string& id,
+                                  const base::Values& given = {}) {
+  try {
+    return registry.method_by_id(id, given);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// The default members of a solver's families, then their variants by one choice of an option.
+std::vector<Method> members_and_variants(const Registry& registry, const methods::Solver& solver,
+                                         const std::vector<std::string>& usual) {
+  std::vector<Method> found;
+  const auto add = [&](std::optional<Method> method) {
+    if (method) found.push_back(std::move(*method));
+  };
+  for (const auto& id : usual) add(registry.method_by_id(id));
+  for (const auto& id : usual) {
+    for (const auto& parameter : solver.option_descriptions->all()) {
+      for (const auto& choice : parameter.choices) {
+        add(find_method(registry, id, {{parameter.name, choice}}));
+      }
+    }
+  }
+  return found;
+}
+
+std::string stem_of(const Identity& identity) {
+  const std::string end = identity.order ? fmt::format("-n{}", *identity.order) : "";
+  return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
+}
+
+// The impact of a simulation is exact, like `map`.
+bool solves(const Identity& identity, Equation equation, Impact impact) {
+  return identity.equation == equation && identity.impact &&
+         (*identity.impact == Impact::delta) == (impact == Impact::delta);
+}
+
+}  // namespace
+
+bool MethodVariant::solves_full_problem() const {
+  return solves(identity(), Equation::kf, Impact::map);
+}
+
+std::vector<MethodVariant> method_variants(const Registry& registry, Role role) {
+  std::vector<MethodVariant> all;
+  const auto known = [&](const std::string& stem) {
+    return std::ranges::find(all, stem, &MethodVariant::stem) != all.end();
+  };
+  for (const auto& solver : registry.solvers()) {
+    for (const auto& family : solver.families) {
+      if (family.role != role) continue;
+      for (auto& method : members_and_variants(registry, solver, family.default_ids)) {
+        const std::string stem = stem_of(method.identity), prefix = solver.name + '-';
+        if (method.identity.family != family.name || known(stem)) continue;
+        const bool is_first_solver = all.empty() || all.front().identity().method == solver.name;
+        const bool is_shortened = is_first_solver && stem.starts_with(prefix);
+        std::string name = is_shortened ? stem.substr(prefix.size()) : stem;
+        const bool usual =
+            std::ranges::find(family.default_ids, method.id()) != family.default_ids.end();
+        all.push_back({std::move(name), stem, usual, std::move(method)});
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<Method> comparison_methods(const Registry& registry, Equation equation, Impact impact,
+                                       const base::Values& simulation) {
+  std::vector<Method> all;
+  std::set<std::string> families;  // with a variant in `all`; default variants come first
+  for (const auto& variant : method_variants(registry, Role::closure)) {
+    const Identity& identity = variant.identity();
+    const bool approximates_full_problem =
+        variant.usual && equation == Equation::kf && impact != Impact::delta;
+    if (!approximates_full_problem && !solves(identity, equation, impact)) continue;
+    if (!variant.usual && families.contains(identity.family)) continue;
+    families.insert(identity.family);
+    if (!identity.order) all.push_back(variant.first);
+    const int highest = !identity.order ? 0 : identity.impact == Impact::delta ? 6 : 12;
+    for (int n = 2; n <= highest; n += 2) {
+      if (auto method = find_method(registry, fmt::format("{}-n{}", variant.stem, n))) {
+        all.push_back(std::move(*method));
+      }
+    }
+  }
+  for (const auto& variant : method_variants(registry, Role::simulation)) {
+    if (!solves(variant.identity(), equation, impact)) continue;
+    all.push_back(*registry.method_by_id(variant.stem, simulation));
+  }
+  std::ranges::stable_sort(all, methods::is_less_trusted, &Method::identity);
+  return all;
+}
+
+}  // namespace fpkcheck::study

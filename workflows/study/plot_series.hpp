@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/figure/script_parts.hpp"
+#include "transform/identity.hpp"
+
+/// Common parts of the figures of all studies.
+namespace fpkcheck::study {
+
+using report::data_block;
+using report::density_symbol;
+using report::margin_commands;
+using report::PanelBox;
+using report::series_styles;
+using report::SeriesStyle;
+
+/// A curve of a figure: its points, label and style.
+struct Series {
+  std::string block;  ///< name of its data block in the script
+  std::string label;
+  std::string points;  ///< lines of the data block, each ended by a newline
+  SeriesStyle plot_style;
+};
+
+/// Makes one series of each group of neighbouring rows with the same label. The style is that of
+/// the row in the middle.
+/// @param label function: label of a row
+/// @param points function: text of a row's points; may be empty
+template <class Row, class Label, class Points>
+std::vector<Series> make_series(const std::vector<Row>& rows, const std::string& block, Label label,
+                                Points points) {
+  std::vector<Series> all;
+  std::vector<transform::Identity> identities;
+  for (auto row = rows.begin(); row != rows.end();) {
+    all.push_back({block + std::to_string(all.size()), label(*row), "", {}});
+    const auto first = row;
+    for (; row != rows.end() && label(*row) == all.back().label; ++row) {
+      all.back().points += points(*row);
+    }
+    identities.push_back((first + (row - first - 1) / 2)->solution.identity);
+  }
+  const auto looks = series_styles(identities);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].plot_style = looks[k];
+  return all;
+}
+
+}  // namespace fpkcheck::study

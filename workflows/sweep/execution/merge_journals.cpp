@@ -1,0 +1,140 @@
+#include "workflows/sweep/execution/merge_journals.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
+#include "workflows/sweep/execution/shard.hpp"
+#include "workflows/sweep/plan/plan_json.hpp"
+#include "workflows/sweep/result/journal.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+using base::sanitise;
+using results::Json;
+
+bool is_journal(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  return name == "journal" || name.starts_with("journal.");
+}
+
+std::vector<fs::path> journals_in(const fs::path& directory) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    if (is_journal(entry)) found.push_back(entry.path());
+  }
+  if (found.empty()) {
+    throw InputError(
+        fmt::format("{} has no journal of a sweep (name a directory that a sweep wrote "
+                    "into)",
+                    sanitise(directory.string())));
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+Json plan_json_of(const JournalContent& content, const fs::path& file) {
+  std::istringstream text(content.plan);
+  return results::parse_json(text, sanitise(file.string()));
+}
+
+Plan plan_from_journal(const Json& json, const fs::path& file, const methods::Registry& registry) {
+  try {
+    return plan_from_json(json, registry);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not the plan of a sweep ({})", sanitise(file.string()),
+                                 results::exception_text(error)));
+  }
+}
+
+// The shards that contain these points, out of `of` shards: "1/3 (2 points), 2/3 (1 point)".
+std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
+  constexpr std::size_t kMaxNamedShards = 8;  // fit a line; the rest are named in later runs
+  std::map<std::size_t, std::size_t> counts;
+  for (const std::size_t p : points) ++counts[Shard::containing(p, of).number];
+  std::vector<std::string> named;
+  for (const auto& [number, count] : counts) {
+    if (named.size() == kMaxNamedShards) break;
+    named.push_back(fmt::format("{}/{} ({} point{})", number, of, count, count == 1 ? "" : "s"));
+  }
+  const std::size_t others = counts.size() - named.size();
+  return fmt::format("{}{}", fmt::join(named, ", "),
+                     others > 0 ? fmt::format(" and {} more", others) : "");
+}
+
+// @param of number of shards that wrote the journals
+std::string missing_points_text(const std::set<std::size_t>& there, std::size_t total,
+                                std::size_t of) {
+  std::vector<std::size_t> missing;
+  for (std::size_t p = 0; p < total; ++p) {
+    if (!there.contains(p)) missing.push_back(p);
+  }
+  const std::string again =
+      of > 1 ? "run again with --shard " + shards_text(missing, of) : "run the sweep again";
+  return fmt::format("{} of {} points are missing; {}", missing.size(), total, again);
+}
+
+}  // namespace
+
+MergedSweep merge_journals(const std::vector<fs::path>& directories,
+                           const methods::Registry& registry) {
+  std::optional<Json> plan;
+  fs::path of_plan;
+  std::vector<PointResult> points;
+  std::set<std::size_t> seen;
+  // With several numbers of shards, take the largest: then the fewest points are solved twice.
+  std::size_t damaged = 0, of = 1;
+  for (const auto& directory : directories) {
+    for (const auto& file : journals_in(directory)) {
+      auto content = read_journal(file);
+      if (const auto shard = shard_of_journal(file.filename().string())) {
+        of = std::max(of, shard->of);
+      }
+      const Json json = plan_json_of(content, file);
+      if (!plan) {
+        plan = json;
+        of_plan = file;
+      }
+      const std::string difference = plan_difference(*plan, json);
+      if (!difference.empty()) {
+        throw InputError(fmt::format("{} and {} belong to different plans: {}",
+                                     sanitise(of_plan.string()), sanitise(file.string()),
+                                     difference));
+      }
+      damaged += content.damaged;
+      for (auto& point : content.points) {
+        if (seen.insert(point.point).second) points.push_back(std::move(point));
+      }
+    }
+  }
+  MergedSweep result{
+      make_sweep_results(plan_from_journal(*plan, of_plan, registry), std::move(points))};
+  const auto& [whole, there] = result.results;
+  for (const auto& point : there) {
+    if (point.point < whole.points.size() && point.methods.size() == whole.methods.size()) continue;
+    throw InputError(fmt::format("{}: point {} is not in its plan (remove the file)",
+                                 sanitise(of_plan.string()), point.point));
+  }
+  if (!result.results.is_complete()) {
+    result.remarks.push_back(missing_points_text(seen, whole.points.size(), of));
+  }
+  if (damaged > 0) {
+    result.remarks.push_back(fmt::format("{} damaged lines of journals were ignored", damaged));
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::sweep
