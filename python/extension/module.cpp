@@ -43,7 +43,7 @@ namespace fpkcheck::python {
 namespace {
 
 namespace py = pybind11;
-using Array = py::array_t<double, py::to_array::c_style | py::to_array::forcecast>;
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using RunPointer = std::shared_ptr<results::Run>;
 
 /// The registry of the program, created once.
