@@ -254,7 +254,7 @@ class ExternalDensities(unittest.TestCase):
         self.assertTrue(distance < exact.error.y_l1 < 1.7 * distance)
         wide, nobody = run.solutions["wide"], run.solutions["nobody"]
         self.assertEqual(wide.status, "inaccurate")
-        self.assertIn("0.02 is asked for", wide.reason)
+        self.assertIn("requested accuracy: 0.02", wide.reason)
         self.assertEqual((nobody.status, nobody.equation, nobody.impact), ("ok", "given", "-"))
         self.assertNotIn("nobody", run.budget.solution)
         with tempfile.TemporaryDirectory() as folder:
