@@ -331,11 +331,11 @@ TEST(AnyOscillator, IsNotSupportedWhereImpactsAccumulateUnderNoise) {
   const Problem gap = tests::in_wall_coordinates(with_impulses(
       System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.1)), gaussian_impulses(1, 0.1)));
   EXPECT_EQ(unsupported_reason(gap, {}), "");
-  EXPECT_NE(unsupported_reason(gap, {.equation = Equation::white}).find("accumulate"),
+  EXPECT_NE(unsupported_reason(gap, {.equation = Equation::white}).find("inelastic collapse"),
             std::string::npos);
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
-  EXPECT_NE(unsupported_reason(noisy, {}).find("accumulate"), std::string::npos);
+  EXPECT_NE(unsupported_reason(noisy, {}).find("inelastic collapse"), std::string::npos);
   EXPECT_EQ(solve(noisy, {.time = 1e3}).solution.status, transform::Status::failed);
 }
 
