@@ -75,7 +75,7 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
 // their defaults.
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::Registry& registry) {
-  // Finite differences as the map has them: without stepping.
+  // The map was made with the stepper `direct`: finite volumes without steps in time.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);

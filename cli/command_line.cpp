@@ -70,7 +70,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(
         problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
-    // Pictures are filed under a plainer name, so that is what must not be shared.
+    // Figures have the file stem of the case as their name: stems must differ, not only names.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }

@@ -68,7 +68,7 @@ std::string wrap_block(const std::vector<std::string>& lines, std::size_t width)
     for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // with the gap that wrap_text would close
+    std::string head;  // kept apart: wrap_text would close the gap after the name
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');

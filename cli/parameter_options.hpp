@@ -9,20 +9,20 @@
 
 namespace fpkcheck::cli {
 
-/// The command-line options of described parameters: each that has a flag, with its help, its
-/// default and its range from the description. What is given replaces the value in `values`.
-/// @param values of all parameters, in any order; kept by reference
-/// @throws InputError from parsing: the flag, the text and what is allowed
+/// Makes the command-line options of the parameters that have a flag, with help, default and range
+/// from the description. Parsing writes each given option to `values`.
+/// @param values defaults of all parameters, in any order; kept by reference
+/// @throws InputError while parsing: with the flag, its text and the allowed range
 boost::program_options::options_description make_options(const base::DescriptionBase& description,
                                                          base::Values& values);
 
-/// Those of the named parameters only, without defaults: `given` gets the ones that are given.
+/// Makes the options of the named parameters only, without defaults. Parsing adds each given option
+/// to `given`.
 boost::program_options::options_description make_options(const base::DescriptionBase& description,
                                                          const std::vector<std::string>& names,
                                                          base::Values& given);
 
-/// The options that the solvers let a command set which solves by many methods
-/// (methods::Solver::run_options).
+/// Makes the options of the commands that solve by several methods (methods::Solver::run_options).
 boost::program_options::options_description make_run_options(const methods::Registry& registry,
                                                              base::Values& given);
 

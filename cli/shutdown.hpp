@@ -10,13 +10,13 @@
 
 /// Shutdown after SIGINT or SIGTERM within a second, whatever the program computes.
 ///
-/// Most of what takes long cannot be asked to stop: a factorisation, a step of CVODE, a fit. So
-/// nothing in the solvers is asked. A command that can end by itself (between two solutions, after a
-/// round of the simulation) does, and that is the usual way. Where it has not done so within a
-/// fraction of a second, the thread of a ShutdownWatchdog ends the process beside it: it waits for files that
-/// are half written (base/process/write_guard.hpp), does what the command left to be done (ShutdownHook), and
-/// leaves without unwinding anything. Memory and threads go with the process; what is left on disk
-/// is what WriteGuard, ShutdownHook and OutputDirectory look after.
+/// Most long computations cannot be interrupted: a factorisation, a step of CVODE, a fit. The
+/// solvers therefore do not poll for signals. Normally a command ends by itself: between two
+/// solutions, or after a round of the simulation. If the command has not ended within a fraction of
+/// a second, the thread of a ShutdownWatchdog ends the process. The thread waits for files that are
+/// being written (base/process/write_guard.hpp), runs the hooks of the command (ShutdownHook), and
+/// exits without unwinding the stack. The operating system releases memory and threads; WriteGuard,
+/// ShutdownHook and OutputDirectory keep the files on disk complete.
 namespace fpkcheck::cli {
 
 /// Action that the ShutdownWatchdog runs before it ends the process, while this object lives. Hooks
@@ -32,8 +32,9 @@ class ShutdownHook {
   std::function<void()> action_;
 };
 
-/// The directory of --out, prepared (results::prepare_output_directory); what it made and nothing was put into
-/// goes again, also when the process is ended by another thread. Without --out nothing.
+/// The directory of --out, prepared by results::prepare_output_directory. Directories that were
+/// created and stayed empty are removed, also when the watchdog ends the process. Does nothing
+/// without --out.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);

@@ -31,7 +31,7 @@ namespace {
 
 bool is_required(const transform::Solution& solution, const SolveControl& control) {
   const auto& identity = solution.identity;
-  if (transform::is_external(identity)) return false;  // nothing was asked of a solver
+  if (transform::is_external(identity)) return false;  // no solver was involved
   if (solution.status == transform::Status::not_offered) {
     return control.required == RequiredSolutions::all &&
            (control.requested_ids.empty() ||

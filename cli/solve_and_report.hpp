@@ -36,8 +36,8 @@ struct SolveControl {
   std::vector<std::string> requested_ids = {};
   int threads = 0;  ///< threads for methods in parallel; 0: one per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
-  bool with_backward = false;  ///< bounds, and every density's own error, by the backward equation
-  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
+  bool with_backward = false;  ///< guaranteed bounds, and error estimates from residuals
+  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be empty
 };
 
 /// Solves the cases by the methods, prints the table (or the JSON), and with --out writes the

@@ -9,8 +9,8 @@
 
 namespace fpkcheck::cli {
 
-/// Prints a study's table or its JSON, writes STEM.json, STEM.csv and figures/STEM.gp with its pictures
-/// when a directory was given, and closes with what was written where.
+/// Prints the table or the JSON of a study. With --out, also writes STEM.json, STEM.csv and
+/// figures/STEM.gp with its figures. Ends with a line that lists the files.
 void write_study(const CommonArguments& common, const study::StudyOutput& output,
                  std::chrono::steady_clock::time_point start_time);
 

@@ -52,7 +52,7 @@ struct RegularisationStudyOptions {
 /// Study of the literal and the regularised fourth difference of km4, and of its Pade approximant,
 /// for decreasing velocity steps: growth rates, eigenvalues and null vectors, for well-posed and
 /// ill-posed schemes alike. Ill-posed steps are included here; fd_fpk::solve refuses them.
-/// @throws InputError outside the paper's class (problem::Features::original)
+/// @throws InputError outside the paper's class (problem::is_paper_oscillator)
 /// @param progress called before each row with its number and the total number of rows
 RegularisationStudy study_regularisation(
     const problem::Problem& problem, const RegularisationStudyOptions& options = {},

@@ -170,7 +170,7 @@ void add_closest_closures(const Case& one, Sentences& sentences) {
                     distances_text(MarginalDistances{nearest.y, nearest.ydot})));
     return;
   }
-  // For each family and formulation: the closest closure and those is_indistinguishable from it.
+  // For each family and formulation: the closest closure and the closures indistinguishable from it.
   std::map<std::pair<std::string, std::string>, std::vector<const compare::ReferenceDistance*>>
       groups;
   bool several = false;

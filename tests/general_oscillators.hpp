@@ -20,7 +20,7 @@ inline problem::Problem with_impulses(const problem::System& system,
   return {.name = "test", .system = system, .impulses = impulses};
 }
 
-/// The problem as solvers get it.
+/// The problem in the wall coordinates of the solvers.
 inline problem::Problem in_wall_coordinates(const problem::Problem& problem) {
   return problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
 }

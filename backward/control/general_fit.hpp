@@ -8,9 +8,8 @@
 namespace fpkcheck::backward {
 
 /// Splines for any problem, determined by its scales (problem/scales.hpp) alone.
-/// - y: from wall to wall, but not beyond the points where the energy-averaged density is
-/// exp(-9^2/2)
-///   of its peak.
+/// - y: from wall to wall, but not beyond the points where the energy-averaged density is less
+///   than exp(-9^2/2) of its peak.
 /// - y': to 1.5 times the velocity at which that density is exp(-7^2/2) of its peak.
 /// - Both are wider if single impulses lead farther.
 /// - Cells have about equal widths, wider towards an open end, narrower towards walls and, with

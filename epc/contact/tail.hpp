@@ -7,7 +7,7 @@
 
 namespace fpkcheck::epc::contact {
 
-/// QuadraturePoints on the half-circle of an amplitude. Their areas include the factor 1/e.
+/// Quadrature points on the half-circle of an amplitude. Their areas include the factor 1/e.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
 /// Condition (19) for a polynomial of rho and v, in the directions v = rho sin(theta). Radii are

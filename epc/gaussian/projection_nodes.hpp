@@ -16,8 +16,8 @@ struct PlaneRule {
   void add(double at_x1, double at_x2, double weight);
 };
 
-/// QuadratureRule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with both
-/// weights.
+/// Quadrature rule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with the
+/// sum of both weights.
 /// @pre the rule has this symmetry up to rounding
 PlaneRule folded(const PlaneRule& rule);
 

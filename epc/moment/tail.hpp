@@ -8,7 +8,7 @@
 
 namespace fpkcheck::epc::moment {
 
-/// QuadraturePoints on the edge of a domain.
+/// Quadrature points on the edge of a domain.
 half_plane::Contour contour(const EnergyDomain& domain);
 
 /// Largest Q_n on the contour of an energy (EnergyDomain).

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::epc::polar {
 
-/// QuadraturePoints on the half-circle of an amplitude.
+/// Quadrature points on the half-circle of an amplitude.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
 /// Condition (19) for a polynomial of rho and theta. The coefficient of its highest power of rho is

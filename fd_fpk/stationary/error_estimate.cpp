@@ -38,7 +38,7 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
   return kept;
 }
 
-// LevelDifference of the marginals on the cells of the finer grid, merged up to a practical resolution: in
+// Difference of the marginals on the cells of the finer grid, merged up to a practical resolution: in
 // the cells of a spike no two grids agree.
 transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
   constexpr double kNarrowest = 0.02;  // in units of the root mean square
@@ -115,8 +115,8 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   }
 }
 
-// Truncation error of the box: the level_difference of the moments on the same cells in a larger box, which
-// no refinement of the cells shows. Zero where the larger box gives no density.
+// Truncation error of the box: the change of the moments on the same cells in a larger box. A
+// refinement of the cells does not show this error. Zero if the larger box gives no density.
 Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cells,
                              const Result& in_box) {
   Moments moved;

@@ -55,7 +55,7 @@ struct GeneralKicks {
 };
 
 /// @param mean_force mean of the impulses where noise replaces them, else 0
-/// @param kicked Gaussian noise is is_present
+/// @param kicked whether there is Gaussian noise
 GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
                                      double mean_force, bool kicked);
 

@@ -128,7 +128,7 @@ TEST(LinearDensity, HasTheThirdMomentOfTheBalance) {
     SCOPED_TRACE(law);
     const Problem p = tests::linear_problem({.damping = 0.4, .rate = 4, .law = law});
     const LinearDensity density(p);
-    // The kink of |y| at 0 leaves an error of second order in the width: extrapolated.
+    // The kink of |y| at 0 causes an error of second order in the width, removed by extrapolation.
     const auto average_over_cells = [&](int ny) {
       const Cells cells(density, ny, 400);
       const double v2 = p.impulses.intensity() / (2 * p.system.damping());

@@ -1,4 +1,4 @@
-// A density that others computed, and all that is asked of it.
+// Fuzzer of external marginal densities and the functions of ExternalMarginal.
 #include "methods/external/external_marginal.hpp"
 
 #include <sstream>

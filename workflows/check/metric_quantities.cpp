@@ -117,7 +117,8 @@ class MetricQuantities {
     const double standard_error =
         error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
     in.number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
-    // The standard error of a is_rounding_sensitive value comes from a handful of events, and is as uncertain.
+    // The standard error of a value sensitive to rounding comes from a handful of events: its own
+    // relative error is as large.
     if (error == nullptr || o.is_rounding_sensitive) return;
     in.number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
   }

@@ -46,7 +46,7 @@ void add_density(const Solution& s, const Tolerances& tolerances, const PartQuan
 void add_stated_error(const Solution& s, const Tolerances& tolerances,
                       const PartQuantities& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
-    constexpr double kMinErrorScale = 0.1;  // as transform::Observation::min_scale
+    constexpr double kMinErrorScale = 0.1;  // as transform::Metric::min_scale
     stated.number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
                   std::max({std::abs(error), least, kMinErrorScale}));
   };

@@ -66,7 +66,7 @@ methods::Solver linear_solver() {
                         .usage = "usage: own_method linear CASE ... [options]\n",
                         .families = {{.name = "linear",
                                       .role = transform::Role::closure,
-                                      .meaning = "The Gaussian of equivalent linearisation.",
+                                      .meaning = "Gaussian density of equivalent linearisation.",
                                       .default_ids = {"linear"},
                                       .plot_style =
                                           [](const transform::Identity&) {
