@@ -21,7 +21,7 @@ enum class CaseNaming {
 
 /// Loads a case by its name ("case1" .. "case4") or by the path of an ini file.
 /// @param overrides "key=value" pairs that replace settings of the file, e.g. "system.cubic=1.0"
-/// @throws InputError on one line: the key, the value, the file and what is allowed; also for a
+/// @throws InputError with a one-line message: the key, the value, the file and what is allowed; also for a
 /// file whose name, which becomes the name of the case, cannot be printed
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
                   CaseNaming naming = CaseNaming::from_file);

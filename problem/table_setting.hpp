@@ -9,7 +9,7 @@ namespace fpkcheck::problem {
 /// (problem/amplitude_table.hpp), so that a problem needs no file once it is read. Such a word is
 /// returned unchanged; any other value is the name of a CSV file.
 /// @param folder directory of relative names; the working directory where it is empty
-/// @throws InputError on one line when the file cannot be read, is too large or has an invalid line
+/// @throws InputError with a one-line message when the file cannot be read, is too large or has an invalid line
 std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder);
 
 }  // namespace fpkcheck::problem

@@ -43,7 +43,7 @@ class Descriptor {
   void flush() const {
     if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_error();
   }
-  // A full disk may be reported only by close().
+  // The result of close() is checked, since some systems report a full disk only in close().
   void close_checked() {
     const int number = number_;
     number_ = -1;
@@ -61,7 +61,7 @@ std::string host_name() {
   for (char& c : host) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
-  constexpr std::size_t kMaxHostLength = 32;  // file names are limited in length
+  constexpr std::size_t kMaxHostLength = 32;  // file systems limit the length of file names
   return host.substr(0, kMaxHostLength);
 }
 
@@ -69,7 +69,7 @@ std::string partial_suffix(const std::string& host) {
   return fmt::format("{}{}-", kPartialMarker, host);
 }
 
-// Process id in the name of a partial file of this host; 0 when the name is another one.
+// Process id in the name of a partial file of this host; 0 if the name is not such a name.
 long partial_writer_pid(const std::string& name) {
   const std::string suffix = partial_suffix(WriterProcess::current_process().host);
   const auto at = name.rfind(suffix);
@@ -109,7 +109,7 @@ void remove_abandoned_partials(const fs::path& directory) {
 }
 
 void write_new_file(const fs::path& file, std::string_view bytes) {
-  // O_NOFOLLOW: a planted link must not redirect the file.
+  // O_NOFOLLOW: a symbolic link that another user placed here must not redirect the writing.
   Descriptor out(
       open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode));
   try {

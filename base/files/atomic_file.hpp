@@ -4,11 +4,13 @@
 #include <string>
 #include <string_view>
 
-/// Atomic replacement of files: written beside the target first, then renamed.
+/// Atomic replacement of files: the new contents are written to a partial file beside the target,
+/// and the partial file is then renamed to the target.
 namespace fpkcheck::base {
 
-/// Path of the partial file beside the target: .NAME.partial-HOST-PID. The name is hidden and
-/// unique to this process, so that two runs into one directory do not write the same file.
+/// Path of the partial file beside the target: .NAME.partial-HOST-PID. The file is hidden, and its
+/// name is unique to this process, so that two runs with the same output directory do not write the
+/// same file.
 std::filesystem::path partial_path(const std::filesystem::path& target);
 
 /// The process that writes a partial file or a journal.
@@ -17,22 +19,23 @@ struct WriterProcess {
   long pid;
 
   static WriterProcess current_process();
-  /// Whether the process may still be running; true for a process of another host.
+  /// Whether the process may still be running. A process of another host cannot be queried and may
+  /// always be running.
   bool may_be_running() const;
 };
 
-/// Removes the partial files in a directory whose process ran on this host and has ended. All other
-/// files of such a name stay.
+/// Removes those partial files of a directory whose writing process ran on this host and has ended.
+/// The partial files of all other processes are kept.
 void remove_abandoned_partials(const std::filesystem::path& directory);
 
-/// Permissions of a new file, which the umask reduces.
+/// Permissions of a new file, before the system removes the permissions in the umask.
 inline constexpr int kFileMode = 0666;
 
-/// Creates a file and waits until it is on disk.
-/// @throws std::system_error when the file exists or cannot be written, leaving no partial file
+/// Creates a file with these bytes and waits until the file is on disk.
+/// @throws std::system_error if the file exists or cannot be written; no incomplete file remains
 void write_new_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Waits until a file, or the entries of a directory, are on disk.
+/// Waits until the contents of a file, or the entries of a directory, are on disk.
 /// @throws std::system_error
 void flush(const std::filesystem::path& path);
 

@@ -6,20 +6,22 @@
 
 namespace fpkcheck::base {
 
-/// A line `key = value` of an ini file, with the `[section]` that contains it.
+/// A line `key = value` of an ini file, together with the name of the `[section]` that contains the
+/// line.
 struct IniSetting {
-  std::string section;  ///< empty before the first section
+  std::string section;  ///< name of the section; empty for a line before the first section
   std::string key, text;
-  std::string where;  ///< location for messages: "case mine.ini:7"
+  std::string where;  ///< location of the line, for messages: "case mine.ini:7"
 
-  /// "system.damping"
+  /// Section and key, joined by a dot: "system.damping".
   std::string path() const { return section.empty() ? key : section + '.' + key; }
 };
 
-/// Reads the settings of an ini file in their order. Comments begin with '#' or ';'. A byte-order
-/// mark at the beginning is skipped.
+/// Reads all settings of an ini file, in the order of their lines. Comments begin with '#' or ';'.
+/// A byte-order mark at the beginning of the file is skipped.
 /// @param where name of the file in messages
-/// @throws InputError "WHERE:LINE: .." for a line that is neither a section nor a setting
+/// @throws InputError "WHERE:LINE: .." for a line that is neither a `[section]` nor a setting `key
+/// = value`
 std::vector<IniSetting> ini_settings(std::istream& ini, const std::string& where);
 
 }  // namespace fpkcheck::base

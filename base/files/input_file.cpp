@@ -14,11 +14,11 @@
 namespace fpkcheck::base {
 namespace {
 
-/// Owns a file descriptor.
+/// Owner of a file descriptor: the destructor closes the descriptor.
 class Descriptor {
  public:
-  // O_NONBLOCK: opening a pipe without a writer would block, and the file type is known only after
-  // opening.
+  // O_NONBLOCK: without this flag, opening a pipe that has no writer would block. Pipes cannot be
+  // excluded before, as the type of the file is known only after opening.
   explicit Descriptor(const std::filesystem::path& file)
       : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
   Descriptor(const Descriptor&) = delete;
@@ -46,7 +46,8 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file,
   if (!descriptor.is_regular()) return std::nullopt;
   std::string bytes;
   for (;;) {
-    // The size is counted while reading: a file may grow, and special files report no size.
+    // The bytes are counted while reading, since a file may grow during reading and special files
+    // report no size.
     const std::size_t before = bytes.size();
     bytes.resize(before + kChunkBytes);
     const ssize_t count = read(descriptor.number(), bytes.data() + before, kChunkBytes);

@@ -24,8 +24,8 @@ using base::sanitise;
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// Each file name occupies a line of its own, because names may contain spaces. Names with a line
-// end or a slash are rejected: a forged journal could name files elsewhere.
+// Each file name is on a separate line of the journal, because names may contain spaces. Names with
+// a line end or a slash are rejected, since a forged journal could name files of other directories.
 bool is_plain_file_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
@@ -41,7 +41,7 @@ std::string text_of(const Journal& journal) {
   return text + "end\n";
 }
 
-// Nothing unless the text is a complete journal.
+// Parses the text of a journal; returns nothing if the journal is incomplete.
 std::optional<Journal> parse_journal(std::istream& in) {
   Journal journal;
   journal.writer.pid = 0;
@@ -70,8 +70,8 @@ std::optional<Journal> parse_journal(std::istream& in) {
 std::optional<Journal> read_journal(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
-  // In a shared directory, a journal of another user could make this process remove the user's
-  // files.
+  // A journal of another user is rejected: in a shared directory, the journal could make this
+  // process remove files that belong to the user of this process.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
   constexpr std::size_t kMostBytes = 1 << 20;
@@ -89,12 +89,12 @@ bool path_exists(const fs::path& file) {
 }  // namespace
 
 void Journal::publish(const fs::path& directory) const {
-  // Written under a temporary name and then linked: the journal is complete when it becomes
-  // visible.
+  // The journal is written under a temporary name and then linked to its final name. Other
+  // processes therefore never see an incomplete journal.
   const fs::path file = directory / kFileName, partial = partial_path(file);
   write_new_file(partial, text_of(*this));
   std::error_code error;
-  // unlike a rename, never replaces the journal of another process
+  // a hard link, unlike a rename, never replaces the journal of another process
   fs::create_hard_link(partial, file, error);
   if (error == std::errc::file_exists) {
     std::error_code ignored;
@@ -102,14 +102,14 @@ void Journal::publish(const fs::path& directory) const {
     throw std::system_error(error);
   }
   if (error) {
-    fs::rename(partial, file);  // file system without hard links
+    fs::rename(partial, file);  // fallback for file systems without hard links
   } else {
     fs::remove(partial);
   }
   flush(directory);
 }
 
-// A missing source file means that the step is done already.
+// Renames a file. A missing source file means that an earlier process has already renamed the file.
 void Journal::apply(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
@@ -126,7 +126,7 @@ void Journal::apply(const fs::path& directory) const {
 
 void complete_interrupted_commit(const fs::path& directory) {
   const fs::path file = directory / Journal::kFileName;
-  // Another running process needs some milliseconds; wait up to 2 s.
+  // A running process removes its journal after some milliseconds; wait up to 2 s for the removal.
   constexpr int kMaxAttempts = 20;
   constexpr std::chrono::milliseconds kRetryInterval(100);
   for (int attempt = 0; path_exists(file); ++attempt) {

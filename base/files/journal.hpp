@@ -8,10 +8,10 @@
 
 namespace fpkcheck::base {
 
-/// Write-ahead journal of a change to several files of one directory. It is on disk before the
-/// first file is replaced and removed after the last. A process that finds a journal completes the
-/// change of the process that was killed. The directory therefore holds either all old or all new
-/// files.
+/// Write-ahead journal of a change of several files in one directory. The journal is on disk before
+/// the first file is replaced and is removed after the last file was replaced. If a process is
+/// killed in between, the next process finds the journal and completes the change. The directory
+/// therefore ends with either all old files or all new files.
 struct Journal {
   /// Renaming of a file within the directory.
   struct Rename {
@@ -20,21 +20,25 @@ struct Journal {
 
   WriterProcess writer = WriterProcess::current_process();
   std::vector<Rename> renames{};
-  std::vector<std::string> removals{};  ///< names of files to remove; they may be absent
+  std::vector<std::string> removals{};  ///< names of files to remove; absent files are allowed
 
   static constexpr const char* kFileName = ".fpkcheck-commit";
 
-  /// Writes the journal into the directory. From then on the change will be completed.
-  /// @throws std::system_error, leaving no journal; file_exists when the directory has one already
+  /// Writes the journal into the directory. Once the journal is written, this process or a later
+  /// process completes the change.
+  /// @throws std::system_error, after which no new journal exists; with the code file_exists if the
+  /// directory already contains a journal
   void publish(const std::filesystem::path& directory) const;
-  /// Applies the remaining steps and removes the journal.
-  /// @throws std::system_error; the journal stays
+  /// Performs those renames and removals that are not yet done, and removes the journal.
+  /// @throws std::system_error; the journal then remains
   void apply(const std::filesystem::path& directory) const;
 };
 
-/// Completes the change of a process that was killed; does nothing without a journal.
-/// @throws InputError on one line when another process may be working on the change, when the
-/// journal belongs to another user or is damaged, or when the directory is not writable
+/// Completes the change of files that a killed process left incomplete. Does nothing if the
+/// directory contains no journal.
+/// @throws InputError with a one-line message if another process may still be performing the
+/// change, if the journal belongs to another user or is damaged, or if the directory is not
+/// writable
 void complete_interrupted_commit(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::base

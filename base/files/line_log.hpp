@@ -7,30 +7,32 @@
 
 namespace fpkcheck::base {
 
-/// An append-only file of lines with an exclusive lock: one process at a time writes it. A killed
-/// process leaves at most one incomplete last line, which the next opening removes.
+/// An append-only text file with an exclusive lock, so that one process at a time writes the file.
+/// A process that is killed leaves at most one incomplete last line; read() of the next process
+/// removes this line.
 class LineLog {
  public:
-  /// Opens and locks the file; creates it if absent.
-  /// @throws InputError on one line when another process has locked the file, or when it is not a
-  /// regular file; std::runtime_error when it cannot be opened
+  /// Opens and locks the file. A file that does not exist is created.
+  /// @throws InputError with a one-line message if another process has locked the file or if the
+  /// file is not a regular file; std::runtime_error if the file cannot be opened
   explicit LineLog(const std::filesystem::path& file);
   LineLog(const LineLog&) = delete;
   LineLog& operator=(const LineLog&) = delete;
   ~LineLog();
 
-  /// The existing lines, without line ends. Call once, before append().
-  /// @throws std::runtime_error on one line
+  /// Reads the existing lines, without line ends, and removes an incomplete last line. Must be
+  /// called once, before append().
+  /// @throws std::runtime_error with a one-line message
   std::vector<std::string> read();
   /// Whether read() removed an incomplete last line.
   bool removed_partial_line() const { return removed_partial_line_; }
 
-  /// Appends a line, completely or not at all. Once this returns, a killed process does not lose
-  /// it.
-  /// @param line without its end
-  /// @throws std::runtime_error on one line; the file is unchanged
+  /// Appends a line, either completely or not at all. After the function has returned, the line
+  /// remains in the file even if the process is killed.
+  /// @param line text of the line, without the line end
+  /// @throws std::runtime_error with a one-line message; the file is then unchanged
   void append(std::string_view line);
-  /// Waits until the data is on disk; afterwards a power failure does not lose it.
+  /// Waits until all appended lines are on disk, where they survive a power failure.
   void flush() const;
 
  private:

@@ -35,10 +35,11 @@ void PendingFiles::require_one_directory(const fs::path& target) const {
 void PendingFiles::add(const fs::path& target, const FileProducer& produce) {
   require_one_directory(target);
   const fs::path temporary = partial_path(target);
-  // Left by an earlier process with the same process id.
+  // A file of this name was left by an earlier process that had the same process id.
   std::error_code ignored;
   fs::remove(temporary, ignored);
-  // Registered first, so that the destructor also removes a partial file when `produce` throws.
+  // The partial file is registered before `produce` is called, so that the destructor also removes
+  // the file if `produce` throws.
   pending_.push_back({temporary, target});
   produce(temporary);
 }
@@ -59,7 +60,7 @@ void PendingFiles::remove(const fs::path& target) {
 }
 
 void PendingFiles::commit() {
-  // Detectable errors are raised before the first target is replaced.
+  // All errors that can be detected in advance are thrown before the first target is replaced.
   for (const auto& [temporary, target] : pending_) {
     std::error_code error;
     if (!fs::exists(temporary, error)) {
@@ -87,7 +88,7 @@ void PendingFiles::install_files(const fs::path& directory) {
       }
       for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
       journal.publish(directory);
-      // no longer removed on failure: this process or the next applies the journal
+      // keep the partial files on failure: this or the next process applies the journal
       pending_.clear();
       removals_.clear();
       journal.apply(directory);

@@ -7,12 +7,14 @@
 
 namespace fpkcheck::base {
 
-/// Files that are replaced as one transaction. Each is written beside its target; commit() replaces
-/// all targets. A process that is killed leaves all old or all new files (Journal). Without
-/// commit() the targets are unchanged and the partial files are removed.
+/// Files that are replaced in one transaction. Each new file is first written as a partial file
+/// beside its target; commit() then replaces all targets. After a process was killed, the directory
+/// has either all old or all new files (Journal). Without a call of commit(), the destructor
+/// removes the partial files, and the targets are unchanged.
 class PendingFiles {
  public:
-  /// Writes a file under a temporary name in the target's directory.
+  /// Function that writes a file at the given temporary path, which is in the directory of the
+  /// target.
   using FileProducer = std::function<void(const std::filesystem::path& temporary)>;
 
   PendingFiles() = default;
@@ -20,19 +22,19 @@ class PendingFiles {
   PendingFiles& operator=(const PendingFiles&) = delete;
   ~PendingFiles();
 
-  /// Writes a partial file for the target.
-  /// @param target in the same directory as all previous targets
+  /// Calls `produce` to write the partial file of a target.
+  /// @param target path in the same directory as all targets that were added before
   /// @throws whatever `produce` throws
   void add(const std::filesystem::path& target, const FileProducer& produce);
-  /// Writes a partial file with these bytes.
-  /// @throws std::runtime_error on one line
+  /// Writes the partial file of a target with these bytes.
+  /// @throws std::runtime_error with a one-line message
   void add(const std::filesystem::path& target, std::string_view bytes);
-  /// Marks a file for removal: commit() removes it if it exists.
+  /// Marks a file for removal. commit() then removes the file if the file exists.
   void remove(const std::filesystem::path& target);
 
-  /// Replaces all targets.
-  /// @throws std::runtime_error on one line, before any target is touched, when a file was not
-  /// produced or a directory has the name of a target
+  /// Replaces all targets by their new files, and removes the files that are marked for removal.
+  /// @throws std::runtime_error with a one-line message if a partial file does not exist or a
+  /// directory has the name of a target; no target is changed before these checks
   void commit();
 
  private:
@@ -46,13 +48,15 @@ class PendingFiles {
   std::vector<std::filesystem::path> removals_;
 };
 
-/// Lets `produce` write a temporary file in the target's directory, then renames it to the target.
-/// On failure the target is unchanged and the temporary file is removed.
-/// @throws whatever `produce` throws; std::runtime_error on one line when it wrote no file
+/// Calls `produce` to write a temporary file in the directory of the target, then renames the
+/// temporary file to the target. If `produce` fails, the target is unchanged and the temporary file
+/// is removed.
+/// @throws any exception of `produce`; std::runtime_error with a one-line message if `produce`
+/// wrote no file
 void replace_file(const std::filesystem::path& target, const PendingFiles::FileProducer& produce);
 
-/// Replaces a file by one with these bytes.
-/// @throws std::runtime_error on one line
+/// Replaces a file by a new file with these bytes.
+/// @throws std::runtime_error with a one-line message
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 
 }  // namespace fpkcheck::base

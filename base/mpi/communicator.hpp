@@ -6,21 +6,21 @@
 
 namespace fpkcheck::base {
 
-/// The MPI processes of this run. Only the thread that called join() may use the object. Rank 0
-/// writes; the other ranks compute.
+/// Communication between the MPI processes of this run. Only the thread that called join() may use
+/// the object. Rank 0 writes the files; the other ranks compute.
 class Communicator {
  public:
-  /// A message from another rank.
+  /// A message from another MPI process, with the rank of the sender.
   struct Message {
     int from;
     std::string text;
   };
 
-  /// Whether mpirun, srun --mpi or a similar launcher started several processes, judged by
-  /// environment variables.
+  /// Whether mpirun, srun --mpi or a similar launcher started several processes, according to the
+  /// environment variables that launchers set.
   static bool launched_by_mpi();
-  /// Initialises MPI.
-  /// @throws InputError where the program was built without MPI
+  /// Initialises MPI and returns the communicator of all processes.
+  /// @throws InputError if the program was built without MPI
   static std::unique_ptr<Communicator> join();
 
   virtual ~Communicator() = default;
@@ -30,10 +30,11 @@ class Communicator {
   bool is_first() const { return rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
-  /// The next message that has arrived; nothing when there is none. Does not block.
+  /// Returns the next message that has arrived, or nothing if no message has arrived. Does not
+  /// block.
   virtual std::optional<Message> receive() = 0;
-  /// Ends all processes. Called when this process fails, since the others would wait for its
-  /// messages.
+  /// Ends all MPI processes of this run. Must be called when this process fails, since the other
+  /// processes would wait forever for messages of this process.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 };
 

@@ -15,8 +15,9 @@
 
 namespace fpkcheck::base {
 
-/// Converts a member of an options struct to a Value and back. Specialised for flags, integers,
-/// numbers, texts, enums with a table of names, and std::optional of these.
+/// Converts a data member of an options struct to a Value and back. The template is specialised for
+/// bool, integers, double, std::string, enums with a table of names, and std::optional of each of
+/// these types.
 template <class Member>
 struct Conversion;
 
@@ -30,7 +31,7 @@ template <std::integral Integer>
 requires(!std::same_as<Integer, bool>) struct Conversion<Integer> {
   static constexpr Type kType = Type::integer;
   static Value get(Integer member) { return static_cast<std::int64_t>(member); }
-  /// @throws std::out_of_range
+  /// @throws std::out_of_range if the type `Integer` cannot represent the value
   static void set(Integer& member, const Value& value) {
     const auto whole = std::get<std::int64_t>(value);
     if (!std::in_range<Integer>(whole)) throw std::out_of_range("integer");
@@ -93,26 +94,29 @@ concept Resettable = requires(Member member) {
   member.reset();
 };
 
-/// The parameters of one struct, in the order in which help texts and tables list them. This base
-/// class does not depend on the type of the struct; use Description<Owner>.
+/// The parameters of one options struct, in the order in which help texts and tables list the
+/// parameters. This base class does not depend on the type of the struct; use Description<Owner>.
 class DescriptionBase {
  public:
-  /// @param prefix of names in messages, e.g. "system." or "epc "
+  /// @param prefix text before each parameter name in messages, e.g. "system." or "epc "
   explicit DescriptionBase(std::string prefix) : prefix_(std::move(prefix)) {}
 
   const std::vector<Parameter>& all() const { return all_; }
   const std::string& prefix() const { return prefix_; }
-  /// Null when no parameter has this name.
+  /// The parameter with this name; null if there is none.
   const Parameter* find(std::string_view name) const;
 
  protected:
   Values values_of(const void* owner) const;
   Values stored_values_of(const void* owner) const;
-  /// @throws InputError "WHAT.NAME is missing", "is unknown", or of the wrong type
+  /// @throws InputError "GROUP.NAME is missing" or "GROUP.NAME is unknown", or if a value has the
+  /// wrong type
   void read_into(void* owner, const Values& values, const std::string& group) const;
-  /// @throws InputError "PREFIXname = value (must be ..)" for the first value outside its range
+  /// @throws InputError "PREFIXname = value (must be ..)" for the first parameter whose value is
+  /// out of range
   void require_ranges(const void* owner) const;
-  /// @throws InputError "LABEL value (must be ..)"
+  /// @throws InputError "LABEL value (must be ..)" if the text is not a value of the parameter's
+  /// type
   void set_parsed(void* owner, const Parameter& parameter, std::string_view text,
                   const std::string& label) const;
   void set(void* owner, const Parameter& parameter, const Value& value,
@@ -122,8 +126,8 @@ class DescriptionBase {
   std::vector<Parameter> all_;
 };
 
-/// The parameters of the struct `Owner`: name, help text, range and data member of each. Parsing,
-/// JSON, tables and range checks are derived from this description.
+/// The parameters of the options struct `Owner`, each with name, help text, range and data member.
+/// Parsing, JSON, tables and range checks are derived from this description.
 ///
 ///     const auto description = Description<Options>("epc ")
 ///                                  .add("order", &Options::order, {"N", "degree n"}, positive());
@@ -137,7 +141,8 @@ class Description : public DescriptionBase {
     std::string help;
   };
 
-  /// Adds a parameter. Its command-line flag is the name with dashes in place of underscores.
+  /// Adds a parameter. The command-line flag of the parameter is its name with dashes in place of
+  /// underscores.
   template <class Member>
   Description&& add(const std::string& name, Member Owner::*member, Text text,
                     std::optional<Range> range = {}) && {
@@ -159,13 +164,14 @@ class Description : public DescriptionBase {
     all_.push_back(std::move(parameter));
     return std::move(*this);
   }
-  /// Sets another command-line flag for the parameter added last; an empty flag removes it.
+  /// Replaces the command-line flag of the parameter that was added last. An empty text removes the
+  /// flag.
   Description&& with_flag(const std::string& flag) && {
     all_.back().flag = flag;
     return std::move(*this);
   }
   Description&& without_flag() && { return std::move(*this).with_flag(""); }
-  /// Sets the symbol in formulas of the parameter added last.
+  /// Sets the symbol that formulas use for the parameter that was added last.
   Description&& with_symbol(const std::string& plain, const std::string& typeset) && {
     all_.back().symbol = plain;
     all_.back().typeset = typeset;
@@ -175,43 +181,49 @@ class Description : public DescriptionBase {
     all_.back().choices = std::move(choices);
     return std::move(*this);
   }
-  /// Sets a function that returns a short display text for a long word (the parameter added last).
+  /// For the parameter that was added last: sets the function that returns a short display text for
+  /// a long word.
   Description&& with_display_text(
       std::function<std::string(const std::string& word)> display_text) && {
     all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Sets the value that the parameter added last has in a file without its key.
+  /// Sets the default value of the parameter that was added last: its value if a file lacks its
+  /// key.
   Description&& with_default(Value value) && {
     all_.back().default_value = std::move(value);
     return std::move(*this);
   }
-  /// Like with_default(), and files and tables omit the parameter while it has its default value.
+  /// Sets the default value like with_default(). In addition, files and tables omit the parameter
+  /// whenever its value equals the default.
   Description&& with_omitted_default(Value default_value) && {
     all_.back().omit_default = true;
     return std::move(*this).with_default(std::move(default_value));
   }
 
-  /// The values of all parameters, in order.
+  /// The values of all parameters, in the order of the description.
   Values values(const Owner& owner) const { return values_of(&owner); }
-  /// The values that files store: all except parameters with omit_default at their default.
+  /// The values that files store: the values of all parameters except those parameters with
+  /// omit_default whose value equals the default.
   Values stored_values(const Owner& owner) const { return stored_values_of(&owner); }
 
-  /// Builds an Owner from values. Ranges are not checked; see validate().
+  /// Builds an Owner from the values of its parameters. Ranges are not checked; see validate().
   /// @param group name of the group of values in messages, e.g. "options"
-  /// @throws InputError naming the parameter that is missing, unknown or of the wrong type
+  /// @throws InputError that names a parameter if the parameter is missing, unknown or of the wrong
+  /// type
   Owner read(const Values& values, const std::string& group) const {
     Owner owner{};
     read_into(&owner, values, group);
     return owner;
   }
 
-  /// @throws InputError naming the first parameter outside its range, its value and the range
+  /// @throws InputError that states name, value and range of the first parameter that is out of
+  /// range
   void validate(const Owner& owner) const { require_ranges(&owner); }
 
-  /// Sets one parameter from a text.
+  /// Parses a text and sets one parameter of the owner to the result.
   /// @param label name of the parameter in messages, e.g. "--order"
-  /// @throws InputError when the text is not a value of the parameter's type
+  /// @throws InputError if the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,
              const std::string& label) const {
     set_parsed(&owner, parameter, text, label);

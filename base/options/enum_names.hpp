@@ -6,7 +6,7 @@
 
 namespace fpkcheck::base {
 
-/// A value of an enum, its name in files and on the command line, and its meaning.
+/// An enum value with the name that files and the command line use for the value, and its meaning.
 template <class Enum>
 struct EnumEntry {
   Enum value;
@@ -14,7 +14,8 @@ struct EnumEntry {
   std::string_view meaning = {};
 };
 
-/// Every enum has one table of names, defined beside the enum as `names(Enum)` in its namespace:
+/// Every enum that is read or written by name has one table of names: the function `names(Enum)`,
+/// defined in the namespace of the enum.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
 ///     constexpr std::span<const EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
@@ -39,7 +40,7 @@ constexpr std::string_view meaning_of(Enum value) {
   return entry == nullptr ? std::string_view() : entry->meaning;
 }
 
-/// The enum value with this name; nothing when no value has it.
+/// The enum value with this name; nothing if no value has the name.
 template <class Enum>
 constexpr std::optional<Enum> enum_from_name(std::string_view name) {
   for (const auto& entry : names(Enum{})) {

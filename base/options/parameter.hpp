@@ -14,46 +14,49 @@ namespace fpkcheck::base {
 /// Type of a parameter's value.
 enum class Type { flag, integer, number, word };
 
-/// The description of one parameter. Command line, case files, JSON in both directions and range
-/// checks are derived from it.
+/// The description of one parameter of the program. The command-line option, the key of case files,
+/// reading and writing as JSON, and the range check are derived from this description.
 struct Parameter {
-  std::string name;  ///< in files: "restitution", "wall_density"
-  std::string help;  ///< one or two phrases, for --help
+  std::string name;  ///< name in files: "restitution", "wall_density"
+  std::string help;  ///< help text for --help, one or two phrases
   std::string placeholder = "X";
-  /// Command-line flag without the leading dashes: "wall-density"; empty when there is no flag.
+  /// Command-line flag without the leading dashes: "wall-density". Empty if the parameter has no
+  /// flag.
   std::string flag = {};
-  /// Symbol in formulas, as plain text and typeset: "mu", "μ".
+  /// Symbol of the parameter in formulas, as plain text and typeset: "mu", "μ".
   std::string symbol = {}, typeset = {};
   Type type = Type::number;
   bool can_be_automatic = false;
-  std::vector<std::string> choices = {};  ///< choices of a word; when empty, any word
+  std::vector<std::string> choices = {};  ///< allowed words; if empty, any word is allowed
   std::optional<Range> range = {};
-  std::optional<Value> default_value = {};  ///< value where a file lacks the key
-  bool omit_default = false;                ///< files omit the default value
-  /// Returns a short display text for a long word.
+  std::optional<Value> default_value = {};  ///< value of the parameter if a file lacks its key
+  bool omit_default = false;                ///< whether files omit the parameter at its default
+  /// Function that returns a short display text for a long word; may be empty.
   std::function<std::string(const std::string& word)> display_text = {};
 
   std::function<Value(const void* owner)> get = {};
   std::function<void(void* owner, const Value& value)> set = {};
 
-  /// The text after "must be" in messages: "an integer", "one of map, delta".
+  /// The text that follows "must be" in error messages: "an integer", "one of map, delta".
   std::string requirement() const;
 
-  /// The value, converted to the parameter's type (an integer converts to a number); nothing when
-  /// the type does not match. The range is not checked.
+  /// Converts a value to the type of the parameter; an integer converts to a number. Returns
+  /// nothing if the types do not match. The range is not checked.
   std::optional<Value> converted_value(const Value& value) const;
 
-  /// Parses a text. Where the parameter may be automatic, "auto" gives an unset value.
-  /// @return nothing when the text is not a value of the parameter's type
+  /// Parses the text of a value. For a parameter with can_be_automatic, "auto" gives an unset
+  /// value.
+  /// @return the value, or nothing if the text is not a value of the parameter's type
   std::optional<Value> parse(std::string_view text) const;
 
-  /// Whether the value is in the range; true for an automatic (unset) value.
+  /// Whether a value is in the range of the parameter. An automatic (unset) value is in range.
   bool is_in_range(const Value& value) const;
 };
 
-/// Parses a text; the range is not checked.
+/// Parses the text of a parameter's value. The range is not checked.
 /// @param label name of the parameter in messages: "--order", "system.cubic ="
-/// @throws InputError "LABEL 'text' (must be ..)"
+/// @throws InputError "LABEL 'text' (must be ..)" if the text is not a value of the parameter's
+/// type
 Value parse_value(const Parameter& parameter, std::string_view text, const std::string& label);
 
 }  // namespace fpkcheck::base

@@ -11,10 +11,10 @@
 
 namespace fpkcheck::base {
 
-/// Converts a name that a user typed to a value of an enum.
-/// @param label start of the message: "--design", "plan mine.ini, line 3: design"
-/// @param choices names that are accepted
-/// @throws InputError when no choice has this name
+/// Converts a name that a user typed to the enum value with this name.
+/// @param label start of the error message: "--design", "plan mine.ini, line 3: design"
+/// @param choices accepted enum values with their names
+/// @throws InputError if no accepted value has the name `text`
 template <class Enum>
 Enum parse_enum(const std::string& label, const std::string& text,
                 std::span<const EnumEntry<Enum>> choices = names(Enum{})) {

@@ -5,23 +5,24 @@
 
 namespace fpkcheck::base {
 
-/// The admissible values of a number.
+/// The set of admissible values of a numerical parameter.
 struct Range {
   std::function<bool(double)> contains;
-  std::string requirement;  ///< text after "must be": "a positive number"
+  std::string requirement;  ///< text that follows "must be": "a positive number"
 
-  /// The same range with a reason added to its text: "a positive number: without damping ..."
+  /// The same set of values, with a reason appended to the requirement: "a positive number: without
+  /// damping ..."
   Range with_reason(const std::string& reason) const {
     return {contains, requirement + ": " + reason};
   }
 };
 
-/// All finite numbers.
+/// The range of all finite numbers.
 Range finite_number();
 Range positive();
 Range non_negative();
-Range between(double least, double greatest);           ///< both ends included
-Range strictly_between(double least, double greatest);  ///< both ends excluded
-Range even_between(int least, int greatest);            ///< even integers, both ends included
+Range between(double least, double greatest);           ///< closed interval
+Range strictly_between(double least, double greatest);  ///< open interval
+Range even_between(int least, int greatest);            ///< even integers from least to greatest
 
 }  // namespace fpkcheck::base

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::base {
 
-/// The value of a parameter; std::monostate means automatic or absent.
+/// The value of a parameter. std::monostate represents an automatic or absent value.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
 struct NamedValue {
@@ -26,8 +26,8 @@ inline bool contains(const Values& values, std::string_view name) {
 
 inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }
 
-/// The value as text for messages and tables: numbers with the digits that restore them exactly,
-/// words in quotes, "automatic" for an unset value.
+/// The text of a value for messages and tables. A number has all the digits that are needed to read
+/// back the same number, a word is in quotes, and an unset value is "automatic".
 std::string text_of(const Value& value);
 
 }  // namespace fpkcheck::base

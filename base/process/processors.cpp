@@ -12,7 +12,8 @@
 namespace fpkcheck::base {
 namespace {
 
-// cpu_set_t has a fixed size of 1024 processors, and sched_getaffinity fails on larger machines.
+// The set is allocated dynamically: cpu_set_t has a fixed size of 1024 processors, with which
+// sched_getaffinity fails on machines with more processors.
 int affinity_processor_count() {
   constexpr int kMostProcessors = 1 << 16;
   for (int size = CPU_SETSIZE; size <= kMostProcessors; size *= 2) {
@@ -25,7 +26,8 @@ int affinity_processor_count() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
-// OMP_NUM_THREADS may be a list with a number for each nesting level; the first is used.
+// OMP_NUM_THREADS may be a list with one number for each level of nested parallelism; the first
+// number is used.
 int limit_from_environment(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   if (text == nullptr) return otherwise;

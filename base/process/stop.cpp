@@ -6,7 +6,8 @@ namespace fpkcheck::base {
 namespace {
 
 std::atomic<int> stopping_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free);  // required in a signal handler
+// Signal handlers may use lock-free atomics only.
+static_assert(std::atomic<int>::is_always_lock_free);
 
 }  // namespace
 

@@ -7,7 +7,8 @@
 namespace fpkcheck::base {
 namespace {
 
-// Never destroyed: a thread may still wait on it while the process exits.
+// The shared state is never destroyed, since a thread may still wait for the condition variable
+// while the process exits.
 struct GuardState {
   std::mutex mutex;
   std::condition_variable changed;

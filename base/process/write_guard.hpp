@@ -2,8 +2,9 @@
 
 namespace fpkcheck::base {
 
-/// While a guard exists, its thread has incomplete files and no other thread ends the process.
-/// Guards nest, and several threads may hold one at the same time.
+/// Delays the exit of the process while a thread writes files. While a guard exists, the thread
+/// that constructed the guard may have incomplete files, and no other thread ends the process.
+/// Guards of one thread may be nested, and several threads may hold guards at the same time.
 class WriteGuard {
  public:
   WriteGuard();
@@ -12,9 +13,9 @@ class WriteGuard {
   WriteGuard& operator=(const WriteGuard&) = delete;
 };
 
-/// Waits until no guard exists, then allows guards to the calling thread only. Call before ending
-/// the process from a thread other than the working one. Other threads that construct a guard later
-/// block until the process exits.
+/// Waits until no guard exists; afterwards only the calling thread can construct guards. A thread
+/// other than the one that writes files calls this function before the thread ends the process. Any
+/// other thread that constructs a guard later is blocked until the process exits.
 void reserve_writes_for_this_thread();
 
 }  // namespace fpkcheck::base

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 
-/// Length in bytes of the first UTF-8 character, if it is printable and not a control character or
-/// bidirectional mark; 0 otherwise.
+/// Length in bytes of the first UTF-8 character of a text. 0 if the first character is not
+/// printable: invalid UTF-8, a control character, or a mark of the bidirectional algorithm.
 std::size_t printable_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);
@@ -25,14 +25,15 @@ std::size_t printable_length(std::string_view text) {
   }
   const bool shortest = code >= (length == 4 ? 0x10000U : length == 3 ? 0x800U : 0xa0U);
   const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  // Bidirectional marks, which change the direction of the text after them.
+  // Marks of the bidirectional algorithm: each mark changes the direction of the text after the
+  // mark.
   const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
   const bool line_end = code == 0x2028 || code == 0x2029;
   return shortest && !surrogate && !turns && !line_end && code <= 0x10ffff ? length : 0;
 }
 
-/// Removes the first character from the text and returns it; a byte that is not printable is
-/// returned as an escape.
+/// Removes the first character from a text and returns the character. A byte that is not printable
+/// is returned as an escape.
 std::string take_printable(std::string_view& text) {
   const std::size_t length = printable_length(text);
   std::string character = length > 0
@@ -42,7 +43,8 @@ std::string take_printable(std::string_view& text) {
   return character;
 }
 
-/// The first characters of the sanitised text, at most `max_columns` columns; an escape counts as four.
+/// The first characters of a text after sanitising, in at most `max_columns` columns. An escape
+/// takes four columns.
 std::string leading_columns(std::string_view text, std::size_t max_columns) {
   std::string result;
   for (std::size_t used = 0; !text.empty();) {
@@ -71,13 +73,13 @@ std::string escape_controls(std::string_view text) {
 std::string sanitise(std::string_view text) {
   constexpr std::size_t kMaxColumns = 80, kHead = 40,
                         kTail = kMaxColumns - kHead - kEllipsis.size();
-  // A longer text is never processed as a whole: only its ends appear in the result.
+  // Only the two ends of a long text appear in the result, so only the ends are processed.
   constexpr std::size_t kBytes = 4 * kMaxColumns;
   if (text.size() <= kBytes) {
     std::string whole = escape_controls(text);
     if (characters(whole) <= kMaxColumns) return whole;
   }
-  // The end of a path is more informative than its middle.
+  // The result keeps the end of the text, since the end of a path names the file.
   std::string_view tail = text.substr(text.size() - std::min(text.size(), kTail));
   while (!tail.empty() && (static_cast<unsigned char>(tail.front()) & 0xc0U) == 0x80) {
     tail.remove_prefix(1);

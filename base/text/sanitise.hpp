@@ -5,19 +5,21 @@
 
 namespace fpkcheck::base {
 
-/// Makes foreign text (an argument, a file name, file contents) safe within a line of output.
-/// Control characters and bytes that are not UTF-8 become escapes such as \x1b, so that a terminal
-/// does not obey them. Text of more than 80 characters loses its middle.
+/// Makes a text from outside the program (an argument, a file name, the contents of a file) safe to
+/// print within one line of output. Control characters and bytes that are not UTF-8 become escapes
+/// such as \x1b, so that a terminal does not execute them as control sequences. From a text of more
+/// than 80 characters the middle part is removed.
 std::string sanitise(std::string_view text);
 
-/// The result of sanitise() between quotes.
+/// The result of sanitise(), enclosed in quotes.
 std::string in_quotes(std::string_view text);
 
-/// The same escapes without the limit of length.
+/// Replaces control characters and bytes that are not UTF-8 by escapes, as sanitise() does, but
+/// without a limit of the length.
 std::string escape_controls(std::string_view text);
 
-/// A whole message as one line of at most 380 characters, truncated at its end. For messages of
-/// libraries, whose length and contents are unknown.
+/// Converts a message to one line of at most 380 characters; the end of a longer message is cut
+/// off. Used for messages of libraries, since their length and contents are unknown.
 std::string to_single_line(std::string_view text);
 
 }  // namespace fpkcheck::base
