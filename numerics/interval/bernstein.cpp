@@ -4,7 +4,7 @@ namespace fpkcheck::numerics {
 
 double binomial(int n, int j) {
   double c = 1;
-  for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;  // an integer after each step
+  for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;  // c is an integer after each step
   return c;
 }
 

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::numerics {
 
-/// An enclosure lower <= x <= upper: the result of interval arithmetic, for code compiled without
-/// its special options.
+/// An enclosure lower <= x <= upper of a number x. Code that is compiled without the options of
+/// interval arithmetic (interval.hpp) uses this type for results of interval arithmetic.
 struct Enclosure {
   double lower = 0, upper = 0;
 

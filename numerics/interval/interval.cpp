@@ -5,7 +5,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// Tests the rounding mode by 1 + 2^-60 and -1 - 2^-60.
+// Whether upward rounding is in effect, tested with the sums 1 + 2^-60 and -1 - 2^-60.
 bool is_rounding_upward() {
   volatile double one = 1, tiny = 0x1p-60;
   volatile double above = one + tiny, below = -one - tiny;
@@ -33,7 +33,7 @@ Interval power(const Interval& x, int n) {
 
 Interval exponential(const Interval& x) {
   int squarings = 0;
-  double scale = 1;  // a power of two: exact
+  double scale = 1;  // a power of two, so that scaling is exact
   while (magnitude(x) * scale > 0.25) {
     scale /= 2;
     ++squarings;

@@ -5,17 +5,18 @@
 
 #include "numerics/interval/enclosure.hpp"
 
-/// Outward-rounded interval arithmetic by Boost.Interval.
+/// Outward-rounded interval arithmetic with Boost.Interval.
 ///
-/// Include only in targets compiled with -frounding-math -ffp-contract=off (this room, `backward`
-/// and their tests). Otherwise the compiler may round in the wrong direction, and the linker may
-/// keep the wrong copy of a template. All interval arithmetic runs inside `with_upward_rounding`,
-/// which sets the thread's rounding mode once; lower ends are computed as -(upward rounding of the
-/// opposite).
+/// Include this header only in targets that are compiled with -frounding-math -ffp-contract=off
+/// (`numerics`, `backward` and the tests of both). In other targets the compiler may round in the
+/// wrong direction, and the linker may keep the wrong copy of a template. All interval arithmetic
+/// runs inside `with_upward_rounding`, which sets the rounding mode of the thread to upward at the
+/// start of the call. The lower end of a result x is computed as -up(-x), where `up` denotes upward
+/// rounding.
 namespace fpkcheck::numerics {
 
-/// Access to the rounding mode of this thread, for Boost's rounded_arith_opp. SSE2 arithmetic has
-/// no excess precision, so results need not be forced to memory.
+/// Access to the rounding mode of this thread, in the form that Boost's rounded_arith_opp requires.
+/// SSE2 arithmetic has no excess precision, so force_rounding() need not store a result to memory.
 struct HardwareRounding {
   using rounding_mode = int;
   static void get_rounding_mode(rounding_mode& mode) { mode = std::fegetround(); }
@@ -27,9 +28,10 @@ struct HardwareRounding {
   static double to_int(double x) { return x; }
 };
 
-/// Boost's arithmetic under upward rounding. Boost's lower end of a square root switches the
-/// rounding mode within an expression, and the compiler may move the root before the switch. Here
-/// the lower end is the upper end s minus one unit in the last place, at most 2^-52 s.
+/// Boost's interval arithmetic under upward rounding, with another lower end of the square root.
+/// Boost computes this lower end with a change of the rounding mode within an expression, and the
+/// compiler may compute the root before the change. Here the lower end is s - 2^-52 s, where s is
+/// the upper end and 2^-52 s is at least one unit in the last place.
 struct UpwardArithmetic
     : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
   double sqrt_down(const double& x) {
@@ -44,9 +46,9 @@ using Interval =
                                  boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
                                  boost::numeric::interval_lib::checking_base<double>>>;
 
-/// Sets upward rounding during its lifetime.
-/// @throws std::runtime_error when the rounding mode has no effect on this processor or in this
-/// build
+/// Guard object: the rounding mode of the thread is upward during the lifetime of the object.
+/// @throws std::runtime_error if setting the rounding mode has no effect on this processor or in
+/// this build
 class UpwardRounding {
  public:
   UpwardRounding();
@@ -58,8 +60,8 @@ class UpwardRounding {
   int before_;
 };
 
-/// Calls `work` in a function that the compiler cannot analyse, so that no arithmetic of `work`
-/// moves out of the guard.
+/// Calls `work` in a function that the compiler neither inlines nor analyses. The compiler
+/// therefore cannot move arithmetic of `work` out of the lifetime of an UpwardRounding object.
 template <class Work>
 #if defined(__GNUC__) && !defined(__clang__)
 [[gnu::noipa]]
@@ -78,14 +80,17 @@ auto with_upward_rounding(const Work& work) {
 inline Interval interval(const Enclosure& e) { return {e.lower, e.upper}; }
 inline Enclosure enclosure(const Interval& x) { return {x.lower(), x.upper()}; }
 
-/// [-x, x]
+/// The interval [-x, x].
 inline Interval symmetric_interval(double x) { return {-x, x}; }
-/// The magnitude of an interval: its largest |x|.
+/// The magnitude of an interval: the largest |x| of its elements x.
 inline double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
 
-/// x^n, n >= 0, as a product. For even n and x containing 0 no tighter than x * x.
+/// An enclosure of x^n, n >= 0, computed as a product of n factors. For even n and an interval that
+/// contains 0, the enclosure is not the tightest: its lower end may be negative, like that of x *
+/// x.
 Interval power(const Interval& x, int n);
-/// e^x, by the exponential series on [-1/4, 1/4] with its remainder and repeated squaring.
+/// An enclosure of e^x: the exponential series with its remainder on [-1/4, 1/4], followed by
+/// repeated squaring.
 /// @pre x <= 0
 Interval exponential(const Interval& x);
 

@@ -5,8 +5,9 @@
 
 namespace fpkcheck::numerics {
 
-/// A symmetric positive definite matrix of dense blocks, and its Cholesky factor. Blocks more than
-/// `bandwidth` blocks from the diagonal are zero. Blocks may differ in size.
+/// A symmetric positive definite matrix of dense blocks, replaced by its Cholesky factor in
+/// factorise(). Blocks at a distance of more than `bandwidth` blocks from the diagonal are zero.
+/// Blocks may differ in size.
 class BlockBandedMatrix {
  public:
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
@@ -14,17 +15,20 @@ class BlockBandedMatrix {
   Eigen::Index size() const { return offsets_.back(); }
   int blocks() const { return static_cast<int>(offsets_.size()) - 1; }
   Eigen::Index offset(int block) const { return offsets_[block]; }
-  /// Block (row, column), column <= row <= column + bandwidth.
+  /// The block in a block row and a block column, column <= row <= column + bandwidth.
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
-  /// Replaces A by S A S, S = diag(scale).
+  /// Replaces the matrix A by S A S with S = diag(scale).
   void scale(const Eigen::VectorXd& scale);
   void add_to_diagonal(double value);
 
-  /// Cholesky factorisation A = L L^T, in place.
+  /// Replaces the matrix A by its Cholesky factor L, A = L L^T.
+  /// @return false if A is not numerically positive definite
   bool factorise();
-  /// Replaces b by A^-1 b; call factorise() first. Shape of b: (size, any number of columns).
+  /// Replaces b by A^-1 b.
+  /// @param b shape (size, any number of columns)
+  /// @pre factorise() has returned true
   void solve(Eigen::MatrixXd& b) const;
 
  private:
@@ -32,7 +36,8 @@ class BlockBandedMatrix {
 
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
-  std::vector<Eigen::MatrixXd> columns_;  // each block column: blocks `column` .. last(column)
+  // For each block column, its blocks `column` .. last(column).
+  std::vector<Eigen::MatrixXd> columns_;
 };
 
 }  // namespace fpkcheck::numerics

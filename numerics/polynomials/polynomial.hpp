@@ -13,7 +13,8 @@ class Polynomial {
 
   constexpr explicit Polynomial(const Coefficients& a) : a_(a) {}
 
-  /// Evaluates the polynomial by Horner's rule; `Real` is a number or an array of numbers.
+  /// Evaluates the polynomial at y by Horner's rule. The type `Real` is a number or an array of
+  /// numbers.
   template <class Real>
   constexpr Real operator()(const Real& y) const {
     Real value = a_[kDegree] + 0.0 * y;
@@ -23,7 +24,7 @@ class Polynomial {
 
   constexpr double coefficient(std::size_t n) const { return a_[n]; }
   constexpr const Coefficients& coefficients() const { return a_; }
-  /// The largest n with a_n != 0; 0 for a constant.
+  /// The degree: the largest n with a_n != 0, or 0 for a constant.
   constexpr std::size_t degree() const {
     std::size_t n = kDegree;
     while (n > 0 && a_[n] == 0) --n;
@@ -35,8 +36,8 @@ class Polynomial {
     for (std::size_t n = 1; n <= kDegree; ++n) d[n - 1] = static_cast<double>(n) * a_[n];
     return Polynomial(d);
   }
-  /// Substitutes y = origin + sign x and returns the polynomial of x (Horner's rule for
-  /// polynomials).
+  /// Substitutes y = origin + sign x and returns the resulting polynomial of x, computed with
+  /// Horner's rule for polynomials.
   constexpr Polynomial compose_affine(double origin, double sign) const {
     Coefficients q{};
     for (std::size_t n = kDegree + 1; n-- > 0;) {
@@ -50,13 +51,13 @@ class Polynomial {
     for (std::size_t n = 0; n <= kDegree; ++n) p[n] = factor * a_[n];
     return Polynomial(p);
   }
-  /// y times the polynomial. @pre degree() < kDegree
+  /// The product of y and this polynomial. @pre degree() < kDegree
   constexpr Polynomial times_argument() const {
     Coefficients p{};
     for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
     return Polynomial(p);
   }
-  /// The antiderivative with the value 0 at y = 0. @pre degree() < kDegree
+  /// The antiderivative that is 0 at y = 0. @pre degree() < kDegree
   constexpr Polynomial antiderivative() const {
     Coefficients i{};
     for (std::size_t n = 0; n < kDegree; ++n) i[n + 1] = a_[n] / static_cast<double>(n + 1);

@@ -6,13 +6,14 @@
 
 namespace fpkcheck::numerics {
 
-/// A point of a quadrature rule.
+/// A point of a quadrature rule, with its weight.
 struct QuadraturePoint {
   double at;
   double weight;
 };
 
-/// Composite Gauss-Legendre rule: `panels` panels of 10 points on [a, b].
+/// Points and weights of the composite Gauss-Legendre rule on [a, b], with `panels` panels of equal
+/// width and 10 points on each panel.
 inline std::vector<QuadraturePoint> panel_points(double a, double b, int panels) {
   using Rule =
       boost::math::quadrature::gauss<double, 10>;  // Boost stores the half with positive abscissas
@@ -30,7 +31,7 @@ inline std::vector<QuadraturePoint> panel_points(double a, double b, int panels)
   return points;
 }
 
-/// The integral of f over [a, b] by the rule of panel_points().
+/// The integral of f over [a, b], computed with the quadrature rule of panel_points().
 template <class Function>
 double integrate_panels(const Function& f, double a, double b, int panels) {
   double sum = 0;
@@ -38,7 +39,8 @@ double integrate_panels(const Function& f, double a, double b, int panels) {
   return sum;
 }
 
-/// The average over [a, b] by the three-point Gauss-Legendre rule, exact to degree 5.
+/// The average of f over [a, b], computed with the three-point Gauss-Legendre rule. The rule is
+/// exact for polynomials up to degree 5.
 template <class Function>
 auto average(const Function& f, double a, double b) {
   const double centre = (a + b) / 2;

@@ -8,15 +8,16 @@
 
 namespace fpkcheck::numerics {
 
-/// Points and weights of a quadrature rule, equally many of each.
+/// Points and weights of a quadrature rule; both lists have the same length.
 struct QuadratureRule {
   std::vector<double> points;
   Eigen::VectorXd weights;
 };
 
-/// Composite Gauss-Legendre rule with N points between neighbouring cuts, exact for polynomials of
-/// degree 2 N - 1 there. The points of a panel are ordered in pairs about its middle.
-/// @param cuts increasing
+/// Composite Gauss-Legendre rule with N points on each panel, that is, between neighbouring cuts.
+/// The rule is exact for functions that are polynomials of degree 2 N - 1 on each panel. The points
+/// of a panel are ordered in pairs symmetric about the middle of the panel.
+/// @param cuts increasing ends of the panels
 template <unsigned N>
 QuadratureRule gauss_rule(std::span<const double> cuts) {
   using Gauss = boost::math::quadrature::gauss<double, N>;

@@ -6,7 +6,8 @@
 
 namespace fpkcheck::numerics {
 
-/// A homotopy: square systems G(a, t) = 0 whose solutions form a curve in (a, t).
+/// A homotopy: equations G(a, t) = 0, as many as a has components, whose solutions form a curve in
+/// the space of (a, t).
 struct Homotopy {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& a, double t)> residual;  ///< G
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& a, double t)> jacobian;  ///< dG/da
@@ -14,41 +15,44 @@ struct Homotopy {
       parameter_derivative;  ///< dG/dt
 };
 
-/// Newton's homotopy G(a, t) = R(a) - (1 - t) R(start). Its curve leads from the start, at t = 0,
-/// to a root of R at t = 1.
+/// The Newton homotopy G(a, t) = R(a) - (1 - t) R(start). The solution curve begins at a = start
+/// for t = 0. Every point of the curve with t = 1 is a root of R.
 Homotopy newton_homotopy(std::function<Eigen::VectorXd(const Eigen::VectorXd&)> residual,
                          std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian,
                          const Eigen::VectorXd& start);
 
 struct ContinuationOptions {
-  /// A corrector iteration has converged when max |G_s| is below `tolerance` or its last step is
-  /// shorter than `correction_tolerance`.
+  /// Convergence criteria of a corrector iteration: the iteration has converged if max |G_i| is
+  /// below `tolerance` or the last Newton step is shorter than `correction_tolerance`.
   double tolerance = 1e-10;
   double correction_tolerance = 0;
-  double first_step = 0.05;  ///< arclength of a predictor step in (a, t)
+  double first_step = 0.05;  ///< arclength of the first predictor step in (a, t)
   double max_step = 0.25;
   double min_step = 1e-7;
   double step_growth = 1.4;  ///< factor of the step length after a successful step
-  /// Largest distance of the corrected from the predicted point, relative to the step length. A
-  /// larger correction may lead to another branch and is rejected.
+  /// Largest accepted distance between the predicted and the corrected point, relative to the step
+  /// length. A step with a larger correction is rejected, since the correction may lead to another
+  /// branch of solutions.
   double max_relative_correction = 0.3;
-  int max_points = 400;      ///< failed steps count too
-  double max_norm = 100;     ///< bound of |a|, where a diverging branch is abandoned
-  double min_t = 0;          ///< bound of t, where a branch that runs backwards is abandoned
-  bool locate_folds = true;  ///< locate folds to rounding and record them as points
-  /// Correct the end point by Newton steps; otherwise it is interpolated, for the caller to refine.
+  int max_points = 400;      ///< maximum number of steps, rejected steps included
+  double max_norm = 100;     ///< the continuation ends if |a| exceeds this limit
+  double min_t = 0;          ///< the continuation ends if t falls to this limit
+  bool locate_folds = true;  ///< compute each fold to rounding error and add it to the points
+  /// Whether the end point at t = 1 is corrected by Newton steps. Otherwise the end point is only
+  /// interpolated, and the caller refines the point.
   bool correct_end_point = true;
-  /// Called before each step; true stops the continuation (a deadline, for example). May be empty.
+  /// Function that is called before each step; the continuation stops if the function returns true
+  /// (at a deadline, for example). May be empty.
   std::function<bool()> should_stop = {};
 };
 
-/// A point of the solution curve.
+/// A point (a, t) of the solution curve of a homotopy.
 struct CurvePoint {
   Eigen::VectorXd a;
   double t;
 };
 
-/// Reason for the end of a continuation.
+/// The reason why a continuation ended.
 enum class Termination {
   end_reached,     ///< t = 1 was reached
   fell_back,       ///< t fell to min_t
@@ -58,20 +62,22 @@ enum class Termination {
 };
 
 struct SolutionCurve {
-  std::vector<CurvePoint> points;  ///< in order from t = 0, folds included
-  /// Indices of the points where t has an extremum, if they are located.
+  std::vector<CurvePoint> points;  ///< points in order of arclength from t = 0, folds included
+  /// Indices of the folds in `points`, where t has an extremum. Empty without
+  /// ContinuationOptions::locate_folds.
   std::vector<std::size_t> folds;
   Termination end = Termination::step_underflow;
-  int iterations = 0;  ///< Newton steps
+  int iterations = 0;  ///< number of Newton steps
 
-  /// The point with the largest t.
+  /// The point of the curve with the largest t.
   const CurvePoint& furthest() const;
 };
 
-/// Pseudo-arclength continuation (Keller): follows the solutions of G = 0 from (start, 0) towards
-/// t = 1 in steps of arclength. At a fold, where dG/da is singular and t has an extremum, the curve
-/// itself is smooth.
-/// @param start a solution at t = 0, to the tolerance
+/// Pseudo-arclength continuation (Keller): computes points of the solution curve of G = 0 from
+/// (start, 0) towards t = 1, in steps of arclength. At a fold dG/da is singular and t has an
+/// extremum, but the curve is smooth as a function of arclength, so that the continuation passes
+/// the fold.
+/// @param start a solution of G(start, 0) = 0 within the tolerance of the options
 SolutionCurve trace_curve(const Homotopy& family, const Eigen::VectorXd& start,
                           const ContinuationOptions& options);
 

@@ -6,14 +6,16 @@
 namespace fpkcheck::numerics {
 
 struct NewtonOptions {
-  double tolerance = 1e-10;  ///< on the norm of the residual
+  double tolerance = 1e-10;  ///< convergence threshold of the norm of the residual
   int max_iterations = 30;
-  /// Use the step fraction of the equations (damped Newton); otherwise take full steps.
+  /// Whether each Newton step is multiplied by Equations::step_fraction (damped Newton method);
+  /// otherwise full steps are taken.
   bool damped = true;
-  bool polish = true;  ///< one more step after convergence, which reduces the error to rounding
+  bool polish = true;  ///< take one more step after convergence, to reach rounding error
 };
 
-/// Result of an iteration. No convergence is a result, not an exception.
+/// Result of a Newton iteration. An iteration that does not converge returns a result and throws no
+/// exception.
 struct NewtonResult {
   Eigen::VectorXd a;    ///< the root, or the iterate with the smallest residual
   double residual = 0;  ///< norm of the residual at `a`
@@ -21,8 +23,9 @@ struct NewtonResult {
   bool converged = false;
 };
 
-/// Backtracking: returns the first of `first`, first/2, first/4, .. above `least` for which
-/// `accepts` returns true; 0 when there is none.
+/// Backtracking of a step fraction: returns the first number of the sequence first, first/2,
+/// first/4, .. that is above `least` and for which `accepts` returns true. Returns 0 if there is no
+/// such number.
 template <class Accepts>
 double backtrack(double first, double least, const Accepts& accepts) {
   for (double step_fraction = first; step_fraction > least; step_fraction /= 2) {
@@ -31,7 +34,7 @@ double backtrack(double first, double least, const Accepts& accepts) {
   return 0;
 }
 
-/// Newton's method for R(a) = 0. `Equations` supplies the norm of a residual and the step fraction:
+/// Newton's method for the equations R(a) = 0. The type `Equations` has these functions:
 ///
 ///     at(a)                 an iterate: `a` and `size`, the norm of R (finite where R exists)
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a

@@ -4,18 +4,22 @@
 
 #include "numerics/simd/simd.hpp"
 
-/// Logarithm, exponential and sine built from +, -, *, / only: the results are bit-identical for
-/// all compilers, libraries, SIMD widths and instruction sets.
+/// Logarithm, exponential and sine functions that use only the operations +, -, * and /. These
+/// operations are correctly rounded, so that the results are bit-identical for all compilers,
+/// libraries, SIMD widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// 2^52 + 2^51: adding an integer n puts n into the last bits of the double.
+/// The number 2^52 + 2^51. In the sum of this number and a small integer n, the last bits of the
+/// double contain n.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
-/// ln 2 in two parts; the first ends with zero bits, so that its product with an exponent is exact.
+/// ln 2 as a sum of two numbers. The last bits of the first number are zero, so that its product
+/// with an exponent is exact.
 inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
 
-/// log x for normal x > 0, to 1 unit in the last place: x = 2^n m, sqrt(1/2) <= m < sqrt 2, log
-/// m = 2 artanh s, s = (m - 1)/(m + 1).
+/// The natural logarithm of a normal number x > 0, with an error of at most 1 unit in the last
+/// place. The method: x = 2^n m with sqrt(1/2) <= m < sqrt 2, and log m = 2 artanh s with s = (m -
+/// 1)/(m + 1).
 template <class Real>
 FPKCHECK_INLINE Real logarithm(const Real& x) {
   using Bits = typename VectorTypes<kWidth<Real>>::Bits;
@@ -26,7 +30,7 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   const Bits fraction_bits = bits - (exponent << 52);
   Real m;
   __builtin_memcpy(&m, &fraction_bits, sizeof m);
-  const Bits shifted = exponent + kShiftBits;  // n as a double
+  const Bits shifted = exponent + kShiftBits;  // n in the last bits of a double
   Real n;
   __builtin_memcpy(&n, &shifted, sizeof n);
   n = n - kShift;
@@ -39,8 +43,8 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   return n * kLn2High + (2.0 * s + (2.0 * s * (z * series) + n * kLn2Low));
 }
 
-/// exp x for |x| <= 700, to about 1 unit in the last place: x = n ln 2 + r, |r| <= ln(2)/2, Taylor
-/// series to r^13.
+/// The exponential function of x for |x| <= 700, with an error of about 1 unit in the last place.
+/// The method: x = n ln 2 + r with |r| <= ln(2)/2, and the Taylor series of exp r up to r^13.
 template <class Real>
 FPKCHECK_INLINE Real exponential(const Real& x) {
   using Bits = typename VectorTypes<kWidth<Real>>::Bits;
@@ -60,7 +64,7 @@ FPKCHECK_INLINE Real exponential(const Real& x) {
   return series;
 }
 
-/// sin(pi t / 2) for -1 <= t <= 1, to 5e-16: Taylor series to t^21.
+/// sin(pi t / 2) for -1 <= t <= 1, with an error of at most 5e-16, by the Taylor series up to t^21.
 template <class Real>
 FPKCHECK_INLINE Real sine_of_quarter_turns(const Real& t) {
   // (-1)^k (pi/2)^(2k+1) / (2k+1)!

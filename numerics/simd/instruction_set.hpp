@@ -4,20 +4,22 @@
 
 namespace fpkcheck::simd {
 
-/// Instruction sets for which the SIMD code is compiled. The processor is queried at run time: one
-/// program serves all x86-64 processors, and other machines use their baseline.
+/// Instruction sets for which the SIMD code is compiled. The program queries the processor at run
+/// time, so that the same executable runs on all x86-64 processors. On other architectures the
+/// program uses the baseline instruction set.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// A compiled SIMD variant: instruction set and number of lanes.
+/// A compiled variant of the SIMD code: its instruction set and its number of lanes.
 struct CodeVariant {
   InstructionSet instructions;
   int width;
 };
 
-/// The variants that this program contains and this processor supports, the fastest last.
+/// The variants of the SIMD code that this program contains and this processor supports. The
+/// fastest variant is the last element.
 std::vector<CodeVariant> available_variants();
 
-/// Selects the version of a function that was compiled for an instruction set.
+/// Selects the variant of a function that was compiled for the given instruction set.
 template <class Function>
 Function* select_variant(InstructionSet instructions, Function* baseline, Function* avx2,
                          Function* avx512) {

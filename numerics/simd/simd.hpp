@@ -4,24 +4,27 @@
 #include <cmath>
 #include <cstdint>
 
-/// SIMD types of `W` doubles, one trajectory in each lane. They are vector types of GCC and Clang,
-/// which the compiler lowers to the instruction set of the calling function (see
-/// instruction_set.hpp).
+/// SIMD vectors of `W` doubles; each lane holds one trajectory. The types are the vector extension
+/// of GCC and Clang. The compiler translates operations on these types to the instruction set of
+/// the calling function (see instruction_set.hpp).
 ///
-/// The bits of a lane depend neither on W nor on the instruction set: +, -, *, / and sqrt are
-/// correctly rounded, nothing is contracted (-ffp-contract=off), and no operation here mixes lanes.
+/// The results in a lane are bit-identical for all W and all instruction sets, for three reasons:
+/// +, -, *, / and sqrt are correctly rounded; -ffp-contract=off prevents fused multiply-add; and no
+/// operation of this header combines different lanes.
 namespace fpkcheck::simd {
 
-/// Always inlined: SIMD vectors must not be passed between functions that are compiled for
-/// different instruction sets.
+/// Attribute of functions that are always inlined. Functions with SIMD arguments are inlined
+/// because SIMD vectors must not be passed between functions that are compiled for different
+/// instruction sets.
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
 struct VectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
-  // A typedef, since GCC 12 ignores the attribute in `using` where W is a parameter.
+  // The types are defined by typedef: GCC 12 ignores the attribute in a `using` declaration if W is
+  // a template parameter.
   typedef double Real __attribute__((vector_size(8 * W)));
-  typedef std::int64_t Mask __attribute__((vector_size(8 * W)));  // 0 or -1
+  typedef std::int64_t Mask __attribute__((vector_size(8 * W)));  // each lane is 0 or -1
   typedef std::int64_t Bits __attribute__((vector_size(8 * W)));  // bit pattern of the doubles
   typedef std::int32_t Index __attribute__((vector_size(4 * W)));
 };
@@ -45,14 +48,15 @@ FPKCHECK_INLINE Real square_root(const Real& x) {
   return root;
 }
 
-/// a where the mask is set, else b.
+/// A vector with the lane of a if the lane of the mask is set, else with the lane of b.
 FPKCHECK_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
-  // Bitwise: GCC 12 compiles `mask ? a : b` to a branch for every lane.
+  // The selection uses bitwise operations, since GCC 12 compiles `mask ? a : b` to a branch for
+  // every lane.
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
-/// a where the mask is set, else 0.
+/// A vector with the lane of a if the lane of the mask is set, else with 0.
 FPKCHECK_INLINE double where(bool mask, double a) { return mask ? a : 0; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real where(const Mask& mask, const Real& a) {
@@ -69,7 +73,7 @@ FPKCHECK_INLINE Real lanewise_max(const Real& a, const Real& b) {
 }
 
 FPKCHECK_INLINE bool any(bool mask) { return mask; }
-FPKCHECK_INLINE bool any(int mask) { return mask != 0; }  // bool & bool
+FPKCHECK_INLINE bool any(int mask) { return mask != 0; }  // the type of bool & bool is int
 template <class Mask>
 FPKCHECK_INLINE bool any(const Mask& mask) {
   typedef std::int64_t Pair __attribute__((vector_size(16)));
@@ -105,7 +109,7 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
   __builtin_memcpy(to, &x, sizeof(Real));
 }
 
-/// Truncates numbers in 0 .. 2^31 - 1 to integers.
+/// Truncates each number of a vector to an integer. @pre the numbers are in 0 .. 2^31 - 1
 FPKCHECK_INLINE std::int32_t truncate_to_index(double x) { return static_cast<std::int32_t>(x); }
 template <class Real>
 FPKCHECK_INLINE typename VectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {

@@ -39,7 +39,8 @@ Eigen::MatrixXd SplineBasis::at(double x, int span, int derivatives) const {
 }
 
 std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from) {
-  // The number of cells up to x is proportional to int_0^x (1 + t/uniform_from)/(t + finest) dt.
+  // The number of cells between 0 and x is proportional to int_0^x (1 + t/uniform_from)/(t +
+  // finest) dt.
   const auto count = [&](double x) {
     return x / uniform_from + (1 - finest / uniform_from) * std::log1p(x / finest);
   };

@@ -6,11 +6,12 @@
 
 namespace fpkcheck::numerics {
 
-/// Bezier extraction: row l holds the Bernstein coefficients of basis function span + l on the
-/// segment between `from` and `to`. The segment may be a part of the span, run backwards, or extend
-/// beyond the span, where the polynomial is continued. Coefficient j is the blossom with p - j
-/// arguments `from` and j arguments `to`, by de Boor's recursion.
-/// @tparam Real double, or an interval for an enclosure
+/// Bezier extraction: a matrix whose row l contains the Bernstein coefficients of basis function
+/// span + l on the segment from `from` to `to`. The segment may be a part of the span, and `from`
+/// may be above `to`. If the segment extends beyond the span, the polynomial of the span is
+/// extrapolated. Coefficient j is the value of the blossom (polar form) for p - j arguments equal
+/// to `from` and j arguments equal to `to`, computed with de Boor's recursion.
+/// @tparam Real double; an interval type gives enclosures of the coefficients
 /// @return shape (degree + 1, degree + 1)
 template <class Real>
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const SplineBasis& basis,
@@ -19,7 +20,7 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const Spli
   const int p = basis.degree();
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> rows(p + 1, p + 1), d(p + 1, p + 1);
   for (int j = 0; j <= p; ++j) {
-    for (int i = 0; i <= p; ++i) {  // control point i as a combination of the functions l
+    for (int i = 0; i <= p; ++i) {  // control point i, as a combination of the basis functions l
       for (int l = 0; l <= p; ++l) d(i, l) = Real(i == l ? 1.0 : 0.0);
     }
     for (int r = 1; r <= p; ++r) {

@@ -46,7 +46,8 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // As in at(), but the last two degrees are replaced by differences p (previous share - share).
+  // The recursion of at(), in which the last two degrees are replaced by differences p (previous
+  // share - share).
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
@@ -77,7 +78,8 @@ std::vector<double> QuinticBSplines::power(int power) const {
 
 namespace {
 
-/// Knots at 0 and at the positive breaks; with `both`, at their negatives too.
+/// Knots at 0 and at the positive breaks; with `both`, also at the negatives of the positive
+/// breaks.
 std::vector<double> mirrored_knots(const std::vector<double>& side, bool both, int multiplicity) {
   const double end = side.back();
   std::vector<double> knots;
@@ -106,7 +108,7 @@ std::vector<double> graded_knots(double begin, double end, double uniform_from, 
   constexpr double kShrink = 1.25;
   const int half = begin < 0 ? cells / 2 : cells;  // cells on each side
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking_cells;
-  // The sum of kShrink^-1 .. kShrink^-shrinking_cells.
+  // The sum of the powers kShrink^-1 .. kShrink^-shrinking_cells.
   const double shrunk = (1 - std::pow(kShrink, -shrinking_cells)) / (kShrink - 1);
   const double width = uniform_from / (inner + shrunk);
   const auto end_position = [&](double factor) {
