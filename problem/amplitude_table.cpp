@@ -18,7 +18,8 @@ using Kind = AmplitudeTable::Kind;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
-// The bound of numbers in case files (kLargestMagnitude): their powers must be finite.
+// Largest magnitude of the numbers of a table: kLargestMagnitude, the limit for case files, so that
+// powers of the numbers are finite.
 constexpr double kLargest = 1e30;
 
 std::string_view name_of(Kind kind) { return kind == Kind::probability ? kProbability : kDensity; }
@@ -37,7 +38,8 @@ std::optional<double> number_of(std::string_view text) {
   return whole && std::abs(number) <= kLargest ? std::optional(number) : std::nullopt;
 }
 
-/// Builds a table row by row and checks each row, so that a message names its line.
+/// Builds an amplitude table row by row and checks each row separately, so that an error message
+/// names the line of the row.
 class TableBuilder {
  public:
   explicit TableBuilder(Kind kind) { table_.kind = kind; }
@@ -62,7 +64,7 @@ class TableBuilder {
                            table_.kind == Kind::density ? "0 or above" : "above 0"));
     }
     if (table_.amplitude.size() == kMaxTableRows) {
-      fail(at, fmt::format("more than {} rows: that is the limit of a table", kMaxTableRows));
+      fail(at, fmt::format("more than {} rows, the limit of an amplitude table", kMaxTableRows));
     }
     table_.amplitude.push_back(*amplitude);
     table_.weight.push_back(*weight);
@@ -85,8 +87,8 @@ class TableBuilder {
                            table_.kind == Kind::probability ? "sums to" : "integrates to", sum,
                            kTableSumTolerance));
     }
-    // The deviation must exceed rounding errors, and powers of standardised amplitudes must be
-    // finite.
+    // The standard deviation of the table must exceed rounding errors, and powers of the
+    // standardised amplitudes must be finite.
     constexpr double kLeastSpread = 1e-30, kLeastOfSize = 1e-9, kLeastShare = 1e-20;
     const double first = table_.amplitude.front(), last = table_.amplitude.back();
     const double spread = last - first, size = std::max(std::abs(first), std::abs(last));
@@ -96,8 +98,8 @@ class TableBuilder {
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // A smaller deviation is rounding. Without division a table is unchanged when it is written and
-    // read again.
+    // A smaller deviation of the sum from 1 is rounding error, and the table is then not divided by
+    // the sum. Writing and reading a table therefore does not change the table.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;
@@ -113,7 +115,8 @@ class TableBuilder {
   AmplitudeTable table_;
 };
 
-// E[(Y - about)^power], power 1 or 2. Simpson's rule is exact for the cubic integrands.
+// The moment E[(Y - about)^power] for power 1 or 2. The density is linear, so that the integrand is
+// at most cubic and Simpson's rule is exact.
 double moment_about(const AmplitudeTable& table, double about, int power) {
   const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
   double sum = 0;
@@ -133,7 +136,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 }  // namespace
 
 double AmplitudeTable::mean() const {
-  // Relative to the table's width; below it the mean is set to 0.
+  // Tolerance relative to the width of the table. A mean below this tolerance is set to 0.
   constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
   const double mean = middle + moment_about(*this, middle, 1);

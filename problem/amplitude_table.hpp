@@ -7,9 +7,10 @@
 
 namespace fpkcheck::problem {
 
-/// A law of impulse amplitudes as a table: probabilities of discrete amplitudes, or a density that
-/// is linear between the amplitudes and 0 outside. Amplitudes increase; probabilities sum to 1,
-/// densities integrate to 1.
+/// A law of impulse amplitudes as a table. The table contains either probabilities of discrete
+/// amplitudes, or values of a density that is linear between neighbouring amplitudes and 0 outside
+/// the table. The amplitudes increase. The probabilities have the sum 1, or the density has the
+/// integral 1.
 struct AmplitudeTable {
   enum class Kind { probability, density };
 
@@ -17,30 +18,34 @@ struct AmplitudeTable {
   std::vector<double> amplitude, weight;
 
   double mean() const;
-  /// E[(Y - E[Y])^2].
+  /// The variance E[(Y - E[Y])^2].
   double variance() const;
-  /// The law of -Y.
+  /// The table of the law of -Y.
   AmplitudeTable mirrored() const;
 };
 
 inline constexpr std::size_t kMaxTableRows = 1000;
-/// Largest deviation of a table's sum (or integral) from 1; the table is then divided by the sum.
+/// Largest accepted deviation from 1 of the sum of the probabilities (or of the integral of the
+/// density). Within this tolerance the table is divided by its sum or integral.
 inline constexpr double kTableSumTolerance = 1e-3;
 
-/// Parses a CSV text with the columns amplitude,probability or amplitude,density.
+/// Parses a table of amplitudes from CSV text with the columns amplitude,probability or
+/// amplitude,density.
 /// @param where name of the file in messages
-/// @throws InputError "WHERE:LINE: .." on one line: the error and what is allowed
+/// @throws InputError "WHERE:LINE: ..", one line that states the error and the allowed contents
 AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& where);
 
-/// The table as one word of a case file, "probability(-1:0.25,3:0.75)"; complete and exact.
+/// The table literal: the whole table, with all digits, as one word of a case file. Example:
+/// "probability(-1:0.25,3:0.75)".
 std::string table_literal(const AmplitudeTable& table);
-/// Whether a text begins like such a word.
+/// Whether a text begins like a table literal, with "probability(" or "density(".
 bool is_table_literal(std::string_view text);
-/// Parses such a word.
-/// @throws InputError "impulse.table = .."
+/// Parses a table literal.
+/// @throws InputError "impulse.table = .." if the text is not a table literal or the table is
+/// invalid
 AmplitudeTable parse_table_literal(std::string_view text);
 
-/// A short description for people: "37 probabilities from -1 to 3".
+/// A short description of a table literal for reports: "37 probabilities from -1 to 3".
 std::string table_summary(std::string_view table_text);
 
 }  // namespace fpkcheck::problem

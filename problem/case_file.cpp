@@ -28,7 +28,7 @@ using base::in_quotes;
 using base::sanitise;
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
-  std::vector<std::string> known;  // grouped, since there are many: "wall.{left, right}"
+  std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
   for (const base::DescriptionBase* section : case_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->all()) {
@@ -46,11 +46,11 @@ const base::Parameter& case_parameter(std::string_view key, const std::string& w
 
 namespace {
 
-/// The text of a setting and its location for messages.
+/// The text of a setting of a case file, and the location of the setting for messages.
 struct Setting {
   std::string text, where;
 };
-using Settings = std::map<std::string, Setting>;  // by key
+using Settings = std::map<std::string, Setting>;  // settings by key
 
 Settings checked_settings(const std::vector<base::IniSetting>& lines) {
   Settings settings;
@@ -85,7 +85,7 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces the name of an amplitude file by the table in it.
+// Replaces the name of a file with a table of amplitudes by the table literal of its contents.
 void load_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
@@ -96,7 +96,8 @@ void load_table(Settings& settings, const std::filesystem::path& folder) {
   }
 }
 
-// Takes mean and intensity from the table where no setting gives them.
+// Takes mean and intensity of the impulses from the amplitude table if no setting gives these
+// values.
 void complete_from_table(Settings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
@@ -117,7 +118,8 @@ void complete_from_table(Settings& settings) {
   settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
 }
 
-// Parses the settings of one section; nothing when the case file has none.
+// Parses the settings of one section; returns nothing if the case file has no setting of this
+// section.
 std::optional<Section> section(const base::DescriptionBase& description, const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
@@ -138,7 +140,7 @@ std::optional<Section> section(const base::DescriptionBase& description, const S
   return section;
 }
 
-// The location of the setting whose key begins the message.
+// The location of the setting with whose key the message begins.
 std::optional<std::string> location_of_key(const std::string& message, const Settings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
@@ -154,7 +156,8 @@ bool is_utf8(const std::string& text) {
   return true;
 }
 
-// The name of a case appears in tables, file names, JSON, netCDF names and figures.
+// Requires a printable name of a case, since the name appears in tables, file names, JSON, netCDF
+// names and figures.
 void require_valid_name(const std::string& name) {
   constexpr std::size_t kLongest = 100;
   const bool plain =
@@ -170,9 +173,10 @@ void require_valid_name(const std::string& name) {
       kLongest));
 }
 
-// The parameters that differ from the file: ", r = 0.9, laplace impulses". The name is composed
-// once, here, where file and overrides are known. Tables, figures, the page and JSON use
-// Problem::name, and file names its plain form (results::file_stem).
+// The text of the parameters that overrides change: ", r = 0.9, laplace impulses". This function is
+// the only place that composes the name of a case, since file and overrides are known only here.
+// Tables, figures, the page and JSON use Problem::name; file names use its plain form
+// (results::file_stem).
 std::string changes_text(const Settings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
@@ -186,7 +190,7 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
     if (value) value = display_value(parameter, *value);
     if (value == displayed.value) continue;
     ++count;
-    // All digits, so that different problems have different names.
+    // The number has all digits, so that different problems have different names.
     if (const auto* number = std::get_if<double>(&displayed.value)) {
       text += fmt::format(", {} = {}", displayed.symbol, *number);
     } else if (parameter.display_text) {

@@ -23,8 +23,8 @@ void require_stationary_density(const Problem& problem) {
         "change the sign of its highest power, or add wall.{0}",
         side));
   }
-  // The base class needs no calculation: none of its terms supplies energy, and damping dissipates
-  // it.
+  // Oscillators of the class of the paper need no calculation: no term supplies energy except the
+  // impulses, and the damping dissipates energy.
   if (is_paper_oscillator(problem)) return;
   const EnergyAveraging averaging(problem);
   if (const auto& why = averaging.unconfined_reason()) {

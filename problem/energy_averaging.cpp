@@ -8,11 +8,11 @@
 namespace fpkcheck::problem {
 namespace {
 
-constexpr double kDepth = 60;  // exp(-60) of the largest density is negligible
+constexpr double kDepth = 60;  // densities below exp(-60) of the largest density are neglected
 constexpr int kBandCount = 300;
 constexpr const char* kNoDissipation =
     "damping and impacts dissipate no energy at large amplitudes";
-// The largest number of wells of a potential of degree 6 between walls.
+// Maximum number of wells of a potential of degree 6 between two walls.
 constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
@@ -27,7 +27,8 @@ double EnergyAveraging::slope(const Orbit& orbit) const {
   return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
 }
 
-// Integrates Phi upwards from the lowest potential in growing steps, over all orbits of an energy.
+// Integrates dPhi/dh, taken over all orbits of an energy, from the lowest potential upwards in
+// growing steps.
 bool EnergyAveraging::find_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
@@ -35,7 +36,8 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   struct Level {
     double above, phi;
   };
-  // dPhi/dh over all orbits of an energy; nothing when there is no orbit.
+  // The derivative dPhi/dh at an energy, with the integrals over all orbits of this energy. Nothing
+  // if there is no orbit.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
     for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
@@ -57,7 +59,8 @@ bool EnergyAveraging::find_range(double& low, double& high) {
     levels.push_back({above, phi});
     least = std::min(least, phi);
     if (phi > least + 2 * kDepth) {
-      // A damping term that supplies energy may prevail at still larger energies.
+      // The integration continues to larger energies, since a damping term that supplies energy may
+      // dominate there.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (slope_at(farther).value_or(0) >= 0) continue;
         unconfined_reason_ = kNoDissipation;
@@ -66,7 +69,8 @@ bool EnergyAveraging::find_range(double& low, double& high) {
       const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
       const auto first = std::ranges::find_if(levels, within);
       low = bottom + (first == levels.begin() ? 0.0 : std::prev(first)->above);
-      // Interpolated within the last step, over which Phi may grow by far more than kDepth.
+      // The upper energy is interpolated within the last step, in which Phi may increase by far
+      // more than kDepth.
       const auto last = std::find_if(levels.rbegin(), levels.rend(), within);
       const auto next = std::prev(last);
       const double share = (least + kDepth - last->phi) / (next->phi - last->phi);
@@ -82,7 +86,8 @@ bool EnergyAveraging::find_range(double& low, double& high) {
 
 void EnergyAveraging::fill_bands(double low, double high) {
   step_ = (high - low) / kBandCount;
-  // From the top downwards, so that each band finds the band above in the tree.
+  // The bands are computed from the largest energy downwards, so that the band above each band in
+  // the tree is already known.
   std::vector<Band> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBandCount - 1; n >= 0; --n) {
@@ -121,14 +126,15 @@ void EnergyAveraging::fill_bands(double low, double high) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// Solves K u = gamma M u on the tree by inverse iteration. M are the probabilities, K the
-// conductances between each band and the band above it. Without flux at the ends the kernel of K is
-// the constants, which the iteration projects out. K is solved by elimination from the leaves,
-// which creates no new nonzeros.
+// Solves the eigenvalue problem K u = gamma M u on the tree of bands by inverse iteration. M is the
+// diagonal matrix of the probabilities; K contains the conductances between each band and the band
+// above. There is no flux at the ends of the tree, so that the kernel of K consists of the constant
+// vectors; the iteration projects these vectors out. Equations with the matrix K are solved by
+// elimination from the leaves of the tree, which creates no new nonzeros.
 double EnergyAveraging::relaxation_rate() const {
   const std::size_t n = bands_.size();
-  // Conductances are divided by the same total as the masses. Bands of a weight below exp(-60) are
-  // excluded: they would only add rounding errors.
+  // Conductances are divided by the same normalisation constant as the probabilities. Bands with a
+  // weight below exp(-60) are excluded, since such bands would only add rounding errors.
   std::vector<double> conductance(n, 0);
   const double unit = [&] {
     double total = 0;
@@ -155,8 +161,9 @@ double EnergyAveraging::relaxation_rate() const {
   centre_and_scale();
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    // The flux upwards from a band is the sum of sources below it, or minus the sum of all others.
-    // The side of smaller probability is summed: the sums are opposite only up to rounding errors.
+    // The upward flux from a band is the sum of the sources below the band, and also minus the sum
+    // of all other sources. The two sums agree only up to rounding errors; the sum over the side of
+    // smaller probability is used, since its rounding errors are smaller.
     std::vector<double> below(n), mass_below(n), elsewhere(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += bands_[b].mass * u[b];
@@ -170,7 +177,7 @@ double EnergyAveraging::relaxation_rate() const {
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t above = bands_[b].above;
       if (above == b) continue;
-      double beside = 0;  // other branches that merge at the same band
+      double beside = 0;  // sum over the other branches of the tree that merge at the same band
       for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (bands_[other].above == above) beside += below[other];
       }

@@ -9,7 +9,7 @@ namespace fpkcheck::problem {
 
 namespace {
 
-// The positive root of a function that is negative at 0 and grows without bound.
+// The positive root of a continuous function that is negative at 0 and increases without bound.
 template <class Function>
 double positive_root(const Function& f) {
   double upper = 1;
@@ -47,7 +47,8 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
     // sigma_2 / sigma_1 = sqrt(k_eq)
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
-  // sigma_1^2 k_eq c_eq = D2: the left side increases from 0 without bound, so there is one root.
+  // The equation for sigma_1 is sigma_1^2 k_eq c_eq = D2. Its left side increases from 0 without
+  // bound, so that the equation has exactly one root.
   const auto excess = [&](double s1) {
     const double k_eq = stiffness(s1);
     return s1 * s1 * k_eq * damping(k_eq) - d2;
@@ -60,7 +61,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
 double slowest_decay_rate(const EquivalentLinearisation& linear) {
   const double discriminant = linear.damping * linear.damping - 4 * linear.stiffness;
   if (discriminant <= 0) return linear.damping / 2;
-  // Avoids the cancellation of c - sqrt(c^2 - 4k).
+  // This formula avoids the cancellation in c - sqrt(c^2 - 4k).
   return 2 * linear.stiffness / (linear.damping + std::sqrt(discriminant));
 }
 

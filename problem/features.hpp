@@ -6,29 +6,31 @@ namespace fpkcheck::problem {
 
 /// Properties of a problem that decide which solvers are applicable.
 struct Features {
-  bool is_paper_oscillator = false;  ///< is_paper_oscillator(problem)
+  bool is_paper_oscillator = false;  ///< result of is_paper_oscillator(problem)
 
   bool no_wall = false, two_walls = false;
-  /// The restoring force is not 0 at a wall: there is a gap, or the mass is pressed against the
-  /// wall.
+  /// Whether the restoring force is nonzero at a wall. The equilibrium then lies at a distance from
+  /// the wall, or the force presses the mass against the wall.
   bool offset_wall = false;
-  /// The mass is pressed against a wall with r < 1 and there is no noise: impacts end in rest, and
-  /// the law has an atom in contact until the next impulse.
+  /// Whether the force presses the mass against a wall with r < 1 and there is no noise. After a
+  /// sequence of impacts the mass is then at rest in contact until the next impulse, and the
+  /// stationary law has an atom at the wall.
   bool rests_in_contact = false;
-  /// Under noise with r <= exp(-pi / sqrt 3) at a wall: inelastic collapse
+  /// Whether inelastic collapse occurs: there is noise, and r <= exp(-pi / sqrt 3) at a wall
   /// (problem/inelastic_collapse.hpp).
   bool collapse = false;
   bool noise = false, impulses = true;
-  bool constant_damping = true;   ///< f = c y'
-  bool negative_damping = false;  ///< c or another coefficient of f is negative
-  int wells = 1;                  ///< minima of U - lambda E[Y] y, walls included
+  bool constant_damping = true;   ///< whether the damping force is f = c y'
+  bool negative_damping = false;  ///< whether c or another coefficient of f is negative
+  int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
 };
 
 Features features(const Problem& problem);
 
-/// Whether the problem is in the paper's class: one wall, at y = 0 on the left; f = c y' with
-/// c > 0; g = k y + mu y^3 with k, mu >= 0; impulses without noise. (In the coordinates of
-/// wall_frame.) Decided from the coefficients alone, without the search for minima in features().
+/// Whether the problem is in the class of the paper: one wall, at y = 0 on the left; damping force
+/// f = c y' with c > 0; restoring force g = k y + mu y^3 with k, mu >= 0; impulses without noise.
+/// The conditions apply to the coordinates of wall_frame(). The function reads only the
+/// coefficients and does not search for minima of the potential, unlike features().
 bool is_paper_oscillator(const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -5,9 +5,10 @@ namespace fpkcheck::problem {
 class System;
 struct Problem;
 
-/// Wall coordinates x of a problem: y = origin + x, or y = origin - x when mirrored (velocities
-/// then change sign too). The wall is at x = 0 and the mass at x > 0; a second wall is on the
-/// right. For a problem with one wall at y = 0 on the left, or without walls, x = y.
+/// The transformation between the physical coordinate y of a problem and its wall coordinate x: y =
+/// origin + x, or, if mirrored, y = origin - x with the velocities of opposite sign. In wall
+/// coordinates the wall is at x = 0 and the mass at x > 0; a second wall is on the right. For a
+/// problem with one wall at y = 0 on the left, or without walls, x = y.
 struct Frame {
   double origin = 0;
   bool mirrored = false;
@@ -15,7 +16,7 @@ struct Frame {
   double sign() const { return mirrored ? -1 : 1; }
   double y(double x) const { return origin + sign() * x; }
   double x(double y) const { return sign() * (y - origin); }
-  /// The velocity y' for x'.
+  /// The physical velocity y' for the velocity x' in wall coordinates.
   double v(double x_dot) const { return sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
   /// The inverse transformation.
@@ -25,13 +26,13 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-/// The wall coordinates of a system: from the left wall, or from the right wall when it is the only
-/// one.
+/// The wall coordinates of a system. Their origin is the left wall, or the right wall if there is
+/// no left wall.
 Frame wall_frame(const System& system);
 
-/// The problem in wall coordinates, with Problem::frame set. For the identity the problem is
-/// returned unchanged, with the frame that it has. Its name and its parameters as in the case file
-/// are kept.
+/// Transforms a problem to the wall coordinates of `frame` and sets Problem::frame. If `frame` is
+/// the identity, the problem is returned unchanged, Problem::frame included. The name of the
+/// problem and its parameters as in the case file are kept.
 Problem to_wall_coordinates(const Frame& frame, const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -23,7 +23,7 @@ void validate(const Law& law) {
                   Law::kName, law.mean, Law::kWidthName, law.width()));
 }
 
-// E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n]
+// The moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
 template <class Law>
 double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
@@ -37,7 +37,8 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean defines the law of -Y by mirrored().
+// The law of -Y. A law that is not symmetric about its mean has a function mirrored(), which
+// returns the law of -Y.
 template <class Law>
 concept Asymmetric = requires(Law law) {
   law.mirrored();
@@ -53,10 +54,10 @@ Law make_law(double mean, double deviation, const LawShape& shape) {
     return Law::from_moments(mean, deviation, shape);
   } else {
     if (shape.skewness.value_or(0) != 0) {
-      throw InputError(
-          fmt::format("impulse.skewness = {}: impulse.law = {} has no skewness; omit it, or take "
-                      "exponential or gamma",
-                      *shape.skewness, Law::kName));
+      throw InputError(fmt::format(
+          "impulse.skewness = {}: impulse.law = {} has no skewness; omit the key, or take "
+          "exponential or gamma",
+          *shape.skewness, Law::kName));
     }
     return Law::from_moments(mean, deviation);
   }
@@ -84,7 +85,7 @@ ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double devi
                                  const LawShape& shape) {
   if (!shape.table.empty() && name != TabulatedLaw::kName) {
     throw InputError(fmt::format(
-        "impulse.table beside impulse.law = {}: this law takes no table; omit it, or set "
+        "impulse.table beside impulse.law = {}: this law has no table; omit the key, or set "
         "impulse.law = tabulated",
         name));
   }

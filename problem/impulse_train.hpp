@@ -10,26 +10,30 @@ namespace fpkcheck::problem {
 
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
-  double arrival_rate;  ///< lambda > 0
+  double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
   std::string law;      ///< name of the law of Y, one of ImpulseLaw::known_names()
-  double intensity;     ///< lambda E[Y^2] > 0
-  double mean;          ///< E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Skewness of Y, for laws that are not symmetric; the default of the law where absent.
+  double intensity;     ///< intensity lambda E[Y^2] > 0
+  double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
+  /// Skewness of Y, for laws that are not symmetric. If absent, the skewness is the default of the
+  /// law.
   std::optional<double> skewness = {};
-  /// The table of a tabulated law as one word (problem/amplitude_table.hpp).
+  /// The table of a tabulated law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
 };
 
-/// The description of these parameters.
+/// The description of the parameters of the section [impulse].
 const base::Description<ImpulseParameters>& impulse_description();
 
-/// The excitation xi(t) of paper (3): impulses Y_k at the times of a Poisson process.
+/// The impulsive excitation xi(t) of paper (3): impulses of random amplitudes Y_k at the times of a
+/// Poisson process.
 class ImpulseTrain {
  public:
-  /// No impulses: the rate and every rate_moment are 0. (The law is a placeholder.)
+  /// Constructs an excitation without impulses: the arrival rate and every rate_moment are 0. (The
+  /// law is a placeholder.)
   ImpulseTrain();
-  /// The law gets the variance that makes E[Y^2] = intensity / arrival_rate.
-  /// @throws InputError naming the parameter, its value and the allowed range
+  /// Constructs the impulse train of the parameters. The variance of the law is chosen such that
+  /// E[Y^2] = intensity / arrival_rate.
+  /// @throws InputError that states the invalid parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& parameters() const { return parameters_; }
@@ -37,12 +41,13 @@ class ImpulseTrain {
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& law() const { return law_; }
 
-  /// lambda E[Y^order], the coefficients of paper (15).
+  /// The product lambda E[Y^order], a coefficient of paper (15).
   double rate_moment(int order) const { return arrival_rate() * law_.moment(order); }
-  /// lambda E[Y^2], the intensity of the Gaussian white noise of equal power.
+  /// The product lambda E[Y^2]: the intensity of the Gaussian white noise that has the same power
+  /// as the impulses.
   double intensity() const { return rate_moment(2); }
 
-  /// The train of impulses -Y.
+  /// The impulse train whose amplitudes are -Y.
   ImpulseTrain mirrored() const;
 
  private:

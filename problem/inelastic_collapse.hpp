@@ -7,16 +7,18 @@
 
 namespace fpkcheck::problem {
 
-/// exp(-pi / sqrt 3): up to this restitution a particle under white noise makes infinitely many
-/// impacts in a finite time and comes to rest on the wall (inelastic collapse; S. J. Cornell, M. R.
-/// Swift, A. J. Bray, Phys. Rev. Lett. 81, 1142 (1998)). How the particle leaves the wall again is
-/// an additional law, which neither the equation nor the impact condition states.
+/// The critical restitution coefficient exp(-pi / sqrt 3). For restitution coefficients up to this
+/// value, a particle under white noise makes infinitely many impacts in a finite time and comes to
+/// rest on the wall (inelastic collapse; S. J. Cornell, M. R. Swift, A. J. Bray, Phys. Rev. Lett.
+/// 81, 1142 (1998)). The law by which the particle leaves the wall again is determined neither by
+/// the equation nor by the impact condition.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
-/// The reason why equation and impact condition do not determine a stationary density at one of the
-/// walls, and how to avoid it; empty where they do. Discrete impulses separate the particle from
-/// the wall. Collapse therefore occurs under the problem's own noise, for every equation, and under
-/// `white`, which replaces the impulses by noise.
+/// Explains why the equation and the impact condition at one of the walls leave the stationary
+/// density undetermined, and which change of the problem helps. Empty if the density is determined.
+/// Discrete impulses separate the particle from the wall, so that inelastic collapse needs white
+/// noise: the noise of the problem, for every equation; or the noise by which the equation `white`
+/// replaces the impulses.
 std::string collapse_unsupported_reason(const Problem& problem, Equation equation);
 
 }  // namespace fpkcheck::problem

@@ -6,14 +6,16 @@
 
 namespace fpkcheck::problem {
 
-/// Bounds of the magnitude of a nonzero parameter. Outside, powers of the deviations (solvers form
-/// the twelfth and higher) exceed the range of double precision. A change of the units of time and
-/// length brings any problem into these bounds.
+/// Limits of the magnitude of a nonzero parameter. Solvers compute twelfth and higher powers of the
+/// standard deviations; outside these limits such powers may exceed the range of double precision.
+/// A change of the units of time and length brings the parameters of any problem within the limits.
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 
-/// @param prefix of the names in case files
-/// @throws InputError naming the first nonzero number outside the bounds, its value and the bounds
+/// Requires that the magnitude of every nonzero number is within the limits.
+/// @param prefix text before the names in messages, as in case files: "system."
+/// @throws InputError that states name and value of the first nonzero number outside the limits,
+/// and the limits
 void require_magnitudes(const std::string& prefix, const base::Values& values);
 
 template <class Owner>

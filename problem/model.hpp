@@ -5,16 +5,17 @@
 
 #include "base/options/enum_names.hpp"
 
-/// The model that a method solves, as equation and impact condition. Each method states its model,
-/// so that solutions of different models are not compared as if they solved the same problem.
+/// The model that a method solves: a density equation and an impact condition. Each solution states
+/// its model, so that a comparison can distinguish solutions of different models.
 namespace fpkcheck::problem {
 
-/// The excitation term of the density equation.
+/// The density equations, which differ in their excitation term.
 enum class Equation {
-  white,     ///< -lambda E[Y] p' + D2 p'', D2 = lambda E[Y^2]/2
-  km4,       ///< Kramers-Moyal series truncated after the fourth derivative: paper (16), (20)
-  km4_pade,  ///< Pade approximant of that series: the same four coefficients, and well-posed
-  kf         ///< the full jump integral lambda (E[p(x2 - Y)] - p)
+  white,  ///< -lambda E[Y] p' + D2 p'', D2 = lambda E[Y^2]/2
+  km4,    ///< Kramers-Moyal series, truncated after the fourth derivative: paper (16), (20)
+  /// Pade approximant of the Kramers-Moyal series, with the same four coefficients and well-posed.
+  km4_pade,
+  kf  ///< the full jump integral lambda (E[p(x2 - Y)] - p)
 };
 inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
     {Equation::white, "white", "white noise"},
@@ -24,11 +25,11 @@ inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
 constexpr std::span<const base::EnumEntry<Equation>> names(Equation) { return kEquationNames; }
 constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
 
-/// The impact condition.
+/// The impact condition at a wall.
 enum class Impact {
   map,    ///< exact: p(0+, w) = p(0-, w/r) / r^2 for w > 0
   delta,  ///< paper (12): (1-r) x2 |x2| delta(x1), taken on the upstream side
-  exact   ///< simulated: each trajectory is reflected, paper (2)
+  exact   ///< a simulation reflects each trajectory at the impact, paper (2)
 };
 inline constexpr base::EnumEntry<Impact> kImpactNames[] = {
     {Impact::map, "map", "exact"},

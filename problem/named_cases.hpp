@@ -12,13 +12,13 @@ struct BuiltinCase {
   std::string text;  ///< the contents of cases/NAME.ini
 };
 
-/// The four cases of the paper (Table 1), in its order.
+/// The four cases of Table 1 of the paper, in the order of the table.
 const std::vector<BuiltinCase>& paper_cases();
 
-/// Example oscillators, each the smallest of its kind (docs/systems.md).
+/// Example oscillators. Each example is the simplest oscillator of its type in docs/systems.md.
 const std::vector<BuiltinCase>& example_systems();
 
-/// The compiled-in case with this name; null when there is none.
+/// The case with this name that is compiled into the program; null if there is none.
 const BuiltinCase* find_builtin_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -26,9 +26,9 @@ Scales by_linearisation(const Problem& problem) {
           .slowest_decay_rate = slowest_decay_rate(linear)};
 }
 
-// Far above critical damping the motion is overdamped, v = -V'/c: a diffusion of the displacement
-// with the coefficient D_eff / c^2 in the potential c V / D_eff. Its smallest positive eigenvalue,
-// by inverse iteration on a uniform grid.
+// The smallest positive eigenvalue of the overdamped motion, by inverse iteration on a uniform
+// grid. Far above critical damping the drift of the displacement is v = -V'/c. The displacement is
+// then a diffusion process with the coefficient D_eff / c^2 in the potential c V / D_eff.
 double overdamped_relaxation_rate(const Problem& problem, const Scales& scales, double damping) {
   constexpr int kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
@@ -58,8 +58,9 @@ double overdamped_relaxation_rate(const Problem& problem, const Scales& scales, 
     const double before = gamma;
     if (iteration > 0) gamma = 1 / std::sqrt(square);
     if (iteration > 1 && std::abs(gamma - before) < 1e-6 * gamma) break;
-    // The flux is summed on the side of smaller probability: the sums of both sides are opposite
-    // only up to rounding errors.
+    // The flux is the sum over one side, and minus the sum over the other side. The two agree only
+    // up to rounding errors; the side of smaller probability is summed, since its rounding errors
+    // are smaller.
     std::vector<double> beyond(kCells + 1), next(kCells);
     for (int n = kCells; n-- > 0;) beyond[n] = beyond[n + 1] + mass[n] * u[n];
     double before_here = 0, mass_before = 0;
@@ -101,7 +102,7 @@ Scales by_averaging(const Problem& problem) {
   scales.velocity_deviation = std::sqrt(v2);
   scales.y_low = lowest;
   scales.y_high = highest;
-  // The decay rate of the amplitude is half of that of the energy.
+  // The decay rate of the amplitude is half of the decay rate of the energy.
   scales.slowest_decay_rate = averaging.relaxation_rate() / 2;
   if (damping > 0) {
     scales.slowest_decay_rate =

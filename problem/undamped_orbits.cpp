@@ -11,7 +11,7 @@
 namespace fpkcheck::problem {
 namespace {
 
-// The root of a function between two points of opposite sign.
+// The root of a function between two points where the function has opposite signs.
 template <class Function>
 double sign_change(const Function& f, double from, double to) {
   std::uintmax_t iterations = 200;
@@ -24,8 +24,9 @@ struct SearchInterval {
   double low, high;
 };
 
-// The walls; at open ends a bound of all roots. A polynomial of a single term has the root 0 and
-// the root bound 1, which the bound here includes.
+// The interval in which the roots of a polynomial are searched. Its ends are the walls; on a side
+// without a wall the end is a bound of all roots. A polynomial of a single term has the root 0 and
+// root_bound() 1, and the interval contains both.
 SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_bound(polynomial) + 1;
   return {.low = system.left() ? system.left()->position : -bound,
@@ -51,7 +52,8 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   const numerics::Polynomial slope = potential_.derivative();
   const auto [low, high] = search_interval(slope, system_);
   extrema_ = sign_changes_between_walls(slope, system_);
-  // V is monotone between neighbouring knots; its slope after each knot decides which are minima.
+  // V is monotone between neighbouring knots. The slope of V after a knot decides
+  // whether the knot is a minimum.
   std::vector<double> knots{low};
   knots.insert(knots.end(), extrema_.begin(), extrema_.end());
   knots.push_back(high);
@@ -79,7 +81,8 @@ double UndampedOrbits::deepest_minimum() const {
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
-// The point with V = energy beyond a knot of lower V, on the side `outwards` where V grows.
+// The point with V = energy outside a knot with V < energy. `outwards` is +1 or -1, the direction
+// from the knot in which V increases without bound.
 double UndampedOrbits::end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
@@ -132,11 +135,12 @@ Orbit UndampedOrbits::orbit(const HalfCycle& half_cycle, double energy) const {
   const auto speed = [&](double y) {
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
-  // Substitution y = middle + half sin(phase): at a turning point v decreases like cos(phase), so
-  // that dy / v is smooth.
+  // Substitution y = middle + half sin(phase): at a turning point both v and dy / dphase behave
+  // like cos(phase), so that dy / v is smooth in the phase.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
-    const double dy = 2 * weight * half * std::cos(phase);  // both half-cycles
+    // The factor 2 counts both half-cycles of the period.
+    const double dy = 2 * weight * half * std::cos(phase);
     const double v = speed(y);
     const double damping = system_.damping_polynomial()(y) + system_.rayleigh() * v * v;
     orbit.action += v * dy;

@@ -6,20 +6,20 @@
 
 namespace fpkcheck::problem {
 
-/// A feature that the program does not treat, with the words that ask for it in keys of case files
-/// and in commands.
+/// A feature that the program does not support, with the words by which keys of case files and
+/// commands request the feature.
 struct UnsupportedFeature {
-  std::string_view subject;  ///< "dry friction"
-  /// Lower case; matched with each part of a key between '.' and '_'.
+  std::string_view subject;  ///< name of the feature: "dry friction"
+  /// Words in lower case. Each word is compared with the parts into which '.' and '_' split a key.
   std::span<const std::string_view> words;
 };
 
-/// All unsupported features, as listed in README.md.
+/// All unsupported features, in agreement with the list in README.md.
 std::span<const UnsupportedFeature> unsupported_features();
 
-/// One line naming the unsupported feature that a key or command asks for; empty where there is
-/// none.
-/// @param name "system.friction", "passage"
+/// One line that names the unsupported feature which a key or a command requests. Empty if the name
+/// requests no unsupported feature.
+/// @param name key or command: "system.friction", "passage"
 std::string unsupported_feature_text(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -19,15 +19,15 @@ const Description<WallParameters>& wall_description() {
           .add("left", &W::left, {"A", "position of the wall on the left"}, finite_number())
           .with_symbol("a", "a")
           .with_omitted_default(Value())
-          .add("left_restitution", &W::left_restitution, {"R", "its coefficient of restitution"},
-               restitution_range())
+          .add("left_restitution", &W::left_restitution,
+               {"R", "coefficient of restitution of the wall on the left"}, restitution_range())
           .with_symbol("r_a", "r_a")
           .with_omitted_default(Value())
           .add("right", &W::right, {"B", "position of the wall on the right"}, finite_number())
           .with_symbol("b", "b")
           .with_omitted_default(Value())
-          .add("right_restitution", &W::right_restitution, {"R", "its coefficient of restitution"},
-               restitution_range())
+          .add("right_restitution", &W::right_restitution,
+               {"R", "coefficient of restitution of the wall on the right"}, restitution_range())
           .with_symbol("r_b", "r_b")
           .with_omitted_default(Value())
           .add("none", &W::none, {"", "there is no wall"})
@@ -70,7 +70,7 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
   const Walls walls{.left = wall("left", parameters.left, parameters.left_restitution),
                     .right = wall("right", parameters.right, parameters.right_restitution)};
   if (parameters.none && (walls.left || walls.right)) {
-    throw InputError("wall.none = true beside a wall; keep one of them");
+    throw InputError("wall.none = true beside a wall; remove wall.none, or the keys of the wall");
   }
   if (walls.left && walls.right && !(walls.left->position < walls.right->position)) {
     throw InputError(fmt::format("wall.left = {} (must be below wall.right = {})",

@@ -6,36 +6,38 @@
 
 namespace fpkcheck::problem {
 
-/// A rigid wall; an impact multiplies y' by -restitution.
+/// A rigid wall. An impact at the wall multiplies the velocity y' by -restitution.
 struct Wall {
   double position;
-  double restitution;  ///< r, 0 < r <= 1
+  double restitution;  ///< coefficient of restitution r, 0 < r <= 1
   bool operator==(const Wall&) const = default;
 };
 
-/// The section [wall] of a case file. The mass moves between the walls: left <= y <= right.
+/// The section [wall] of a case file: positions and restitution coefficients of the walls. The mass
+/// moves in left <= y <= right.
 struct WallParameters {
   std::optional<double> left = {}, left_restitution = {};
   std::optional<double> right = {}, right_restitution = {};
-  bool none = false;  ///< explicitly no wall
+  bool none = false;  ///< whether the case file states that there is no wall
 
   bool operator==(const WallParameters&) const = default;
-  /// Whether the section is absent.
+  /// Whether the case file has no section [wall].
   bool empty() const { return *this == WallParameters{}; }
 };
 
-/// The description of these parameters.
+/// The description of the parameters of the section [wall].
 const base::Description<WallParameters>& wall_description();
 
-/// The walls at the left and right ends of the motion; absent at open ends.
+/// The walls at the left and right ends of the interval of y. A wall is absent where the interval
+/// is unbounded.
 struct Walls {
   std::optional<Wall> left, right;
 };
 
-/// The walls of a case file: those of [wall], or one wall at y = 0 on the left with `restitution`
-/// of [system] (the form of case files without [wall]).
-/// @throws InputError where both or neither are given; where a position lacks its restitution or a
-/// restitution its position; where left is not less than right
+/// The walls that a case file defines: the walls of the section [wall]; or, without this section,
+/// one wall at y = 0 on the left with `restitution` of the section [system].
+/// @throws InputError if both [wall] and `restitution` are given, or neither; if a wall has a
+/// position without a restitution or a restitution without a position; or if left >= right
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution);
 
 }  // namespace fpkcheck::problem

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::problem {
 
-/// An impulse amplitude that has a positive probability.
+/// An atom of an amplitude law: an amplitude with positive probability, and this probability.
 struct Atom {
   double amplitude;
   double probability;

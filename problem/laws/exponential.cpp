@@ -28,7 +28,7 @@ ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation, const
 double ExponentialLaw::standard_deviation() const { return std::abs(scale); }
 
 double ExponentialLaw::standardised_moment(int n) const {
-  double derangements = 1;  // D_n = n D_{n-1} + (-1)^n
+  double derangements = 1;  // recursion D_n = n D_{n-1} + (-1)^n
   for (int i = 1; i <= n; ++i) derangements = i * derangements + (i % 2 == 0 ? 1 : -1);
   return scale < 0 && n % 2 != 0 ? -derangements : derangements;
 }
@@ -39,7 +39,7 @@ double ExponentialLaw::density(double y) const {
 }
 
 double ExponentialLaw::cumulative(double y) const {
-  const double e = 1 + (y - mean) / scale;  // increases in y for a positive scale
+  const double e = 1 + (y - mean) / scale;  // value of E; increases in y for a positive scale
   if (scale > 0) return e > 0 ? -std::expm1(-e) : 0;
   return e > 0 ? std::exp(-e) : 1;
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// The value of G for Y = y.
+// The value of the gamma variable G that gives Y = y.
 double standardised_variate(const GammaLaw& law, double y) {
   return law.shape() + (y - law.mean) / law.width() * std::sqrt(law.shape());
 }
@@ -56,8 +56,9 @@ double GammaLaw::cumulative(double y) const {
 }
 
 std::vector<double> GammaLaw::density_breakpoints() const {
-  // Each end cuts off a probability of 1e-20. Near the end of the support the density is x^(k-1)
-  // times a smooth function, which a ten-point rule integrates between x and 3 x.
+  // The probability beyond each end of the break points is 1e-20. Near the end of the support the
+  // density is x^(k-1) times a smooth function. A ten-point quadrature rule integrates such a
+  // density between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);
@@ -75,7 +76,8 @@ std::vector<double> GammaLaw::density_breakpoints() const {
 }
 
 std::complex<double> GammaLaw::centred_characteristic_function(double u) const {
-  // (1 - ix)^-k exp(-ikx), x = u deviation skewness/2, without the difference of large phases.
+  // The result is (1 - ix)^-k exp(-ikx) with x = u deviation skewness/2. The formula below avoids
+  // the difference of two large phases.
   const double x = u * deviation * skewness / 2, k = shape();
   return std::polar(std::exp(-k * std::log1p(x * x) / 2), k * (std::atan(x) - x));
 }

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::problem {
 
-/// Y ~ N(mean, deviation^2).
+/// The Gaussian law N(mean, deviation^2).
 struct GaussianLaw {
   double mean;
   double deviation;
@@ -20,7 +20,7 @@ struct GaussianLaw {
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  /// E[((Y - mean) / deviation)^n] = (n-1)!! for even n.
+  /// E[((Y - mean) / deviation)^n]: (n-1)!! for even n, 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative(double y) const;
@@ -28,11 +28,11 @@ struct GaussianLaw {
   std::vector<double> density_breakpoints() const {
     return {mean - 9 * deviation, mean + 9 * deviation};
   }
-  /// E[exp(iu (Y - mean))]
+  /// The characteristic function of Y - mean, E[exp(iu (Y - mean))].
   std::complex<double> centred_characteristic_function(double u) const {
     return std::exp(-u * u * deviation * deviation / 2);
   }
-  /// E[exp(u (Y - mean))]
+  /// The moment generating function of Y - mean, E[exp(u (Y - mean))].
   double centred_moment_generating_function(double u) const {
     return std::exp(u * u * deviation * deviation / 2);
   }

@@ -11,7 +11,7 @@
 
 namespace fpkcheck::problem {
 
-/// Density exp(-|y - mean| / scale) / (2 scale): variance 2 scale^2.
+/// The Laplace law, with density exp(-|y - mean| / scale) / (2 scale) and variance 2 scale^2.
 struct LaplaceLaw {
   double mean;
   double scale;
@@ -24,7 +24,7 @@ struct LaplaceLaw {
   double width() const { return scale; }
   double standard_deviation() const { return std::numbers::sqrt2 * scale; }
 
-  /// n! / 2^(n/2) for even n.
+  /// E[((Y - mean) / standard_deviation())^n]: n! / 2^(n/2) for even n, 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
   double cumulative(double y) const;

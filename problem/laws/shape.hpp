@@ -5,12 +5,12 @@
 
 namespace fpkcheck::problem {
 
-/// Shape parameters of a law besides its mean and standard deviation, from the case file. Most laws
-/// have none.
+/// Parameters of an amplitude law in addition to its mean and standard deviation, read from the
+/// case file. Most laws have no such parameters.
 struct LawShape {
-  /// E[(Y - mean)^3] / deviation^3.
+  /// The skewness E[(Y - mean)^3] / deviation^3.
   std::optional<double> skewness = {};
-  /// A table of amplitudes (problem/amplitude_table.hpp).
+  /// A table literal of amplitudes (problem/amplitude_table.hpp); empty for laws without a table.
   std::string table = {};
 };
 

@@ -15,15 +15,16 @@
 namespace fpkcheck::problem {
 namespace {
 
-// 20 Gauss points integrate exp(i x) and exp(x) to rounding over a length of 6.
+// Over an interval of length 6, the Gauss-Legendre rule with 20 points integrates exp(i x) and
+// exp(x) with only rounding errors.
 constexpr double kSmoothLength = 6;
 
 bool has_atoms(const TabulatedLaw& law) {
   return law.standard->kind == AmplitudeTable::Kind::probability;
 }
 
-// E[f(Z)] for a function f that is smooth over the pieces of the table, or over lengths of
-// `smooth`.
+// E[f(Z)] for a function f that is smooth on intervals of length `smooth`. With the default
+// `smooth`, f must be smooth between neighbouring amplitudes of the table.
 template <class Function>
 auto expectation(const AmplitudeTable& table, const Function& f,
                  double smooth = std::numeric_limits<double>::infinity()) {
@@ -49,7 +50,7 @@ auto expectation(const AmplitudeTable& table, const Function& f,
   return sum;
 }
 
-// P(Z <= z), or P(Z < z).
+// P(Z <= at) if `with_equal` is true, else P(Z < at).
 double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;
@@ -76,9 +77,9 @@ TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation, const Law
         "amplitude,probability or amplitude,density");
   }
   if (shape.skewness) {
-    throw InputError(
-        fmt::format("impulse.skewness = {}: a tabulated law has the skewness of its table; omit it",
-                    *shape.skewness));
+    throw InputError(fmt::format(
+        "impulse.skewness = {}: a tabulated law has the skewness of its table; omit the key",
+        *shape.skewness));
   }
   AmplitudeTable table = parse_table_literal(shape.table);
   const double centre = table.mean(), width = std::sqrt(table.variance());

@@ -12,16 +12,18 @@ namespace fpkcheck::problem {
 
 struct AmplitudeTable;
 
-/// Y = mean + scale Z, where Z has the law of a table, shifted and scaled to mean 0 and deviation
-/// 1: atoms, or a piecewise linear density. The mirrored law has a negative scale.
+/// The law of a table: Y = mean + scale Z. The law of Z is that of the table, shifted and scaled to
+/// mean 0 and standard deviation 1. Z is discrete or has a piecewise linear density. The mirrored
+/// law, that of -Y, has a negative scale.
 struct TabulatedLaw {
   double mean;
   double scale;
-  std::shared_ptr<const AmplitudeTable> standard;  ///< the table of Z
+  std::shared_ptr<const AmplitudeTable> standard;  ///< table of the law of Z
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// @throws InputError when the table is missing or invalid
+  /// The law of shape.table, shifted and scaled to the given mean and standard deviation.
+  /// @throws InputError if the table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShape& shape);
   double width() const { return scale; }
   double standard_deviation() const;

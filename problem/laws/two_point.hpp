@@ -9,7 +9,7 @@
 
 namespace fpkcheck::problem {
 
-/// Y = mean - deviation or mean + deviation, each of probability 1/2.
+/// The two-point law: Y = mean - deviation or Y = mean + deviation, each with probability 1/2.
 struct TwoPointLaw {
   double mean;
   double deviation;

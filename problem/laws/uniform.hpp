@@ -10,7 +10,8 @@
 
 namespace fpkcheck::problem {
 
-/// Constant density on (mean - half_width, mean + half_width): variance half_width^2 / 3.
+/// The uniform law, with constant density on (mean - half_width, mean + half_width) and variance
+/// half_width^2 / 3.
 struct UniformLaw {
   double mean;
   double half_width;
@@ -23,7 +24,7 @@ struct UniformLaw {
   double width() const { return half_width; }
   double standard_deviation() const { return half_width / std::numbers::sqrt3; }
 
-  /// 3^(n/2) / (n+1) for even n.
+  /// E[((Y - mean) / standard_deviation())^n]: 3^(n/2) / (n+1) for even n, 0 for odd n.
   double standardised_moment(int n) const {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
