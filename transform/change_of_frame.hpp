@@ -7,24 +7,29 @@
 
 namespace fpkcheck::transform {
 
-/// Transforms increasing edges in x = frame.x(y) into increasing edges in y, and back.
+/// Transforms increasing cell edges in wall coordinates x into increasing cell edges in physical
+/// coordinates y (to_y_edges), and back (to_x_edges).
 std::vector<double> to_y_edges(const problem::Frame& frame, const std::vector<double>& x_edges);
 std::vector<double> to_x_edges(const problem::Frame& frame, const std::vector<double>& y_edges);
-/// Transforms velocity edges, of which only the sign may change (so the map is its own inverse).
+/// Transforms increasing cell edges of the velocity between wall and physical coordinates. At most
+/// the sign changes, so that the same function is the inverse.
 std::vector<double> transform_v_edges(const problem::Frame& frame,
                                       const std::vector<double>& edges);
 
-/// Transforms a density over (x, x') into a density over (y, y'), and back.
-/// @param y_edges edges of the axes on which the density may have its cells: cell edges equal to
-///        to_x_edges(frame, y_edges) become exactly these numbers (y - origin + origin differs from
-///        y by rounding, and histograms are compared on equal edges)
+/// Transforms a density of (x, x') in wall coordinates into a density of (y, y') in physical
+/// coordinates (to_physical_coordinates), and back (to_wall_coordinates).
+/// @param y_edges cell edges in y. Cell edges of the density that equal to_x_edges(frame, y_edges)
+/// become exactly the numbers `y_edges`. Without `y_edges` the result could differ from these
+/// numbers by the rounding of y - origin + origin, but histograms are compared only on equal edges.
 Density to_physical_coordinates(const problem::Frame& frame, Density density,
                                 const std::vector<double>& y_edges = {});
 Density to_wall_coordinates(const problem::Frame& frame, Density density);
 
-/// Transforms densities, marginals and atoms of a solution from its frame to the physical axes.
-/// Moments, their errors and metrics stay unchanged: solvers return these in physical coordinates.
-/// @param y_edges edges of the axes passed to the solver, as above; used for its marginals too
+/// Transforms densities, marginals and atoms of a solution from wall coordinates to physical
+/// coordinates. Moments, their errors and metrics are unchanged, since solvers return these
+/// quantities in physical coordinates.
+/// @param y_edges cell edges in y that were passed to the solver; edges of densities and marginals
+/// become exactly these numbers
 Solution to_physical_coordinates(const problem::Frame& frame, Solution solution,
                                  const std::vector<double>& y_edges = {});
 

@@ -8,22 +8,23 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr std::ptrdiff_t kInterpolationPoints = 8;  // degree 7
-// Tolerated overshoot relative to the total mass. The largest overshoot is 2e-7 in the densities of
-// the baselines and 1e-2 at a spike: the remapping of smooth densities stays linear in the masses.
+constexpr std::ptrdiff_t kInterpolationPoints = 8;  // 8 points give degree 7
+// Tolerated overshoot of the interpolated cumulative distribution, relative to the total mass. The
+// largest overshoot is 2e-7 in the densities of the baselines and 1e-2 at a spike. Smooth densities
+// are therefore not clipped, and their remapping is linear in the masses.
 constexpr double kOvershootTolerance = 1e-6;
 
 }  // namespace
 
-// Lagrange interpolation of the cumulative in terms of its increments, minus the masses before the
-// bin.
+// Lagrange interpolation of the cumulative distribution, written in terms of the masses of the
+// bins. The masses before the bin of x are subtracted.
 ConservativeRemap::Edge ConservativeRemap::locate_edge(std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // Edges begin .. end - 1 of the stencil: those on the same side of an edge at 0.
+  // The stencil consists of the edges begin .. end - 1, which are on the same side of an edge at 0.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -40,7 +41,8 @@ ConservativeRemap::Edge ConservativeRemap::locate_edge(std::span<const double> e
     }
     lagrange.push_back(weight);
   }
-  // The cumulative at edge a contains every bin before a; bins before k are subtracted.
+  // The cumulative distribution at edge a contains all bins before a; the bins before k are
+  // subtracted.
   Edge result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
               std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;

@@ -6,29 +6,32 @@
 
 namespace fpkcheck::transform {
 
-/// Conservative remapping of bin masses from one set of bins to another along one axis.
+/// Conservative remapping of the masses of one set of bins to another set of bins, along one axis.
 ///
-/// The cumulative distribution, exact on the source edges, is interpolated by polynomials of
-/// degree 7 and differenced on the target edges. Coinciding edges need no interpolation. No
-/// stencil crosses 0, where densities of y' may jump at the wall. All mass within the ends of the
-/// target is kept.
+/// The cumulative distribution is known exactly at the source edges. Polynomials of degree 7
+/// interpolate the distribution at the target edges, and differences between target edges are the
+/// new masses. Target edges that coincide with source edges need no interpolation. No stencil of
+/// interpolation extends across 0, where the density of y' may be discontinuous at the wall. The
+/// total mass between the ends of the target is conserved.
 ///
-/// Next to a spike the polynomial overshoots by more than the mass of the adjacent bin. For
-/// nonnegative masses the interpolated cumulative is therefore clipped to be monotone wherever it
-/// violates monotonicity by more than 1e-6 of the total mass. The tails of a smooth density violate
-/// it by less.
+/// Next to a spike, the polynomial overshoots by more than the mass of the adjacent bin. For
+/// nonnegative masses, the interpolated distribution is therefore clipped to be monotone wherever
+/// its decrease exceeds 1e-6 of the total mass. In the tails of a smooth density the decrease is
+/// smaller.
 class ConservativeRemap {
  public:
-  /// @param source n + 1 increasing edges; target m + 1 increasing edges
+  /// @param source n + 1 increasing edges of the old bins
+  /// @param target m + 1 increasing edges of the new bins
   ConservativeRemap(std::span<const double> source, std::span<const double> target);
 
-  /// @param masses shape (n)
-  /// @return shape (m)
+  /// @param masses masses of the old bins, shape (n)
+  /// @return masses of the new bins, shape (m)
   std::vector<double> operator()(std::span<const double> masses) const;
 
  private:
-  /// The cumulative at a target edge: the masses of all source bins before `bin`, plus the sum of
-  /// weight_k times the mass of source bin first + k. Without weights the second part is 0.
+  /// The stencil of the cumulative distribution at a target edge. The distribution is the sum of
+  /// the masses of all source bins before `bin`, plus the sum over k of weights[k] times the mass
+  /// of source bin first + k. The second sum is 0 if `weights` is empty.
   struct Edge {
     std::size_t bin;
     std::size_t first;

@@ -5,11 +5,12 @@
 #include <variant>
 #include <vector>
 
-/// Joint densities of (y, y') between the walls: on the half-plane y >= 0 in the paper. Every
-/// solver returns one of these two forms, of integral 1 minus the rest atoms.
+/// Joint densities of (y, y') between the walls; in the paper, on the half-plane y >= 0. Every
+/// solver returns a density in one of the two forms GridDensity and SmoothDensity. The integral of
+/// the density is 1 minus the probabilities of the rest atoms.
 namespace fpkcheck::transform {
 
-/// Averages over rectilinear cells (finite volumes, histograms).
+/// A density given by its averages over rectangular cells (from finite volumes or a histogram).
 struct GridDensity {
   std::vector<double> y_edges;   ///< ny + 1 increasing edges; a wall is the first or last edge
   std::vector<double> v_edges;   ///< nv + 1 increasing edges
@@ -20,7 +21,8 @@ struct GridDensity {
   double average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
 };
 
-/// A density evaluated pointwise, zero outside [y_min, y_max] x [-v_max, v_max].
+/// A density given by a function of (y, v). The density is zero outside [y_min, y_max] x [-v_max,
+/// v_max].
 struct SmoothDensity {
   std::function<double(double y, double v)> value;
   double y_max;
@@ -30,13 +32,13 @@ struct SmoothDensity {
 
 using Density = std::variant<GridDensity, SmoothDensity>;
 
-/// Moments of y and y'.
+/// The moments of y and y' of order 1, 2 and 4.
 struct Moments {
   double y1 = 0, y2 = 0, y4 = 0;  ///< E[y], E[y^2], E[y^4]
   double v1 = 0, v2 = 0, v4 = 0;  ///< E[y'], E[y'^2], E[y'^4]
 };
 
-/// A moment, with its key in files and its symbol in tables.
+/// A moment of `Moments`, with its key in files and its symbol in tables.
 struct NamedMoment {
   const char* name;
   const char* symbol;
@@ -48,26 +50,29 @@ inline constexpr NamedMoment kMoments[] = {
     {"y4", "E[y^4]", &Moments::y4, &Moments::y4},  {"v1", "E[y']", &Moments::v1, &Moments::v2},
     {"v2", "E[y'^2]", &Moments::v2, &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4, &Moments::v4}};
 
-/// Integral of g(y, v) p(y, v) over the support, by a composite Gauss-Legendre rule on
-/// [y_min, y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
+/// The expectation of g: the integral of g(y, v) p(y, v) over the support of p, computed with a
+/// composite Gauss-Legendre rule on [y_min, y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
 
-/// int_{v<0} |v|^power p(0, v) dv. Power 1 gives the impact rate, power 3 twice the energy flux of
-/// paper (2).
+/// The flux int_{v<0} |v|^power p(0, v) dv at the wall y = 0. For power 1 the result is the impact
+/// rate; for power 3 the result is twice the energy flux of paper (2).
 double impact_flux(const SmoothDensity& density, int power);
 
-/// Averages of a pointwise density over cells, by three Gauss-Legendre points in each direction.
-/// @param y_edges increasing, from 0; v_edges increasing, with 0 among them (p may jump there)
+/// Averages of a density over cells, computed from the function of the density at three
+/// Gauss-Legendre points in each direction of a cell.
+/// @param y_edges increasing edges, the first is 0
+/// @param v_edges increasing edges that include 0, where p may be discontinuous
 GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
-/// Averages of a density on cells over other cells: exact where the edges coincide, by
-/// ConservativeRemap along both axes elsewhere. The edges of a histogram should include the new
-/// edges, since polynomials do not interpolate its noise.
+/// Averages over new cells of a density that is given on other cells, computed with
+/// ConservativeRemap along both axes. The averages are exact where old and new edges coincide. The
+/// edges of a histogram should include the new edges, since polynomial interpolation is inaccurate
+/// for noisy data.
 GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
-/// Sum of the cell masses: 1 for a normalised density.
+/// The mass of a density: the sum of the masses of all cells, 1 for a normalised density.
 double mass(const GridDensity& density);
 
 }  // namespace fpkcheck::transform

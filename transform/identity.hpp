@@ -10,7 +10,7 @@
 
 namespace fpkcheck::transform {
 
-/// Kind of a solution in a comparison, by increasing trust.
+/// Type of a solution in a comparison. The enumerators are ordered by increasing trust.
 enum class Role {
   external,    ///< an external density of unknown origin
   closure,     ///< a density of assumed form
@@ -24,7 +24,7 @@ inline constexpr base::EnumEntry<Role> kRoleNames[] = {{Role::external, "given"}
 constexpr std::span<const base::EnumEntry<Role>> names(Role) { return kRoleNames; }
 constexpr std::string_view name(Role role) { return base::name_of(role); }
 
-/// Colours and lines of a solution in every plot and on the page.
+/// Colour, line and marker of a solution, the same in all plots and on the report page.
 struct PlotStyle {
   std::string colour = "#777777";  ///< "#RRGGBB"
   std::string dash = "solid";      ///< a dash type of gnuplot: "solid", "(10,4)"
@@ -36,41 +36,45 @@ struct PlotStyle {
   bool operator==(const PlotStyle&) const = default;
 };
 
-/// Identification of a solution. The solver sets the method, the equation and the impact; the
-/// registry of methods adds family, meaning, trust and plot style.
+/// Identification of a solution. The solver sets the method, the density equation and the impact
+/// condition; the registry of methods adds family, meaning, trust and plot style.
 struct Identity {
-  std::string id;      ///< e.g. "epc-gaussian-n6", "fd-kf", "mcs"
-  std::string method;  ///< solver: "epc", "fd", "mcs", or "file"
-  /// Formulation of a closure, with its variant: "gaussian", "moment-white"; else empty.
+  std::string id;      ///< id of the solution: "epc-gaussian-n6", "fd-kf", "mcs"
+  std::string method;  ///< method of the solver: "epc", "fd", "mcs", or "file"
+  /// Formulation and variant of a closure: "gaussian", "moment-white". Empty for other methods.
   std::string formulation = {};
-  std::optional<int> order = {};  ///< degree of the closure's polynomial
-  /// Equation and impact that were solved; empty if unknown (a file).
+  std::optional<int> order = {};  ///< closure order: degree of its polynomial
+  /// Density equation and impact condition that were solved. Empty if unknown, for example for a
+  /// density from a file.
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
 
   Role role = Role::external;
-  std::string family = {};   ///< group in lists: "epc-gaussian", "fd", "mcs"
-  std::string meaning = {};  ///< one sentence for glossaries
+  std::string family = {};   ///< group of solutions in lists: "epc-gaussian", "fd"
+  std::string meaning = {};  ///< meaning of the method, one sentence for glossaries
   int trust = 0;             ///< rank within the role, by increasing trust
   PlotStyle plot_style = {};
 
   bool operator==(const Identity&) const = default;
 };
 
-/// Method names of external densities: from a file, or from a function or samples.
+/// Method names of external densities: "file" for a density from a file, "given" for a density from
+/// a function or from samples.
 inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "given";
 
-/// True for an external density, whatever its role.
+/// Whether the solution is an external density, of any role.
 bool is_external(const Identity& identity);
 
-/// True if the members of the solution's family differ by their order: a closure, or an external
-/// density with a family of its own (methods/external/families.hpp).
+/// Whether the solutions of the same family differ in their closure order. This is the case for a
+/// closure, and for an external density that belongs to a family of external densities
+/// (methods/external/families.hpp).
 bool is_distinguished_by_order(const Identity& identity);
 
-/// Equation and impact that were solved, by their names in files: "km4/delta".
+/// The names in files of the density equation and the impact condition that were solved:
+/// "km4/delta".
 std::string equation_and_impact_text(const Identity& identity);
 
-/// Name within the family: "n6", "kf"; the id if there is no shorter name.
+/// The short name of a solution within its family: "n6", "kf". The id if there is no shorter name.
 std::string short_name(const Identity& identity);
 
 }  // namespace fpkcheck::transform

@@ -11,40 +11,42 @@
 
 namespace fpkcheck::transform {
 
-/// Kind of a metric; it determines how closely a repeated run must reproduce the value.
+/// Type of a metric. The type determines how closely a repeated run must reproduce the value of the
+/// metric.
 enum class Kind {
-  result,       ///< part of the solution: a repeated run must reproduce it
-  coefficient,  ///< of a closed form; single coefficients are not determined to the last digits
-  error,        ///< a statistical error estimated by the method
+  result,       ///< part of the solution; a repeated run must reproduce the value
+  coefficient,  ///< coefficient of a closed form; the last digits of coefficients are not determined
+  error,        ///< statistical error, estimated by the method
   work,         ///< diagnostics of the computation: steps, iterations, seconds, residuals
   text          ///< text for readers
 };
 
-/// A solver-specific quantity of a solution: a value under a path such as "support.edge_density"
-/// or "quantiles.y[2].value", the same in files and on the page. Code that writes, checks or
-/// prints metrics needs no list of the solvers' names.
+/// A quantity of a solution that only one solver returns. Its value has a path such as
+/// "support.edge_density" or "quantiles.y[2].value", which is the same in files and on the report
+/// page. Code that writes, checks or prints metrics is therefore independent of the solvers.
 struct Metric {
   std::string path;
-  base::Value value;  ///< null if the quantity is absent
+  base::Value value;  ///< value; null if the quantity is absent
   Kind kind = Kind::result;
-  /// Path of the standard error of this value, itself a metric; empty for a deterministic value.
+  /// Path of another metric, the standard error of this value. Empty for a deterministic value.
   std::string standard_error_path = {};
-  /// Smallest scale for relative changes of a result: max(|value|, this).
+  /// Lower limit of the scale of relative changes of a result; the scale is max(|value|,
+  /// min_scale).
   double min_scale = 0.1;
-  /// True for values that amplify rounding errors: far tails and small differences.
+  /// Whether the value amplifies rounding errors, as values in far tails and small differences do.
   bool is_rounding_sensitive = false;
 
   bool operator==(const Metric&) const = default;
 };
 
-/// Metrics in their order in files.
+/// List of metrics, in the order in which files contain the metrics.
 using Metrics = std::vector<Metric>;
 
-/// The metric with this path, or null.
+/// The metric with this path; null if there is none.
 const Metric* find(const Metrics& metrics, std::string_view path);
-/// The number under a path; empty if there is none.
+/// The numerical value of the metric with this path; empty if there is none.
 std::optional<double> number(const Metrics& metrics, std::string_view path);
-/// The text under a path; empty if there is none.
+/// The text value of the metric with this path; empty if there is none.
 std::optional<std::string> word(const Metrics& metrics, std::string_view path);
 
 /// Builder of a list of metrics.
@@ -55,7 +57,7 @@ class MetricBuilder {
   MetricBuilder& text(const std::string& path, base::Value value);
   MetricBuilder& error(const std::string& path, base::Value value);
   MetricBuilder& add(Metric observation);
-  /// Adds an empty list under this path.
+  /// Adds an empty list of values with this path.
   MetricBuilder& add_empty_list(const std::string& path, Kind kind = Kind::result);
 
   Metrics take() { return std::move(metrics_); }
@@ -64,13 +66,13 @@ class MetricBuilder {
   Metrics metrics_;
 };
 
-/// Converts a count to a value.
+/// Converts a count to a value of type integer.
 template <class Integer>
 base::Value count_value(Integer count) {
   return static_cast<std::int64_t>(count);
 }
 
-/// Converts an optional number to a value: null if empty.
+/// Converts an optional number to a value; an empty number becomes null.
 inline base::Value optional_value(const std::optional<double>& number) {
   return number ? base::Value(*number) : base::Value();
 }

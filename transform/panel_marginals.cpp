@@ -7,16 +7,17 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Number of panels of y without a wall at 0.
+// Number of panels of y for a density without a wall at y = 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
 std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing panels) {
-  // Each panel covers about one standard deviation of a Gaussian that fills the box.
+  // For a Gaussian density whose support is the domain, each panel is about one standard deviation
+  // wide.
   constexpr int kUniformPanels = 8;
   if (panels == PanelSpacing::uniform) return numerics::panel_points(0.0, end, kUniformPanels);
   constexpr int kGradedPanels = 12;
   constexpr double kGradingExponent =
-      1.5;  // exponent; the last panel is about as wide as a uniform one
+      1.5;  // exponent of the grading; the last panel is then about as wide as a uniform panel
   const auto edge = [&](int k) {
     return end * std::pow(static_cast<double>(k) / kGradedPanels, kGradingExponent);
   };

@@ -15,7 +15,7 @@ double order(double before, double last, double ratio) {
   return std::log(before / last) / std::log(ratio);
 }
 
-// Error of the finest value of a quantity, from its last two differences.
+// Error estimate of a quantity on the finest grid, from the last two differences of the quantity.
 double difference_error(double before, double last, double reduction_ratio, double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
 }
@@ -49,7 +49,7 @@ LevelDifference level_difference(const GridLevel& coarser, const GridLevel& fine
   if (coarser.rest_probabilities.size() != finer.rest_probabilities.size()) {
     throw std::invalid_argument("grid levels not comparable: different numbers of rest atoms");
   }
-  double total_change = 0;  // all atoms have y' = 0
+  double total_change = 0;  // all rest atoms are at y' = 0
   for (std::size_t k = 0; k < finer.rest_probabilities.size(); ++k) {
     level_difference.rest_probabilities.push_back(finer.rest_probabilities[k] -
                                                   coarser.rest_probabilities[k]);

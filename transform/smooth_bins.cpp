@@ -11,8 +11,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-constexpr int kSupportHalfWidth = 2;  // half-width of the support of M, in spacings
-// Boole's rule on four intervals.
+constexpr int kSupportHalfWidth = 2;  // half-width of the support of M, in units of the spacing
+// Weights of Boole's rule on four intervals.
 constexpr int kBooleIntervals = 4;
 constexpr double kBoole[] = {7.0 / 90, 32.0 / 90, 12.0 / 90, 32.0 / 90, 7.0 / 90};
 
@@ -21,8 +21,9 @@ double cubic_spline_slope(double t) {
   return std::copysign(1.0, t) * (12 * inner * inner - 3 * outer * outer) / 6;
 }
 
-/// Points between which F M' is smooth: the knots of the bins, their midpoints and the edges,
-/// within the support of the bins.
+/// Increasing points between which F M' is smooth: the knots of the B-splines, the midpoints
+/// between knots, and the edges of the sharp bins. Only points in the support of the smooth bins
+/// are returned.
 std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
   const double begin = bins.first - kSupportHalfWidth * bins.spacing;
   const int halves = 2 * (bins.count - 1 + 2 * kSupportHalfWidth);
@@ -32,7 +33,7 @@ std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<doubl
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double edge) { return begin < edge && edge < end; });
   std::ranges::sort(cuts);
-  // Edges that coincide with knots up to rounding.
+  // Remove edges that coincide with knots up to rounding errors.
   constexpr double kCoincidenceTolerance = 1e-9;
   cuts.erase(
       std::unique(cuts.begin(), cuts.end(),
@@ -78,8 +79,10 @@ Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins) {
   const std::vector<double> between = ConservativeRemap(sharp.edges, nodes)(masses);
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
-    // int M p = -int F M'; F may start at 0 at the left end of M, since int M' = 0.
-    const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;  // spacings
+    // int M p = -int F M'. A constant may be added to F, since int M' = 0; F is therefore set to 0
+    // at the left end of the support of M.
+    // Ends of the support of bin b, in units of the spacing.
+    const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;
     const auto scaled_position = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {

@@ -7,33 +7,37 @@
 
 namespace fpkcheck::transform {
 
-/// Bins weighted by the cubic cardinal B-splines M((x - first)/spacing - b), b = 0 .. count - 1, of
-/// support (-2, 2) and sum 1. An average over a sharp bin depends on the orbits that graze its
-/// edges and is not a smooth functional; an average over a smooth bin can be computed to 1e-6.
+/// Smooth bins: bin b, b = 0 .. count - 1, has the weight function M((x - first)/spacing - b),
+/// where M is the cubic cardinal B-spline with support (-2, 2). The weight functions have the sum
+/// 1. The average over a sharp bin depends on trajectories that graze the edges of the bin, so that
+/// the average is not a smooth functional. The average over a smooth bin can be computed with an
+/// error of 1e-6.
 struct SmoothBins {
   double first = 0;  ///< centre of bin 0
   double spacing = 1;
   int count = 0;
-  /// Lower end of the variable (the wall, for y), a whole number of spacings from `first`.
+  /// Lower end of the variable (for y: the wall). The distance from `first` is an integer multiple
+  /// of the spacing.
   double from = -std::numeric_limits<double>::infinity();
 
   bool operator==(const SmoothBins&) const = default;
 };
 
-/// M(t).
+/// The value M(t) of the cubic cardinal B-spline.
 double cubic_spline(double t);
-/// int M((x - first)/spacing - b) dx over x > from.
+/// The weight of bin b: the integral of M((x - first)/spacing - b) over x > from.
 double bin_weight(const SmoothBins& bins, int bin);
 
-/// Converts averages over smooth bins to a marginal. The width of bin b is its weight, so that sums
-/// over the bins are integrals; bins far from `from` keep their centres.
+/// Converts averages over smooth bins to a marginal. The width of bin b in the marginal is
+/// bin_weight(bins, b), so that sums of averages times widths are integrals. Bins far from the
+/// lower end have the centres first + b spacing.
 /// @param averages shape (count)
 Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages);
 
-/// Averages int M p dx / weight of a density on sharp bins: ConservativeRemap interpolates the
-/// cumulative distribution between the edges, and Boole's rule integrates it against -M'. The
-/// density is 0 beyond the edges.
-/// @param sharp its bins must be narrower than the smooth bins
+/// Averages over smooth bins, int M p dx / bin_weight, of a density p that is given on sharp bins.
+/// ConservativeRemap interpolates the cumulative distribution F of p between the edges, and Boole's
+/// rule computes int M p dx = -int M' F dx. The density is 0 beyond the edges.
+/// @param sharp density on sharp bins, which must be narrower than the smooth bins
 Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins);
 
 }  // namespace fpkcheck::transform

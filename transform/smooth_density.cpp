@@ -6,8 +6,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Panels per half-width: each covers about one standard deviation of a Gaussian that fills the
-// support.
+// Number of panels for half the width of the support. For a Gaussian density, each panel is about
+// one standard deviation wide.
 constexpr int kPanels = 8;
 
 }  // namespace

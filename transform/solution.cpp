@@ -13,7 +13,8 @@ bool has_error_estimate(const Solution& solution) {
   return std::ranges::all_of(kVariables, [&](Variable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
-    if (!solution.density && !solution.had_density && !estimated) return true;  // no marginal
+    // A marginal that does not exist needs no error estimate.
+    if (!solution.density && !solution.had_density && !estimated) return true;
     if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
     return sampling && std::isfinite(expected(*sampling, variable).value_or(HUGE_VAL));
   });

@@ -16,7 +16,8 @@
 
 namespace fpkcheck::transform {
 
-/// Outcome of a solver. A missing solution is a result, not an exception.
+/// Status of the result of a solver. A solver that finds no solution returns a status and throws no
+/// exception.
 enum class Status {
   ok,
   not_converged,  ///< the equations are not satisfied
@@ -26,7 +27,7 @@ enum class Status {
   failed,         ///< the solver failed
   not_offered     ///< the solver does not support the problem
 };
-/// As written in summary.json.
+/// The names of the statuses in summary.json, with their meanings.
 inline constexpr base::EnumEntry<Status> kStatusNames[] = {
     {Status::ok, "ok"},
     {Status::not_converged, "not_converged", "the equations are not satisfied"},
@@ -43,120 +44,124 @@ constexpr std::string_view name(Status status) { return base::name_of(status); }
 /// `fine` is the density of the solution.
 struct Extrapolation {
   Density coarser;
-  double factor;  ///< 1/(R - 1), R the ratio by which differences of consecutive grids decrease
+  double factor;  ///< 1/(R - 1); R is the ratio of consecutive differences between grids
 };
 
-/// Standard errors of a simulated solution, in the units of the quantities.
+/// Standard errors of a solution from a simulation, each in the unit of its quantity.
 struct StandardErrors {
   Moments moments = {};
   double energy_residual = 0;
 };
 
-/// Sampling error of the marginals in L1; empty for a marginal without standard errors.
+/// Sampling error in L1 of the marginal densities. Empty for a marginal without standard errors.
 struct SamplingError {
-  std::optional<double> y{}, ydot{};        ///< expected value
-  std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile over runs
+  std::optional<double> y{}, ydot{};        ///< expected value of the L1 error
+  std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile of the L1 error over repeated runs
 };
 
 /// A marginal over smooth bins, estimated by a simulation with control variates.
 struct SmoothEstimate {
   SmoothBins bins;
-  Marginal averages;               ///< with 95 % intervals
-  std::vector<double> covariance;  ///< of the averages, row-major
+  Marginal averages;               ///< averages with 95 % confidence intervals
+  std::vector<double> covariance;  ///< covariance matrix of the averages, row-major
 };
 
-/// Factor of safety on error estimates by extrapolation, for three or more grids (Roache, J. Fluids
-/// Eng. 116 (1994) 405).
+/// Factor of safety of error estimates by Richardson extrapolation from three or more grids
+/// (Roache, J. Fluids Eng. 116 (1994) 405).
 inline constexpr double kErrorSafetyFactor = 1.25;
 
-/// Error estimate of a solution by its method, sampling errors excluded.
+/// Error estimate that the method states for its solution, without sampling errors.
 struct ErrorEstimate {
-  double y_l1 = 0;       ///< of p(y), in L1
-  double ydot_l1 = 0;    ///< of p(y')
-  Moments moments = {};  ///< absolute
+  double y_l1 = 0;       ///< L1 error of p(y)
+  double ydot_l1 = 0;    ///< L1 error of p(y')
+  Moments moments = {};  ///< absolute errors of the moments
 };
 
-/// The probability of rest in contact with a wall. The mass of the density and the probabilities of
-/// all rest atoms sum to 1.
+/// A rest atom: the probability of rest in contact with a wall. The sum of the mass of the density
+/// and the probabilities of all rest atoms is 1.
 struct RestAtom {
   double y = 0;  ///< position of the wall
   double probability = 0;
-  std::optional<double> standard_error = {};  ///< of a simulation
-  std::optional<double> error_estimate = {};  ///< error estimate by the method
+  std::optional<double> standard_error = {};  ///< of the probability, in a simulation
+  std::optional<double> error_estimate = {};  ///< of the probability, by the method
 };
 
-/// The result of every solver, also as read back from a saved run.
+/// The result of a solver, or a result that was read from a saved run.
 struct Solution {
   Identity identity;
   base::Values options = {};  ///< options of the solver, as requested
   Status status = Status::failed;
-  std::string reason = {};  ///< one sentence; empty only for status ok
-  double seconds = 0;       ///< wall-clock time of the solve
+  std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
+  double seconds = 0;       ///< wall-clock time of the solver
 
-  /// Empty if the solver found no density, and in a run that was read back.
+  /// The joint density. Empty if the solver found no density, and in a solution that was read from
+  /// a saved run.
   std::optional<Density> density = {};
-  /// Marginals with confidence intervals, estimated by the solver (simulation); else empty.
+  /// Marginals with confidence intervals, estimated by a simulation. Empty for other solvers.
   std::vector<std::pair<Variable, Marginal>> estimated_marginals = {};
-  /// Marginals over smooth bins, far more accurate than those over sharp bins (simulation with
-  /// control variates); else empty, also in a run that was read back.
+  /// Marginals over smooth bins from a simulation with control variates, far more accurate than
+  /// marginals over sharp bins. Empty for other solvers, and in a solution that was read from a
+  /// saved run.
   std::vector<std::pair<Variable, SmoothEstimate>> smooth_estimates = {};
-  /// Present if the solver estimated its discretisation error from a coarser grid.
+  /// Richardson extrapolation. Present if the solver estimated its discretisation error from a
+  /// coarser grid.
   std::optional<Extrapolation> extrapolation = {};
 
-  /// Moments of the density, if there is one.
+  /// Moments of the density. Not set if there is no density.
   Moments moments = {};
-  double mass = 0;                   ///< integral of the density as returned, plus the atoms
-  std::vector<RestAtom> atoms = {};  ///< at walls to which a force presses the mass; else empty
-  double min_density = 0;            ///< smallest value relative to the largest
-  double energy_residual = 0;        ///< problem::energy_residual
+  double mass = 0;  ///< integral of the density plus the probabilities of the atoms
+  std::vector<RestAtom> atoms = {};  ///< rest atoms, at walls to which a force presses the mass
+  double min_density = 0;      ///< smallest value of the density, relative to the largest value
+  double energy_residual = 0;  ///< result of problem::energy_residual()
 
   std::optional<StandardErrors> standard_errors = {};
   std::optional<SamplingError> sampling = {};
-  std::optional<SamplingError> smooth_sampling = {};  ///< of the smooth estimates
+  std::optional<SamplingError> smooth_sampling = {};  ///< sampling error of the smooth estimates
   std::optional<ErrorEstimate> error = {};
   Metrics metrics = {};  ///< solver-specific quantities
 
-  /// In a run that was read back: whether the saved solution had a density.
+  /// For a solution that was read from a saved run: whether the saved solution had a density.
   bool had_density = false;
 
   const std::string& id() const { return identity.id; }
   bool is_ok() const { return status == Status::ok; }
-  /// True if there is a density or a marginal, and therefore moments and a mass.
+  /// Whether the solution has a density or a marginal, and therefore moments and a mass.
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
-/// True if a solution has an error estimate, or a sampling error, of each of its marginals.
+/// Whether a solution has an error estimate, or a sampling error, for each of its marginals.
 bool has_error_estimate(const Solution& solution);
 
-/// Sets the status of an ok solution without an error estimate to `inaccurate`: status ok requires
-/// an error estimate.
+/// Changes the status `ok` of a solution that has no error estimate to `inaccurate`, since the
+/// status `ok` requires an error estimate.
 void require_error_estimate(Solution& solution);
 
-/// Calls require_error_estimate(), and sets the status of an ok solution to `inaccurate` if its
-/// error estimate of p(y) or p(y') in L1 exceeds `accuracy`.
-/// @param reason the error found; the function appends the requested accuracy
+/// Calls require_error_estimate(). Then changes the status `ok` of the solution to `inaccurate` if
+/// the L1 error estimate of p(y) or p(y') exceeds `accuracy`.
+/// @param reason text that states the error; the function appends the requested accuracy
 void require_accuracy(double accuracy, const std::string& reason, Solution& solution);
 
-/// The solution with this id, or null.
+/// The solution with this id; null if there is none.
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 
-/// The marginal over the given bins: the solver's estimate if it has exactly these edges, else the
-/// marginal of the density.
-/// @throws std::logic_error when the solution has no density
+/// The marginal of a solution over the bins between `edges`: the marginal that the solver
+/// estimated, if its bins have exactly these edges; otherwise the marginal of the density.
+/// @throws std::logic_error if the solution has no density
 Marginal marginal(const Solution& solution, Variable variable, std::span<const double> edges);
 
-/// The marginal of the Richardson limit of the solution's grids; averages near 0 may become
-/// negative.
-/// @throws std::logic_error when the solution has no density or no extrapolation
+/// The marginal of the Richardson limit of the densities on the grids of a solution. Averages near
+/// 0 may become negative by extrapolation.
+/// @throws std::logic_error if the solution has no density or no extrapolation
 Marginal limit_marginal(const Solution& solution, Variable variable, std::span<const double> edges);
 
-/// Sampling error of the most accurate marginals: over smooth bins if there are any, else over
-/// sharp bins.
+/// Sampling error of the most accurate marginals of a solution: of the marginals over smooth bins
+/// if the solution has such marginals, otherwise of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
-/// The estimate over smooth bins, or null.
+/// The marginal of one variable over smooth bins; null if there is none.
 const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable);
 
-/// Values for one variable.
+/// The expected L1 error, the 99 % quantile of the L1 error, and the L1 error estimate of the
+/// marginal of one variable.
 std::optional<double> expected(const SamplingError& sampling, Variable variable);
 std::optional<double> quantile_99(const SamplingError& sampling, Variable variable);
 double l1(const ErrorEstimate& error, Variable variable);
