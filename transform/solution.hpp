@@ -82,8 +82,8 @@ struct ErrorEstimate {
 struct RestAtom {
   double y = 0;  ///< position of the wall
   double probability = 0;
-  std::optional<double> standard_error = {};  ///< of the probability, in a simulation
-  std::optional<double> error_estimate = {};  ///< of the probability, by the method
+  std::optional<double> standard_error = {};  ///< standard error, in a simulation
+  std::optional<double> error_estimate = {};  ///< error estimate of the method
 };
 
 /// The result of a solver, or a result that was read from a saved run.
