@@ -14,9 +14,9 @@ struct QuadratureRule {
   Eigen::VectorXd weights;
 };
 
-/// Composite Gauss-Legendre rule with N points on each panel, that is, between neighbouring cuts.
-/// The rule is exact for functions that are polynomials of degree 2 N - 1 on each panel. The points
-/// of a panel are ordered in pairs symmetric about the middle of the panel.
+/// Composite Gauss-Legendre rule with N points on each panel. A panel is the interval between two
+/// neighbouring ends. The rule is exact for functions that are polynomials of degree 2 N - 1 on
+/// each panel. The points of a panel are ordered in pairs symmetric about the middle of the panel.
 /// @param cuts increasing ends of the panels
 template <unsigned N>
 QuadratureRule gauss_rule(std::span<const double> cuts) {

@@ -23,9 +23,9 @@ struct NewtonResult {
   bool converged = false;
 };
 
-/// Backtracking of a step fraction: returns the first number of the sequence first, first/2,
-/// first/4, .. that is above `least` and for which `accepts` returns true. Returns 0 if there is no
-/// such number.
+/// Backtracking of a step fraction. The fraction starts at the first argument and is halved until
+/// `accepts` returns true. Returns the accepted fraction, or 0 if the fraction has fallen to the
+/// second argument.
 template <class Accepts>
 double backtrack(double first, double least, const Accepts& accepts) {
   for (double step_fraction = first; step_fraction > least; step_fraction /= 2) {
