@@ -44,7 +44,7 @@ TEST(AmplitudeTable, RoundTripsAsLiteral) {
     EXPECT_EQ(table_literal(table.mirrored().mirrored()), text);
     EXPECT_NEAR(table.mirrored().mean(), -table.mean(), 1e-15);
   }
-  // A table that was normalised once is not normalised again.
+  // A table that was already normalised is not normalised a second time.
   const auto thirds = parse_amplitude_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
   EXPECT_NEAR(thirds.weight[0], 1 / 3.0, 1e-15);
   EXPECT_EQ(table_literal(parse_table_literal(table_literal(thirds))), table_literal(thirds));
@@ -103,7 +103,7 @@ TEST_F(TableOfACase, IsReadBesideTheFileAndSetsMeanAndIntensity) {
   EXPECT_EQ(p.impulses.law().mean(), 2);
   EXPECT_NEAR(p.impulses.intensity(), 2 * 7, 1e-14);
   EXPECT_NEAR(p.impulses.law().moment(3), 0.25 * -1 + 0.75 * 27, 1e-13);
-  // After loading, the problem does not need the file.
+  // After the case was loaded, the problem no longer needs the CSV file.
   std::filesystem::remove(file("kicks.csv"));
   const Problem again = problem_from_sections("again", sections(p));
   EXPECT_EQ(again.impulses.law().moments(), p.impulses.law().moments());

@@ -68,11 +68,12 @@ TEST(CaseFile, IsNamedByWhatTheOverridesChange) {
   EXPECT_EQ(name_of({"system.restitution=0.8"}), "a, r = 0.8");
   EXPECT_EQ(name_of({"impulse.law=laplace", "impulse.rate=2", "system.damping=0.2"}),
             "a, c = 0.2, lambda = 2, laplace impulses");
-  // Values equal to those of the file or to the default are no changes, in any notation.
+  // An override whose value equals that of the file or the default is not a change, in any notation
+  // of the number.
   EXPECT_EQ(name_of({"system.restitution=0.90", "impulse.mean=0"}), "a");
   EXPECT_EQ(name_of({"system.damping=0.2"}, "[system]\n" + kGood.substr(kGood.find("stiffness"))),
             "a, c = 0.2");
-  // Names keep all digits.
+  // Names of cases contain all digits of the values.
   EXPECT_EQ(name_of({"system.damping=0.1000000000000001"}), "a, c = 0.1000000000000001");
   EXPECT_EQ(read(kGood, {"system.restitution=0.8"}).name, "a");
 }
@@ -114,7 +115,7 @@ TEST(CaseFile, NamesTheLine) {
   EXPECT_EQ(message(changed("cubic = 0.3", "cubic = 0.3.1")).find("case a.ini:4: system.cubic"),
             0u);
   EXPECT_EQ(message(changed("= 0.9", "= 1.9")).find("case a.ini:5: system.restitution = 1.9"), 0u);
-  // An override has no line of the file.
+  // The message for an override states no line of the file.
   EXPECT_EQ(message(kGood, {"system.cubic=1e31"}).find("case a.ini: system.cubic = 1e+31"), 0u);
 }
 
@@ -144,7 +145,8 @@ TEST(CaseFile, NoSuchCaseListsTheNamedOnes) {
   }
 }
 
-// Tables, JSON, netCDF and figures contain the name, and none of them can represent every byte.
+// Tables, JSON, netCDF files and figures contain the name of a case, and none of these formats can
+// represent every byte.
 TEST(CaseFile, RejectsUnprintableFileNames) {
   const auto directory = std::filesystem::path(testing::TempDir());
   const auto refusal = [&](const std::string& stem) -> std::string {

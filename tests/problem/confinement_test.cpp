@@ -55,7 +55,8 @@ TEST(Confinement, NeedsDissipationAtLargeAmplitudes) {
   EXPECT_EQ(refusal(undamped, left(0, 0.9)), "accepted");
   // Density exp(-C sqrt h)
   EXPECT_EQ(refusal({.damping = 0, .constant = 1}, left(0, 0.9)), "accepted");
-  // A box dissipates (1 - r^2) u^2/2 at each wall, more often at higher speed.
+  // A mass between two walls loses (1 - r^2) u^2/2 at each impact, and impacts are more frequent at
+  // higher speeds u.
   EXPECT_EQ(refusal({}, {.left = -1, .left_restitution = 0.9, .right = 1, .right_restitution = 1}),
             "accepted");
 }
@@ -75,7 +76,7 @@ TEST(Confinement, ComparesNegativeAndPositiveDampingAtLargeEnergies) {
 }
 
 TEST(Confinement, IsIndependentOfUnits) {
-  // Lengths multiplied by 1e6, times by 1e-5.
+  // The same problem in units in which lengths are multiplied by 1e6 and times by 1e-5.
   const double l = 1e6, t = 1e-5;
   EXPECT_EQ(refusal({.damping = -1 / t, .van_der_pol = 1 / (t * l * l), .stiffness = 1 / (t * t)}),
             "accepted");

@@ -32,7 +32,7 @@ TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   EXPECT_NEAR(half_cycles[0].right, std::sqrt(2 * energy) / 2, 1e-13);
   const Orbit orbit = orbits.orbit(half_cycles[0], energy);
   EXPECT_NEAR(orbit.period, std::numbers::pi, 1e-12);
-  // The enclosed area: 2 pi energy / frequency
+  // The action is the area inside the orbit: 2 pi energy / frequency.
   EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);
   EXPECT_NEAR(orbit.loss, 0.2 * orbit.action, 1e-13);
   EXPECT_NEAR(orbit.time_integral_y2 / orbit.period, energy / 4, 1e-12);
@@ -74,14 +74,14 @@ TEST(UndampedOrbits, PressedToAWallHaveTheirMinimumThere) {
 }
 
 TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
-  // exp(-(c/D) h) for any spring.
+  // The stationary density is exp(-(c/D) h) for any spring.
   const Problem p =
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 0.05);
   const EnergyAveraging averaging(p);
   ASSERT_FALSE(averaging.unconfined_reason());
   double total = 0;
   for (const auto& band : averaging.bands()) {
-    // Tolerance: half a band
+    // The tolerance is half the width of a band.
     EXPECT_NEAR(band.potential, 0.1 / 0.025 * (band.energy + 0.25), 0.25);
     total += band.mass;
   }

@@ -7,7 +7,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-// All terms are nonzero, so that the test covers the transformation of each.
+// All coefficients of the system are nonzero, so that the test covers the transformation of each
+// term.
 const SystemCoefficients kAll{.damping = 0.1,
                               .van_der_pol = 0.2,
                               .rayleigh = 0.3,

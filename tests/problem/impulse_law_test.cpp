@@ -43,7 +43,7 @@ std::string label(const ImpulseLaw& law) {
 // 42^6 exp(-42) / 6! = 4e-12.
 constexpr double kCutOff = 1e-11;
 
-// E[f(Y)] from the density on its smooth pieces and the atoms.
+// E[f(Y)], computed from the density on its smooth pieces and from the atoms.
 std::complex<double> expectation(const ImpulseLaw& law,
                                  const std::function<std::complex<double>(double)>& f) {
   constexpr int kPanels = 40;

@@ -29,7 +29,7 @@ TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
   p.noise.intensity = 0.1;
   const auto text = collapse_unsupported_reason(p, Equation::kf);
   EXPECT_NE(text.find("restitution 0.12"), std::string::npos) << text;
-  // The noise of the problem is in kf too
+  // The equation kf contains the noise of the problem, too.
   EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;
 }
 

@@ -48,7 +48,8 @@ double jumping_cumulative(double v) {
 
 TEST(ConservativeRemap, OntoCoincidingEdgesSumsWholeBinsToTheLastDigit) {
   const std::vector<double> source{-2, -1, -0.25, 0, 0.5, 1, 3};
-  // Tiny masses beside large ones: any subtraction would lose their digits.
+  // Tiny masses beside large masses: a difference of large cumulative masses would lose the digits
+  // of the tiny masses.
   const std::vector<double> masses{1e-30, 3e-25, 7, 5, 2e-20, 1e-28};
   EXPECT_EQ(ConservativeRemap(source, source)(masses), masses);
   const std::vector<double> coarse{-2, -0.25, 0, 1, 3};

@@ -49,7 +49,7 @@ TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
   EXPECT_NEAR(found.moments.y2, 2, 1e-13);
   EXPECT_NEAR(found.moments.y4, 3, 1e-13);
   EXPECT_NEAR(found.moments.v4, 6, 1e-13);
-  // The errors of the finest level.
+  // The exact errors of the finest grid level.
   EXPECT_NEAR(known.error.moments.y4, 4 * 0.1 / 8, 1e-13);
   EXPECT_NEAR(known.error.y_l1, l1(levels.fine.y, found.y), 1e-13);
   EXPECT_NEAR(known.error.ydot_l1, 3.5 * 0.1 / 8, 1e-13);
@@ -70,7 +70,7 @@ TEST(Richardson, ObservesTheOrderOfASequence) {
 TEST(Richardson, DoesNotTreatAccidentalAgreementAsAccuracy) {
   Sequence levels = of_order(3);
   levels.fine.moments.y2 = levels.middle.moments.y2;
-  // The error of a sequence of this order.
+  // The error estimate of a sequence that converges with this order.
   EXPECT_NEAR(levels.richardson_estimate(5).error.moments.y2, 0.1 / 8, 1e-12);
 }
 
@@ -113,7 +113,7 @@ TEST(Richardson, ComparesConsecutiveLevelsOnCommonBins) {
               2 * level_difference(at(1, 3), at(1 / kRefinementRatio, 3)).y_l1, 1e-14);
 }
 
-// Atoms at different walls have different y, and all have y' = 0.
+// Rest atoms at different walls have different y, but all rest atoms have y' = 0.
 TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   const auto with_atoms = [](double h) {
     GridLevel level = at(h, 2);

@@ -85,7 +85,7 @@ TEST(SmoothAverages, KeepAJumpAtTheWall) {
   EXPECT_NEAR(smooth.density[4], 3, 1e-12);
 }
 
-/// int M dF with F(x) = x^a, by a sum over equal parts of F.
+/// The integral of M dF with F(x) = x^a, computed as a sum over equal increments of F.
 double mean_of_spike(double a, int bin) {
   double sum = 0;
   constexpr int kPoints = 400000;

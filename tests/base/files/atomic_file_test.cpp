@@ -26,7 +26,8 @@ TEST(WriteNewFile, DoesNotFollowALink) {
   EXPECT_FALSE(fs::exists(directory.path() / "elsewhere"));
 }
 
-// A limit on file size simulates a full disk: the first bytes are written, then write() fails.
+// A limit of the file size simulates a full disk: the first bytes are written, and then write()
+// fails.
 TEST(WriteNewFile, LeavesNoFileWithoutSpace) {
   const tests::TemporaryDirectory directory;
   rlimit before = {};

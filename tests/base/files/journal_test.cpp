@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs `act` in a child process that exits immediately, as if killed there.
+// Runs `act` in a child process that exits immediately afterwards, like a process that was killed.
 void in_killed_process(const std::function<void()>& act) {
   const pid_t child = fork();
   if (child == 0) {
@@ -37,7 +37,7 @@ class JournalOfKilledRun : public testing::Test {
   fs::path path(const char* name) const { return directory.path() / name; }
   std::string text(const char* name) const { return tests::contents(path(name)); }
 
-  // The journal of a run with new files for a, b and c, and none for gone.
+  // The journal of a run that replaces the files a, b and c and removes the file `gone`.
   Journal journal() const {
     Journal made;
     for (const char* name : {"a", "b", "c"}) {

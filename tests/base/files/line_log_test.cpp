@@ -71,7 +71,8 @@ TEST_F(LineLogFile, RejectsSpecialFiles) {
   EXPECT_THROW(LineLog{directory_.path() / "absent" / "log"}, std::runtime_error);
 }
 
-// Simulates a full disk: the part of the line that was written is removed again.
+// The test simulates a full disk. LineLog::append() removes the part of the line that was already
+// written.
 TEST_F(LineLogFile, IsUnchangedWhenAppendFails) {
   LineLog log(file_);
   log.read();

@@ -114,7 +114,7 @@ TEST(Description, NamesMissingUnknownAndMistypedValues) {
             std::string::npos);
 }
 
-// A key that is newer than the file.
+// A parameter whose key did not exist when the file was written.
 TEST(Description, DefaultReplacesMissingValue) {
   const auto description = Description<Paint>("paint.")
                                .add("coats", &Paint::coats, {"N", "how many"})

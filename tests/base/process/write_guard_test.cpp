@@ -12,7 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Must be the last test of its executable: the guard is reserved until the process ends.
+// This test must be the last test of its executable: afterwards no other thread can construct a
+// guard until the process ends.
 TEST(WriteGuard, DelaysReservationAndThenBlocksOthers) {
   std::atomic<bool> reserved = false;
   std::optional<WriteGuard> outer(std::in_place);

@@ -27,7 +27,7 @@ TEST(Sanitise, TruncatesTheMiddleOfLongText) {
   EXPECT_EQ(sanitise(std::string(1000, 'x') + "end"),
             std::string(40, 'x') + "..." + std::string(34, 'x') + "end");
   EXPECT_LE(sanitise(std::string(100'000'000, '\x1b')).size(), 80u);
-  // The text is cut between characters, not within one.
+  // A long text is cut between two characters, not within a character.
   std::string greek;
   for (int k = 0; k < 100; ++k) greek += "λ";
   const std::string cut = sanitise(greek);

@@ -7,7 +7,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// 1 - 3 t + 2 t^2 + 5 t^3 at t.
+// The value of the polynomial 1 - 3 t + 2 t^2 + 5 t^3 at t.
 double cubic(double t) { return 1 + t * (-3 + t * (2 + t * 5)); }
 const BernsteinCoefficients kPowers{Interval(1), Interval(-3), Interval(2), Interval(5)};
 

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// atan(a) = 0: full Newton steps diverge for |a| > 1.39.
+// The equation atan(a) = 0, for which full Newton steps diverge from |a| > 1.39.
 struct Arctangent {
   struct Iterate {
     VectorXd a;

@@ -58,7 +58,7 @@ TEST(QuinticBSplines, AreContinuedAsConstants) {
 }
 
 TEST(QuinticBSplines, HaveACornerInTheSecondSlopeAtATripleKnot) {
-  // Two derivatives are continuous at the triple knot, the third is not.
+  // The first two derivatives are continuous at the triple knot; the third derivative is not.
   std::vector<double> c(static_cast<std::size_t>(splines().size()), 0.0);
   c[static_cast<std::size_t>(splines().size()) / 2] = 1;
   const double h = 1e-3;
