@@ -7,7 +7,8 @@
 
 namespace fpkcheck::epc {
 
-/// Reason why the closure does not support a problem, as one phrase; empty for a supported problem.
+/// Reason why the closure does not support a problem, as one phrase. The reason is empty if the
+/// closure supports the problem.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc

@@ -136,7 +136,7 @@ SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem:
   return {};
 }
 
-// Problem in the coordinates of the form; empty without a problem.
+// The problem in the coordinates of the form; empty if the caller gave no problem.
 std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coordinates,
                                                        const problem::Problem* problem) {
   if (problem == nullptr) return std::nullopt;
@@ -150,7 +150,7 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coo
                   coordinates.origin));
 }
 
-// Mass of a form without a constant, including its atom.
+// Integral of the density of a form without a constant C, including the atom of the density.
 double mass_of(const ClosedForm& form, const problem::Problem* problem,
                const SmoothDensity& density) {
   if (form.frame.variables != Variables::contact) {

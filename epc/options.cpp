@@ -46,7 +46,7 @@ void require_equation(const Options& options) {
   }
 }
 
-// The part of the id between "epc-" and "-nN".
+// Part of the id of a solution between "epc-" and "-nN".
 std::string variant(const Options& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == Tail::cut) text += "-cut";

@@ -16,12 +16,14 @@ namespace fpkcheck::epc {
 using problem::Equation;
 using problem::Impact;
 
-/// Choice of unknowns and equations.
+/// Formulation of the closure: choice of the unknowns and of the equations.
 enum class Formulation {
-  gaussian,  ///< the paper's (17)-(26): projections under Gaussian weights in the (z, z') plane
-  moment,    ///< exact moment equations on the half-plane y >= 0, see epc/moment/
-  /// Exact moment equations with Q_n in amplitude and phase, see epc/polar/. For a mass at rest in
-  /// contact with a wall: amplitude and velocity, density divided by the energy, see epc/contact/.
+  /// equations (17)-(26) of the paper: projections under Gaussian weights in the (z, z') plane
+  gaussian,
+  moment,  ///< exact moment equations on the half-plane y >= 0, see epc/moment/
+  /// Exact moment equations, Q_n a polynomial of amplitude and phase, see epc/polar/. If the mass
+  /// rests in contact with a wall, Q_n is a polynomial of amplitude and velocity, and the density
+  /// is C exp(Q_n) divided by the energy, see epc/contact/.
   polar
 };
 inline constexpr base::EnumEntry<Formulation> kFormulationNames[] = {
@@ -45,10 +47,10 @@ constexpr std::span<const base::EnumEntry<MonomialSet>> names(MonomialSet) {
 }
 constexpr std::string_view name(MonomialSet set) { return base::name_of(set); }
 
-/// Tail of the density beyond the energy up to which Q_n is reliable.
+/// Treatment of the density beyond the confinement level, the energy up to which Q_n is reliable.
 enum class Tail {
-  confined,  ///< the exponent is Q_n + Confinement: a density on the whole half-plane
-  cut        ///< the exponent is Q_n alone, and the density is 0 beyond the same energy
+  confined,  ///< the exponent is Q_n + Confinement, which gives a density on the whole half-plane
+  cut        ///< the exponent is Q_n alone, and the density is 0 beyond the confinement level
 };
 inline constexpr base::EnumEntry<Tail> kTailNames[] = {{Tail::confined, "confined"},
                                                        {Tail::cut, "cut"}};
@@ -58,46 +60,55 @@ constexpr std::string_view name(Tail tail) { return base::name_of(tail); }
 struct Options {
   int order = 6;  ///< n of paper (18): even, 2 .. greatest_order
   Formulation formulation = Formulation::gaussian;
-  MonomialSet monomials = MonomialSet::point_symmetric;  ///< of the formulation gaussian
-  std::optional<Equation> equation = {};                 ///< automatic: default_equation
-  Tail tail = Tail::confined;                            ///< of the formulation moment
-  /// Tolerance on the residual. gaussian: largest projection (23) relative to
-  /// gaussian::residual_unit; moment, polar: half_plane::residual_norm.
+  /// monomials of Q_n in the formulation gaussian
+  MonomialSet monomials = MonomialSet::point_symmetric;
+  std::optional<Equation> equation = {};  ///< equation to solve; empty: default_equation
+  Tail tail = Tail::confined;             ///< treatment of the tail in the formulation moment
+  /// Tolerance on the norm of the residual. In the formulation gaussian, this norm is the largest
+  /// projection (23) relative to gaussian::residual_unit. In the formulations moment and polar, the
+  /// norm is half_plane::residual_norm.
   double tolerance = 1e-10;
   /// Largest L1 error of p(y) and of p(y') against the full problem with which a solution is ok.
-  /// The closure itself has no error estimate: the caller measures the error. Empty (files of
-  /// earlier programs): the caller does not.
+  /// The closure itself has no error estimate: the caller estimates the error. An empty accuracy
+  /// (in files of earlier program versions) means that the caller estimates no error.
   std::optional<double> accuracy = 2e-2;
-  /// Limit on Newton steps. gaussian: plain steps from equivalent linearisation; moment, polar:
-  /// steps at each order.
+  /// Largest number of Newton steps. The limit applies to the plain steps from equivalent
+  /// linearisation in the formulation gaussian, and to the steps at each order in the formulations
+  /// moment and polar.
   int max_iterations = 30;
-  /// Deadline of moment and polar: no further attempt at a root begins after these seconds.
+  /// Time limit in seconds of the formulations moment and polar. After this time the search for a
+  /// root begins no further attempt.
   double max_seconds = 20;
 };
 
-/// Names, help and ranges of the options on the command line and in files.
+/// Descriptions of all options: the names on the command line and in files, help texts, and ranges
+/// of values.
 const base::Description<Options>& description();
 
-/// @throws InputError with the option, its value and the allowed values
+/// Checks all options.
+/// @throws InputError for an invalid option; the message has the option, its value and the allowed
+///         values
 void validate(const Options& options);
 
-/// Largest order that double precision supports; rounding dominates at higher orders.
+/// Largest order n of the closure in double precision. At higher orders rounding errors dominate.
 int greatest_order(Formulation formulation);
 
-/// Equation without the option: km4 for gaussian; kf for moment and polar.
+/// Equation that a formulation solves by default: km4 for gaussian, kf for moment and polar.
 Equation default_equation(Formulation formulation);
 
-/// Equation of the options, the default if none was chosen.
+/// Equation that the options select, or the default equation of the formulation.
 Equation equation_of(const Options& options);
 
 /// Id of the solution, such as epc-gaussian-n6, epc-gaussian-white-n4, epc-moment-cut-n8. The id
 /// contains the equation only if it is not the formulation's default.
 std::string id(const Options& options);
 
-/// Options of an id, which need not be valid. Empty for an id of another method.
+/// Options that an id of a solution encodes, without a check by validate(). The result is empty for
+/// an id of another method.
 std::optional<Options> options_of(std::string_view id);
 
-/// Identity of the solution. Its formulation is the part of the id between "epc-" and "-nN".
+/// Identity of the solution for given options. The field `formulation` is the part of the id
+/// between "epc-" and "-nN".
 transform::Identity identity(const Options& options);
 
 }  // namespace fpkcheck::epc

@@ -7,13 +7,14 @@
 namespace fpkcheck::epc {
 
 /// Solves the equations of the formulation and assesses the root. The status is
-///  - ok: a root whose density has decayed on the whole edge of its support, has mass 1, and is
-///    near the density of order n-2. Limits: form/acceptance_limits.hpp. The formulation gaussian
-///    also requires the balance of power;
-///  - inadmissible: a root without such a density. Density and coefficients are still returned;
-///  - not_converged: no root was found, and there is no density. Also a root that depends on the
-///    disc of gaussian::JumpRemainder (gaussian with kf), or that the quadrature does not resolve
-///    (moment, polar).
+///  - ok if the density of the root has decayed on the whole edge of its support, has mass 1, and is
+///    near the density of order n-2. The limits are in form/acceptance_limits.hpp. In the
+///    formulation gaussian, the density must also satisfy the balance of power;
+///  - inadmissible if a root was found, but its density violates one of these conditions. The
+///    result still contains the density and the coefficients;
+///  - not_converged if no root was found. A root is also discarded if it depends on the disc of
+///    gaussian::JumpRemainder (gaussian with kf), or if the quadrature does not resolve the root
+///    (moment, polar). The result has no density.
 /// @throws InputError from validate
 Result solve(const problem::Problem& problem, const Options& options);
 

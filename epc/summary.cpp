@@ -16,16 +16,17 @@ using transform::optional_value;
 
 base::Value word(std::string_view text) { return std::string(text); }
 
-// At high orders of the formulation moment the quadrature points depend on the path of the search,
-// and so do the last digits of the solution.
+// Whether the last digits of the solution depend on the path of the search. At high orders of the
+// formulation moment the path determines the quadrature points.
 bool is_path_dependent(const Summary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// Scale below which a change of the coefficient of x1^p x2^q is rounding. The effect of a unit
+// Scale below which a change of the coefficient of x1^p x2^q is rounding error. The effect of a unit
 // coefficient on the density, relative to the peak, is
-// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). Relative tolerance: kRelative.
+// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). kRelative is the relative
+// tolerance of a comparison of coefficients.
 double min_scale(const Term& term, const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
@@ -37,9 +38,9 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
   return rounding / (effect * kRelative);
 }
 
-// Parameters that, with the coefficients, define the density for read_closed_form. They follow from
-// the coefficients and the problem: a repeated run need not reproduce them. Earlier files lack
-// them.
+// Adds the parameters that define the density together with the coefficients, for
+// read_closed_form(). The coefficients and the problem determine these parameters: a comparison
+// with a repeated run omits them. Files of earlier program versions lack these parameters.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
   builder.text("coordinates", word(name(summary.frame->variables)))
@@ -49,7 +50,7 @@ void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   builder.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
 }
 
-// Parameters of the edge of the support.
+// Adds the parameters that define the edge of the support.
 void add_edge_metrics(const Frame& frame, MetricBuilder& builder) {
   if (frame.deviations) {
     builder.work("support.sigma1", frame.deviations->x1)
@@ -83,7 +84,7 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   }
   const SupportSummary& support = *summary.support;
   const LeadingForm& form = *summary.leading_form;
-  // A density near 0, in units of the peak, which is sensitive to the coefficients.
+  // Adds a density near 0, in units of the peak. Such a density is sensitive to the coefficients.
   const auto add_small_density_metric = [&](const char* path, double value) {
     builder.add({.path = path,
                  .value = value,
@@ -101,7 +102,7 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   add_small_density_metric("support.cut_off", support.cut_off);
   builder
       .result("support.rising_share", form.rising_fraction)
-      // arbitrary for an isotropic leading form
+      // the worst direction is arbitrary for an isotropic leading form
       .work("support.worst_direction.x1", form.worst.x1)
       .work("support.worst_direction.x2", form.worst.x2)
       .result("support.rises_from", form.negative ? base::Value() : base::Value(form.rises_from));
@@ -111,7 +112,8 @@ base::Value text_of(const LeadingForm& form) {
   return word(form.negative ? "negative" : "indefinite");
 }
 
-// Leading form of the density's exponent: a confinement makes it negative for every Q_n.
+// Sign of the leading form of the density's exponent. With a confinement the leading form is
+// negative for every Q_n.
 base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
   if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");

@@ -12,34 +12,36 @@
 
 namespace fpkcheck::epc {
 
-/// Support: the set on which C exp(Q_n) is used as a density.
+/// Size of the support, which is the set on which C exp(Q_n) is used as a density.
 struct SupportSummary {
-  double least_radius;     ///< smallest radius of the edge, in deviations of the weights (25)-(26)
-  double greatest_radius;  ///< largest radius, likewise
-  double y_max, v_max;     ///< upper ends of the bounding box
-  double edge_density;     ///< largest density on the edge, relative to the peak
-  double cut_off;          ///< estimated probability outside; see gaussian::Support::cut_off
-  double y_min = 0;        ///< lower end of the bounding box in y
+  /// smallest radius of the edge, in standard deviations of the weights (25)-(26)
+  double least_radius;
+  double greatest_radius;  ///< largest radius of the edge, in the same unit
+  double y_max, v_max;     ///< upper ends of the bounding box in y and v
+  double edge_density;     ///< largest density on the edge, relative to the peak of the density
+  /// estimated probability outside the support; see gaussian::Support::cut_off
+  double cut_off;
+  double y_min = 0;  ///< lower end of the bounding box in y
 };
 
 /// A point of the branch of solutions that starts from the exact density under white noise with
-/// elastic impacts. On the branch 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the remainder of the
-/// jump integral are multiplied by the fraction. The full problem has fraction 1.
+/// elastic impacts. On this branch the quantities 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the
+/// remainder of the jump integral are multiplied by `fraction`. The full problem has fraction 1.
 struct BranchPoint {
   double fraction;
   double norm;                     ///< norm of the coefficients in the scaled basis
-  double smallest_singular_value;  ///< of the Jacobian at the point; zero at a fold
-  int determinant_sign;            ///< of the Jacobian; changes at a fold
-  bool falls;                      ///< Q_n falls in every direction, paper (19)
-  bool fold;                       ///< the fraction has an extremum here
+  double smallest_singular_value;  ///< smallest singular value of the Jacobian; zero at a fold
+  int determinant_sign;            ///< sign of the Jacobian's determinant; changes at a fold
+  bool falls;                      ///< whether Q_n falls in every direction, paper (19)
+  bool fold;                       ///< whether the fraction has an extremum at this point
 };
 
-/// End of the branch.
+/// Reason why the path along a branch of solutions ended.
 enum class BranchEnd {
-  not_followed,  ///< another attempt had found a root
+  not_followed,  ///< another attempt had found a root, and the branch was not computed
   full_problem,  ///< the branch reaches fraction 1
   white_noise,   ///< the branch returns to fraction 0, at another root of the white-noise equations
-  far_away,      ///< the coefficients exceed every bound
+  far_away,      ///< the norm of the coefficients exceeds the limit of the path: divergence
   lost           ///< the steps became too short, or the largest number of points was reached
 };
 inline constexpr base::EnumEntry<BranchEnd> kBranchEndNames[] = {
@@ -53,60 +55,67 @@ constexpr std::string_view name(BranchEnd end) { return base::name_of(end); }
 
 struct Branch {
   BranchEnd end = BranchEnd::not_followed;
-  double furthest = 0;              ///< largest fraction
-  std::vector<BranchPoint> points;  ///< ordered by arclength
+  double furthest = 0;              ///< largest fraction on the branch
+  std::vector<BranchPoint> points;  ///< points in the order of the arclength
 };
 
-/// Summary that only the formulations on the half-plane, moment and polar, have.
+/// Part of the summary that only the formulations on the half-plane, moment and polar, have.
 struct HalfPlaneSummary {
-  Tail tail;
-  double level;              ///< confinement level, or energy of the cut
-  double level_deviations;   ///< sqrt(2 level / E[v^2])
-  double beyond_level;       ///< estimated probability, half_plane::probability_beyond
+  Tail tail;                ///< treatment of the density beyond the confinement level
+  double level;             ///< confinement level, or energy beyond which the density is cut to 0
+  double level_deviations;  ///< confinement level in deviations of v: sqrt(2 level / E[v^2])
+  /// estimated probability beyond the confinement level, by half_plane::probability_beyond
+  double beyond_level;
   double quadrature_change;  ///< change of Q_n on more quadrature points: half_plane::Root
   int homotopies;            ///< number of homotopies followed after damped Newton steps failed
 };
 
-/// Summary of the solver besides the solution itself. Without a root, support and leading form are
-/// absent and the coefficients are empty.
+/// Quantities that the solver of the closure reports besides the solution. If no root was found,
+/// support and leading form are absent and the list of coefficients is empty.
 struct Summary {
-  int order = 0;
+  int order = 0;  ///< order n of the closure
   Formulation formulation = Formulation::gaussian;
-  int iterations = 0;   ///< Newton steps, all attempts together
+  int iterations = 0;   ///< number of Newton steps of all attempts together
   double residual = 0;  ///< largest projection (23) relative to c, at the best iterate
-  /// Condition number of the Jacobian at the root. gaussian: in the scaled unknowns of
-  /// gaussian::Basis; moment, polar: half_plane::condition_number.
+  /// Condition number of the Jacobian at the root. In the formulation gaussian, the unknowns are
+  /// the scaled unknowns of gaussian::Basis. In the formulations moment and polar, the number is
+  /// half_plane::condition_number.
   std::optional<double> condition = {};
-  /// Coefficients of Q_n in physical monomials (polar: of rho and theta), without the constant.
+  /// Coefficients of Q_n in unscaled monomials, without the constant term. The formulation polar
+  /// has monomials of rho and theta.
   std::vector<Term> coefficients = {};
-  std::optional<Frame> frame = {};  ///< defines the density together with the coefficients
+  /// parameters that define the density together with the coefficients
+  std::optional<Frame> frame = {};
   std::optional<SupportSummary> support = {};
-  std::optional<LeadingForm> leading_form = {};  ///< of Q_n
-  /// Distance of the marginal densities to those of the root of order n-2: sum of the L1 distances
-  /// of p(y) and p(y'). If the orders converge fast, about the error at n-2. Absent for n = 2 and
-  /// without a root of order n-2.
+  std::optional<LeadingForm> leading_form = {};  ///< behaviour of Q_n at infinity
+  /// Distance between the densities of order n and n-2: sum of the L1 distances of p(y) and p(y').
+  /// If the sequence of orders converges fast, this distance is about the error at order n-2. The
+  /// distance is absent for n = 2, and if no root of order n-2 was found.
   std::optional<double> distance_to_previous = {};
   transform::Moments moments = {};  ///< moments of the density in the coordinates of Q_n
-  /// Residuals of the balances of the density, empty without a density. The residuals of an
-  /// approximate density have the size of its error.
+  /// Residuals of the virial and the momentum balance of the density; empty if there is no density.
+  /// The residuals of an approximate density have the size of its error.
   transform::BalanceResiduals balances = {};
-  /// gaussian with `kf`: relative change of the scaled coefficients if the radius of the disc of
-  /// gaussian::JumpRemainder is one deviation smaller.
+  /// Relative change of the scaled coefficients if the radius of the disc of
+  /// gaussian::JumpRemainder is smaller by one standard deviation. Only gaussian with `kf` sets it.
   std::optional<double> disc_sensitivity = {};
-  Branch branch = {};  ///< gaussian: followed if Newton's method alone finds no root
-  /// gaussian: whether plain Newton steps from equivalent linearisation, as in the paper, converge.
+  /// branch of solutions, which the formulation gaussian follows if Newton's method finds no root
+  Branch branch = {};
+  /// In the formulation gaussian: whether plain Newton steps from equivalent linearisation, as in
+  /// the paper, converge.
   bool plain_newton_converges = false;
   std::optional<HalfPlaneSummary> half_plane = {};
 };
 
-/// Result of a closure.
+/// Result of a solution by the closure.
 struct Result {
   transform::Solution solution;
   Summary summary;
 };
 
-/// The summary as metrics, in the order of the files.
-/// @param moments in the coordinates of Q_n: they scale the effect of a coefficient on the density
+/// Metrics that contain the summary, in the order in which files list the metrics.
+/// @param moments moments in the coordinates of Q_n, which scale the effect of a coefficient on the
+///        density
 transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc
