@@ -25,8 +25,8 @@ bool is_path_dependent(const Summary& summary) {
 
 // Scale below which a change of the coefficient of x1^p x2^q is rounding error. The effect of a unit
 // coefficient on the density, relative to the peak, is
-// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). kRelative is the relative
-// tolerance of a comparison of coefficients.
+// sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). The relative tolerance is
+// kRelative.
 double min_scale(const Term& term, const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
@@ -39,8 +39,8 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
 }
 
 // Adds the parameters that define the density together with the coefficients, for
-// read_closed_form(). The coefficients and the problem determine these parameters: a comparison
-// with a repeated run omits them. Files of earlier program versions lack these parameters.
+// read_closed_form(). The coefficients and the problem determine these parameters: a repeated run
+// need not reproduce the parameters themselves. Files of earlier program versions lack them.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
   builder.text("coordinates", word(name(summary.frame->variables)))

@@ -6,21 +6,23 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Exponent of an intermediate density: Q_n up to the decay extent, and a Gaussian beyond.
-/// @param q Q_n by amplitude and phase
+/// Exponent of the density at an intermediate order: Q_n at amplitudes up to the decay extent, and
+/// the exponent of a Gaussian at larger amplitudes.
+/// @param q Q_n as a function of amplitude and phase
 double exponent_with_gaussian_tail(const Exponent& q, const half_plane::ClosureDensity& closure,
                                    double rho, double theta);
 
-/// Tolerance on the change of Q_n on more quadrature points, in standard deviations. It is below
-/// the error of the closure itself at the default orders.
+/// Tolerance on the change of Q_n on more quadrature points, in standard deviations. The tolerance
+/// is below the error of the closure itself at the default orders.
 inline constexpr double kQuadratureTolerance = 1e-3;
 
-/// Formulation in which s is the amplitude. The confinement level is an energy rho^2/2 at which Q_n
-/// lies far below its peak, or else an energy beyond the amplitude at which Q_n rises again.
+/// Formulation whose coordinate s is the amplitude rho. The confinement level is an energy rho^2/2
+/// at which Q_n lies far below its peak. If Q_n rises again before, the confinement level is an
+/// energy beyond the amplitude at which Q_n begins to rise.
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
   /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts
-  /// @param rate_unit unit of rates of change
+  /// @param rate_unit unit in which rates of change are measured
   ClosureFormulation(double temperature, double rate_unit, Tail tail)
       : temperature_(temperature), rate_unit_(rate_unit), tail_(tail) {}
 
@@ -42,9 +44,9 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double decay_ratio_limit(half_plane::SearchStage stage) const override;
 
  protected:
-  /// Q_n by amplitude and phase. The result refers to q.
+  /// Q_n as a function of amplitude and phase. The returned function keeps a reference to q.
   virtual Exponent polar_exponent(const Polynomial& q) const = 0;
-  /// Phase at the coordinates s and t.
+  /// Phase theta of the point with the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
@@ -52,10 +54,12 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   Tail tail_;
 };
 
-/// Reason why a density is inadmissible: its confinement alone makes it decay. Empty otherwise.
-/// @param quantity name of the quantity in the reason
-/// @param at_level largest value at or beyond the confinement level, relative to the peak
-/// @param edge     largest value on the edge of the support, relative to the peak
+/// Reason why a density is inadmissible: the density decays by the confinement alone. The reason is
+/// empty for an admissible density.
+/// @param quantity name in the reason of the quantity whose decay is checked
+/// @param at_level largest value of the quantity at or beyond the confinement level, relative to
+///                 the peak
+/// @param edge     largest value of the quantity on the edge of the support, relative to the peak
 std::string inadmissible_reason(const char* quantity, double at_level, double edge);
 
 }  // namespace fpkcheck::epc::amplitude

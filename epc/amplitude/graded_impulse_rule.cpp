@@ -7,10 +7,10 @@
 namespace fpkcheck::epc::amplitude {
 namespace {
 
-constexpr double kPanel = 1.2;         // widest panel, in deviations of Y
-constexpr double kFirstBreak = 1.5;    // first break point next to velocity 0, in widths
+constexpr double kPanel = 1.2;         // width of the widest panel, in standard deviations of Y
+constexpr double kFirstBreak = 1.5;    // break point nearest to velocity 0, in widths
 constexpr double kGrowth = 3;          // ratio of successive break points
-constexpr double kNegligible = 1e-18;  // probability
+constexpr double kNegligible = 1e-18;  // probability below which a point is omitted
 
 }  // namespace
 

@@ -6,21 +6,24 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Velocities after an impulse and their probabilities.
+/// Possible velocities after an impulse, and the probability of each velocity.
 struct PostImpulseVelocities {
   std::vector<double> v, probability;
 };
 
-/// Quadrature rule for E[f(v + Y)]: a sum over `v` weighted by `probability`. The functions f are
-/// smooth on either side of velocity 0 and vary near 0 over a width; rho and theta at a given y
-/// have the width w(y). Atoms are exact. A density uses Gauss-Legendre panels between its break
-/// points, graded towards velocity 0.
+/// Quadrature rule for E[f(v + Y)], the mean of a function f after an impulse Y: the sum of f over
+/// the velocities `v`, weighted by `probability`. The function f is smooth on either side of
+/// velocity 0 and varies near 0 over a given width. For rho and theta at a given y, this width is
+/// w(y). The atoms of the law of Y enter exactly. The density of the law is integrated by
+/// Gauss-Legendre panels between its break points; the panels are graded towards velocity 0.
 class GradedImpulseRule {
  public:
   explicit GradedImpulseRule(const problem::ImpulseLaw& law);
 
-  /// The result is valid until the next call.
-  /// @param width 0 for f that is smooth up to velocity 0 on either side
+  /// Velocities and probabilities after an impulse at velocity v. The returned reference is valid
+  /// until the next call.
+  /// @param width width of the variation of f near velocity 0; 0 for a function f that is smooth up
+  ///        to velocity 0 on either side
   const PostImpulseVelocities& operator()(double v, double width);
 
  private:

@@ -29,7 +29,8 @@ double maximum_over_phase(const Exponent& exponent, double rho) {
 
 DecayScan scan_decay(const Exponent& exponent, double depth, double farthest) {
   constexpr int kSteps = 400;
-  constexpr double kInside = 5;  // extrema above this depth are features of the density
+  // Minima at a depth of less than kInside below the peak are features of the density.
+  constexpr double kInside = 5;
   double peak = maximum_over_phase(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {
     const double rho = farthest * i / kSteps;

@@ -5,34 +5,39 @@
 #include <functional>
 #include <optional>
 
-/// Common part of the formulations whose exponent is a polynomial of the amplitude
-/// rho = sqrt(v^2 + 2 V(y)) and one further coordinate, with one wall on the left.
+/// Common part of the formulations polar and contact: the exponent is a polynomial of the amplitude
+/// rho = sqrt(v^2 + 2 V(y)) and one further coordinate. The problem has one wall on the left.
 namespace fpkcheck::epc::amplitude {
 
-/// Energy rho^2/2 of an amplitude rho, and the inverse.
+/// Energy rho^2/2 of an amplitude rho.
 inline double energy_at(double rho) { return rho * rho / 2; }
+/// Amplitude rho of an energy rho^2/2.
 inline double amplitude_at(double energy) { return std::sqrt(2 * energy); }
 
-/// Exponent by amplitude and phase: theta from -pi/2 to pi/2, v = rho sin(theta).
+/// Function that returns an exponent from amplitude rho and phase theta; theta lies between -pi/2
+/// and pi/2, and v = rho sin(theta).
 using Exponent = std::function<double(double rho, double theta)>;
 
-/// Equidistant phases on the half-circle, including its ends on the wall.
+/// Number of equidistant phases on the half-circle.
 inline constexpr int kPhaseCount = 33;
+/// Equidistant phases theta on the half-circle, including both ends of the half-circle on the wall.
 const std::array<double, kPhaseCount>& phases();
-/// Weight of a phase in the trapezoidal rule.
+/// Weight in the trapezoidal rule of the phase with a given index.
 double phase_weight(int phase);
 
-/// Maximum of an exponent over the phases at an amplitude.
+/// Maximum of an exponent over the phases of the half-circle at an amplitude.
 double maximum_over_phase(const Exponent& exponent, double rho);
 
-/// Decay of the maximum over the phases with growing amplitude.
+/// Decay with growing amplitude of an exponent's maximum over the phases.
 struct DecayScan {
-  std::optional<double> crossing;  ///< first amplitude at which it lies `depth` below its peak
-  double extent;                   ///< amplitude at which it begins to rise, or `farthest`
+  /// first amplitude at which the maximum over the phases lies `depth` below its peak
+  std::optional<double> crossing;
+  /// amplitude at which the maximum over the phases begins to rise, or `farthest`
+  double extent;
 };
 
-/// Scans amplitudes from 0 until the maximum over the phases lies `depth` below its peak, or rises
-/// again.
+/// Scans growing amplitudes, from 0 on. The scan ends when the maximum over the phases lies `depth`
+/// below its peak, when this maximum rises again, or at the amplitude `farthest`.
 DecayScan scan_decay(const Exponent& exponent, double depth, double farthest);
 
 }  // namespace fpkcheck::epc::amplitude

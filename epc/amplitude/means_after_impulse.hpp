@@ -9,12 +9,14 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Map from w = sqrt(2 V(y)) and a velocity v to the coordinates s and t of QuadraturePoints.
+/// Function that returns the coordinates s and t of QuadraturePoints from w = sqrt(2 V(y)) and a
+/// velocity v.
 using CoordinateMap = std::function<std::pair<double, double>(double w, double v)>;
 
-/// E[phi(y, v + Y)] of every member of a basis: shape (points, members). Near v = 0 the members
-/// vary over a width w (GradedImpulseRule).
-/// @param w, v at the points
+/// Means E[phi(y, v + Y)] of every basis function phi after an impulse Y. The shape is (number of
+/// points, number of basis functions). Near v = 0 the basis functions vary over a width w, see
+/// GradedImpulseRule.
+/// @param w,v values of w and v at the points
 Eigen::MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::Basis& basis,
                                     const Eigen::VectorXd& w, const Eigen::VectorXd& v,
                                     const CoordinateMap& coordinates);

@@ -15,7 +15,8 @@ namespace {
 
 using transform::Metrics;
 
-// Above every power that rounding leaves usable; checked before memory is allocated.
+// Largest power that a file may contain: above every power that is usable in double precision. The
+// limit is checked before memory is allocated.
 constexpr int kHighestPower = 40;
 
 double require_number(const Metrics& metrics, const std::string& path) {
@@ -59,7 +60,8 @@ int power(const Metrics& metrics, const std::string& path) {
   return static_cast<int>(value);
 }
 
-// Files store the coefficients in order of k: each search starts at the position of the last one.
+// Reads all terms of Q_n. Files store the coefficients in the order of k: each search for a key
+// starts at the position of the previous key.
 std::vector<Term> terms_in(const Metrics& metrics) {
   std::vector<Term> terms;
   constexpr std::size_t kMost = 2000;

@@ -15,10 +15,12 @@ namespace fpkcheck::epc {
 
 /// Coordinates of the polynomial Q_n.
 enum class Variables {
-  plane,     ///< z and z' of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
+  /// z and z', the coordinates of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
+  plane,
   physical,  ///< y and v: p(y, v) = C exp Q(y, v)
   polar,     ///< amplitude and phase, polar::Coordinates: p(y, v) = C exp Q(rho, theta)
-  /// amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2); an atom
+  /// amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2), and an
+  /// atom at y = v = 0
   contact
 };
 inline constexpr base::EnumEntry<Variables> kVariablesNames[] = {
@@ -29,43 +31,49 @@ inline constexpr base::EnumEntry<Variables> kVariablesNames[] = {
 constexpr std::span<const base::EnumEntry<Variables>> names(Variables) { return kVariablesNames; }
 constexpr std::string_view name(Variables variables) { return base::name_of(variables); }
 
-/// Box outside of which the density is 0.
+/// Box in the (y, v) plane outside of which the density is 0.
 struct Box {
   double y_max, v_max;
   double y_min = 0;
 };
 
-/// Parameters of a density C exp(Q_n + confinement) besides the coefficients of Q_n.
+/// All parameters of a density C exp(Q_n + confinement) except the coefficients of Q_n.
 struct Frame {
   Variables variables = Variables::plane;
-  /// Position of y and v of Q_n on the physical axes: x and x' of problem/frame.hpp.
+  /// Origin and direction, on the physical axes, of the coordinates y and v of Q_n. They are x and
+  /// x' of problem/frame.hpp.
   problem::Frame coordinates = {};
-  /// ln C; empty for a density that was not normalised.
+  /// ln C, the logarithm of the constant factor; empty for a density that was not normalised.
   std::optional<double> log_constant = {};
-  /// Plane: the density is 0 outside gaussian::Support, which these deviations scale.
+  /// Standard deviations that scale gaussian::Support, outside of which the density is 0; empty if
+  /// the density has another support.
   std::optional<Deviations> deviations = {};
-  /// Other coordinates: the density is 0 beyond the contour of this energy.
+  /// Energy beyond whose contour the density is 0; used unless Q_n has the coordinates `plane`.
   double support = std::numeric_limits<double>::infinity();
-  /// Other coordinates: level of half_plane::Confinement, infinite without confinement.
+  /// Level of half_plane::Confinement, infinite without confinement; used unless Q_n has the
+  /// coordinates `plane`.
   double level = std::numeric_limits<double>::infinity();
-  /// Without deviations and energy: the density is 0 outside this box.
+  /// Box outside of which the density is 0; used if there are neither deviations nor an energy.
   std::optional<Box> box = {};
 };
 
-/// Density of a closure as stored in files; with the problem it can be evaluated again.
+/// Density of a closure as files store the density: exponent and parameters. Some forms also need
+/// the problem for an evaluation.
 struct ClosedForm {
   Polynomial q;
   Frame frame;
 };
 
-/// Whether metrics, from epc/summary.hpp or a file written by hand, contain a closed form.
+/// Whether metrics contain a closed form. The metrics come from epc/summary.hpp or from a file of
+/// the user.
 bool has_closed_form(const transform::Metrics& metrics);
 
-/// Reads a closed form. Keys: `coordinates`, `coefficients[k].{x1,x2,a}`, `log_C` or `C`, and
+/// Reads a closed form from metrics. The keys are `coordinates`, `coefficients[k].{x1,x2,a}`,
+/// `log_C` or `C`, and
 ///  - for the support: `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or
-///    `support.{y_max,v_max}` with `support.y_min` if that is not 0;
-///  - `frame.{origin,mirrored}` if the coordinates are not the physical ones.
-/// @throws InputError on one line: the missing or invalid key, without the file's name
+///    `support.{y_max,v_max}`, with `support.y_min` if y_min is not 0;
+///  - `frame.{origin,mirrored}` if the coordinates are not the physical coordinates.
+/// @throws InputError with a message of one line: the missing or invalid key, without the file name
 ClosedForm read_closed_form(const transform::Metrics& metrics);
 
 }  // namespace fpkcheck::epc

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// int_{v>0} v^power p(b, v) dv at a wall on the right; 0 without such a wall.
+// int_{v>0} v^power p(b, v) dv at the right wall y = b; 0 if there is no right wall.
 double right_flux(const problem::Problem& problem, const transform::SmoothDensity& density,
                   int power) {
   if (!problem.system.right()) return 0;
@@ -18,7 +18,7 @@ double right_flux(const problem::Problem& problem, const transform::SmoothDensit
   return numerics::integrate_panels(integrand, 0.0, density.v_max, kPanels);
 }
 
-// E[v f], f the damping force.
+// Mean power E[v f] of the damping force f.
 double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
   return transform::expectation(density, [&](double y, double v) {
     return (system.damping_polynomial()(y) + system.rayleigh() * v * v) * v * v;
@@ -57,7 +57,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   }
   transform::BalanceResiduals residuals{.virial =
                                             problem::virial_balance(problem, virial).residual()};
-  // Without impacts both sides may be 0, and their residual would be rounding alone.
+  // Without impacts both sides of the balance may be 0. Their residual would be rounding error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::Balance balance = problem::momentum_balance(problem, momentum);
@@ -65,7 +65,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   return residuals;
 }
 
-// Moments of y = origin + sign x and y' = sign x'.
+// Moments of the physical coordinates y = origin + sign x and y' = sign x'.
 transform::Moments physical_moments(const problem::Frame& frame,
                                     const transform::PanelMarginals& marginals) {
   transform::Moments moments = marginals.moments;

@@ -9,7 +9,8 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Terms below kRounding of the largest term, in the scaled plane, are rounding without a sign.
+// Removes the terms that are rounding errors and have no reliable sign. In the scaled plane these
+// terms are smaller than kRounding times the largest term.
 Polynomial without_rounding(const Polynomial& q, const Deviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
@@ -48,7 +49,7 @@ LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigm
   form.negative = rising == 0;
   form.rising_fraction = static_cast<double>(rising) / seen;
   if (!form.negative) {
-    // The last change of sign of the slope, up to 4 kLargestRadius.
+    // Q_n rises from the last change of sign of the slope on. The scan ends at 4 kLargestRadius.
     const Ray slope = derivative(worst);
     double rho = 4 * kLargestRadius;
     while (rho > 0 && horner(slope, rho) > 0) rho -= kRadialStep / 8;
