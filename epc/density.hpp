@@ -13,7 +13,8 @@ namespace fpkcheck::epc {
 /// @return density, which is normalised if the form has a constant C, or a support over which to
 ///         integrate. A form without constant and support gives C = 1 and an infinite box
 /// @throws InputError with a message of one line: a required problem is missing, the problem has no
-///         wall at the origin of the form, or the integral over the support is not a positive number
+///         wall at the origin of the form, or the integral over the support is not a positive
+///         number
 transform::SmoothDensity density(const ClosedForm& form, const problem::Problem* problem);
 
 /// Whether the density of a closed form is normalised: the form has a constant C or a support.

@@ -7,8 +7,8 @@
 namespace fpkcheck::epc {
 
 /// Solves the equations of the formulation and assesses the root. The status is
-///  - ok if the density of the root has decayed on the whole edge of its support, has mass 1, and is
-///    near the density of order n-2. The limits are in form/acceptance_limits.hpp. In the
+///  - ok if the density of the root has decayed on the whole edge of its support, has mass 1, and
+///    is near the density of order n-2. The limits are in form/acceptance_limits.hpp. In the
 ///    formulation gaussian, the density must also satisfy the balance of power;
 ///  - inadmissible if a root was found, but its density violates one of these conditions. The
 ///    result still contains the density and the coefficients;

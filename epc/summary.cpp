@@ -23,8 +23,8 @@ bool is_path_dependent(const Summary& summary) {
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// Scale below which a change of the coefficient of x1^p x2^q is rounding error. The effect of a unit
-// coefficient on the density, relative to the peak, is
+// Scale below which a change of the coefficient of x1^p x2^q is rounding error. The effect of a
+// unit coefficient on the density, relative to the peak, is
 // sigma_1^p sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2). The relative tolerance is
 // kRelative.
 double min_scale(const Term& term, const transform::Moments& moments, double rounding) {

@@ -19,15 +19,16 @@ using numerics::Termination;
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
 
-// E|x|^m of x ~ N(0, sigma^2).
+// Absolute moment E|x|^m of x ~ N(0, sigma^2).
 double absolute_moment(double m, double sigma) {
   return std::pow(std::numbers::sqrt2 * sigma, m) * std::tgamma((m + 1) / 2) *
          std::numbers::inv_sqrtpi;
 }
 
-// Exponent of the exact density, up to a constant: -(c/D2) (x2^2/2 + U(|x1|)). The potential of an
-// even power a y^m of the force is not a polynomial on the plane. A linear force with the same mean
-// slope, E[a m |x1|^(m-1)], replaces it.
+// Exponent of the exact density under white noise with elastic impacts, up to a constant:
+// -(c/D2) (x2^2/2 + U(|x1|)). For an even power a y^m of the force, the potential is not a
+// polynomial on the plane. A linear force with the same mean slope, E[a m |x1|^(m-1)], replaces the
+// even power.
 std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
                                                const Deviations& sigma) {
   const double beta = f.damping / (f.rate_moment[2] / 2);
@@ -42,7 +43,8 @@ std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
   return terms;
 }
 
-// R with homotopy_coefficients, in units of residual_unit. R is linear in the fraction.
+// Homotopy of the branch: the residual R with homotopy_coefficients(), in units of residual_unit().
+// The residual is linear in the fraction.
 Homotopy branch_family(const Projection& projection, const ResidualCoefficients& full,
                        double unit) {
   return {
@@ -92,7 +94,7 @@ Branch branch_of(const SolutionCurve& curve, const Homotopy& family, const Basis
   return branch;
 }
 
-// Root at the end of a curve, or the last iterate if the curve did not arrive.
+// Root at the end of a curve, or the last iterate if the curve did not reach its end point.
 NewtonResult root_of(const SolutionCurve& curve, const CurvePoint& last,
                      const Projection& projection, const ResidualCoefficients& there,
                      double tolerance) {

@@ -5,22 +5,23 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Branch of solutions, and the root at the full problem.
+/// Branch of solutions, and the root of the full problem at the end of the branch.
 struct FollowedBranch {
   Branch branch;
-  /// Converged if the branch reaches the full problem; else the iterate at the largest fraction.
+  /// Root of the full problem, converged if the branch reaches fraction 1. Otherwise the iterate at
+  /// the largest fraction.
   numerics::NewtonResult root;
 };
 
-/// Follows the solution of (23) with homotopy_coefficients by pseudo-arclength, past folds. The
-/// branch starts from the exact density under white noise with elastic impacts, towards the full
-/// problem. For a spring with even powers the exponent of that density is no polynomial, and the
-/// branch starts from an approximation.
+/// Follows a branch of solutions of (23) with homotopy_coefficients() by pseudo-arclength
+/// continuation, which passes folds. The branch leads from the exact density under white noise with
+/// elastic impacts to the full problem. If the spring force has even powers, the exponent of the
+/// exact density is not a polynomial, and the branch starts from an approximation of this density.
 FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
                              double tolerance);
 
-/// Follows Newton's homotopy from a root of the equations of lower order to a root of all
-/// equations.
+/// Follows Newton's homotopy to a root of the equations.
+/// @param start root of the equations of lower order
 numerics::NewtonResult follow_newton_homotopy(const Projection& projection,
                                               const ResidualCoefficients& f,
                                               const Eigen::VectorXd& start, double tolerance);

@@ -18,7 +18,7 @@ transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
   };
   const bool even =
       std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
-  if (even) {  // the density is the same at both points of (5)
+  if (even) {  // the density has the same value at both points (z, z') of paper (5)
     return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
             support.x2_max()};
   }

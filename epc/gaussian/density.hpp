@@ -6,14 +6,16 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// ln C of paper (17), which normalises C exp(Q_n) on its support in the plane.
+/// ln C of the constant C of paper (17), which normalises C exp(Q_n) on its support in the plane.
 double log_constant(const Support& support);
 
-/// Density of (y, y') by paper (5) from C exp(Q_n) on its support.
+/// Density of (y, y') from the density C exp(Q_n) on its support in the (z, z') plane, by paper
+/// (5).
 transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
                                     double log_constant);
 
-/// Density C exp(Q_n) of (y, v) on its support, without a wall and without folding.
+/// Density C exp(Q_n) of (y, v) on its support for a problem without a wall, whose plane is not
+/// folded.
 transform::SmoothDensity unfolded_density_of(const Polynomial& q, const Support& support,
                                              double log_constant);
 

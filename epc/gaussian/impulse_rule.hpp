@@ -8,14 +8,17 @@ class ImpulseLaw;
 
 namespace fpkcheck::epc::gaussian {
 
-/// Quadrature rule for E[g(Y)], g smooth: the Gauss rule of the law about its mean. Hermite for
-/// gaussian, Laguerre on either side for laplace, Laguerre for exponential, Legendre for uniform,
-/// the atoms for two_point, and piecewise_impulse_rule for any other law.
-/// @param points number of points, on each side for laplace; unused for atoms and piecewise rules
+/// Quadrature rule for the mean E[g(Y)] of a smooth function g of the impulse. The rule is the
+/// Gauss rule of the law about its mean: Gauss-Hermite for the law gaussian, Gauss-Laguerre on
+/// either side of the mean for laplace, Gauss-Laguerre for exponential, Gauss-Legendre for uniform.
+/// The rule of two_point consists of the atoms. Any other law has piecewise_impulse_rule().
+/// @param points number of points, for laplace on each side; unused for two_point and for
+///        piecewise_impulse_rule()
 QuadratureRule impulse_rule(const problem::ImpulseLaw& law, int points);
 
-/// Quadrature rule for E[g(Y)] for any law: its atoms, and Gauss-Legendre panels on its density.
-/// The panels end where the density is not smooth.
+/// Quadrature rule for E[g(Y)] for any law of the impulse Y: the atoms of the law, and
+/// Gauss-Legendre panels for the density of the law. Panels end at points where this density is not
+/// smooth.
 QuadratureRule piecewise_impulse_rule(const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::epc::gaussian

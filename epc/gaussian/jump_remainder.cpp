@@ -10,12 +10,14 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Number of ten-point panels in radius and in angle on a half-plane; points of the law's rule.
+// Number of ten-point panels in each of radius and angle on a half-plane.
 constexpr int kPanels = 3;
+// Number of points of the quadrature rule of the impulse law.
 constexpr int kJumpPoints = 20;
 
-// Quadrature with the weights f1 f2 on both half-discs, on each of which x1 has one sign. For a
-// point-symmetric integrand both halves give the same integral.
+// Quadrature rule with the weights f1 f2 on both half-discs; x1 has one sign on each half-disc. For
+// a point-symmetric integrand both half-discs give the same integral, and the rule uses one of
+// them.
 PlaneRule disc(const Deviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneRule rule;

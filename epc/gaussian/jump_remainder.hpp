@@ -18,13 +18,14 @@ namespace fpkcheck::epc::gaussian {
 ///     the fourth derivative],
 ///
 /// projected on the basis under the Gaussian weights. The projection over the whole plane diverges:
-/// for a negative leading form exp(-Q) outgrows the weights, and where Q_n rises the expectation
-/// itself is infinite. The series contains the large part of the integral. The remainder is
-/// therefore integrated on the disc of kRadius deviations of the weights, with jumps from the disc
-/// of kRadius + kJumpMargin. The result is insensitive to both radii (table in docs/closure.md).
+/// if the leading form is negative, exp(-Q) outgrows the weights; where Q_n rises, the expectation
+/// itself is infinite. The series contains the large part of the jump integral. The small remainder
+/// is therefore integrated on a disc only, whose radius is kRadius standard deviations of the
+/// weights. Jumps that leave the disc of radius kRadius + kJumpMargin are omitted. The result is
+/// insensitive to both radii (table in docs/closure.md).
 class JumpRemainder {
  public:
-  static constexpr double kRadius = 5.5;
+  static constexpr double kRadius = 5.5;    ///< radius of the disc, in deviations
   static constexpr double kJumpMargin = 2;  ///< width of the margin around the disc, in deviations
 
   JumpRemainder(const Basis& basis, const problem::ImpulseTrain& impulses, double radius = kRadius);
@@ -32,21 +33,23 @@ class JumpRemainder {
   /// Projection of the remainder, shape (basis.size()).
   /// @param a scaled coefficients
   Eigen::VectorXd projection(const Eigen::VectorXd& a) const;
-  /// Derivative of the projection by a_k in column k.
+  /// Jacobian of the projection: column k is the derivative with respect to a_k.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& a) const;
 
  private:
+  /// Sign of x1 at node i.
   int side(Eigen::Index i) const { return nodes_.x1(i) > 0 ? 1 : -1; }
-  /// Weights times exp(Q after the jump - Q before) for each node and jump.
+  /// Jump weight times exp(Q after the jump - Q before the jump), for each node and jump.
   Eigen::VectorXd density_ratios(const Eigen::VectorXd& a) const;
 
   double rate_;
   RateMoments series_;  ///< coefficients of the subtracted series
   ProjectionNodes nodes_;
-  Eigen::Index jumps_;  ///< number of points of the law's rule
-  /// Row i * jumps_ + j: basis functions after jump j from node i minus those at node i.
+  Eigen::Index jumps_;  ///< number of points of the quadrature rule of the impulse law
+  /// Increments of the basis functions by a jump. Row i * jumps_ + j has the values after jump j
+  /// from node i minus the values at node i.
   Eigen::MatrixXd increments_;
-  Eigen::VectorXd jump_weights_;  ///< zero for a jump from outside the margin
+  Eigen::VectorXd jump_weights_;  ///< quadrature weights; 0 for a jump to a point beyond the margin
 };
 
 }  // namespace fpkcheck::epc::gaussian

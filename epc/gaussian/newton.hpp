@@ -5,13 +5,15 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Unit of residuals: the damping c, which is a term of F, but at least 1e-4 of the frequency
-/// sigma_2/sigma_1 of the transport terms. A smaller unit would resolve their rounding errors.
+/// Unit in which residuals are measured: the damping c, which is a term of F, but at least 1e-4
+/// times sigma_2/sigma_1, the frequency of the transport terms. In a smaller unit, the rounding
+/// errors of the transport terms would dominate the residual.
 double residual_unit(const Projection& projection, const ResidualCoefficients& f);
 
-/// Newton-Raphson method of the paper for (23), with the analytic Jacobian. Norm of the residual:
-/// max |R_s(a)| / residual_unit. With the option `damped`, steps are halved until the residual
-/// decreases (Armijo). The iteration ends if no step in Newton's direction decreases it.
+/// Solves (23) by the paper's Newton-Raphson method, with the analytic Jacobian. The norm of the
+/// residual is max |R_s(a)| / residual_unit. With the option `damped`, each step is halved until
+/// the residual decreases (Armijo's rule). The iteration ends if no step in Newton's direction
+/// decreases the residual.
 numerics::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
                               const Eigen::VectorXd& start, const numerics::NewtonOptions& options);
 

@@ -10,8 +10,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Degree of each part of F times the projection function, in x1 and in x2. Q_2 has degree n-1, the
-// force at most degree 5.
+// Degree, in each of x1 and x2, of the product of a part of F and a projection function. The
+// derivative Q_2 has degree n-1, and the force has at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
@@ -27,7 +27,7 @@ PlaneRule product(const QuadratureRule& u1, const QuadratureRule& u2, const Devi
   return rule;
 }
 
-// int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
+// Quadrature rule on the wall x1 = 0: int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
 PlaneRule along_wall(const QuadratureRule& absolute, const Deviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
   PlaneRule rule;
@@ -37,20 +37,21 @@ PlaneRule along_wall(const QuadratureRule& absolute, const Deviations& sigma) {
   return rule;
 }
 
-// F is even under (x1, x2) -> (-x1, -x2) when Q_n is.
+// Nodes of a quadrature rule. If Q_n is even under (x1, x2) -> (-x1, -x2), then F is even, and the
+// rule can be folded.
 ProjectionNodes nodes(const PlaneRule& rule, const Basis& basis) {
   const bool even = basis.set() == MonomialSet::point_symmetric;
   return {even ? folded(rule) : rule, basis};
 }
 
-// Values of a part of F at the nodes.
+// The values of a part of F at all nodes.
 template <class Part>
 Eigen::VectorXd values(const ProjectionNodes& nodes, const Eigen::VectorXd& a, const Part& part) {
   const std::vector<Derivatives> q = nodes.exponent_derivatives(a);
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
-// Gradients of a part of F at the nodes.
+// The gradients of a part of F at all nodes, with respect to the derivatives of Q_n.
 template <class Gradient>
 std::vector<Derivatives> gradients(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
                                    const Gradient& gradient) {

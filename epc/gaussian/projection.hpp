@@ -15,22 +15,22 @@ namespace fpkcheck::epc::gaussian {
 ///
 ///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
 ///
-/// Every integral is exact up to rounding: each part of F is a polynomial under a Gaussian weight,
-/// with a Gauss rule for its factor sgn(x1) or |x2| delta(x1). The remainder of `kf` is not a
-/// polynomial, see JumpRemainder.
+/// Every integral is exact up to rounding: each part of F is a polynomial times a factor 1, sgn(x1)
+/// or |x2| delta(x1), and each factor has a Gauss rule under the Gaussian weights. Only the
+/// remainder of the jump integral (`kf`) is not a polynomial, see JumpRemainder.
 class Projection {
  public:
-  /// Equations with f.jump_fraction = 0.
+  /// Equations without the remainder of the jump integral, for f.jump_fraction = 0.
   explicit Projection(Basis basis);
-  /// Equations including the remainder of the jump integral.
+  /// Equations with the remainder of the jump integral.
   Projection(Basis basis, const problem::ImpulseTrain& impulses,
              double jump_radius = JumpRemainder::kRadius);
 
   const Basis& basis() const { return basis_; }
 
-  /// R(a), shape (basis.size()).
+  /// Residual R(a), shape (basis.size()).
   Eigen::VectorXd residual(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
-  /// dR_s/da_k in row s and column k.
+  /// Jacobian: dR_s/da_k in row s and column k.
   Eigen::MatrixXd jacobian(const ResidualCoefficients& f, const Eigen::VectorXd& a) const;
 
  private:

@@ -16,12 +16,13 @@ struct PlaneRule {
   void add(double at_x1, double at_x2, double weight);
 };
 
-/// Quadrature rule for integrands even under (x1, x2) -> (-x1, -x2): one point of each pair, with the
-/// sum of both weights.
-/// @pre the rule has this symmetry up to rounding
+/// Quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The rule has one
+/// point of each pair of opposite points, with the sum of both weights.
+/// @pre up to rounding, the given rule has this symmetry
 PlaneRule folded(const PlaneRule& rule);
 
-/// Quadrature rule in the plane with a table of the basis at its points, common to all iterates.
+/// Quadrature rule in the plane, with a table of the basis functions at the quadrature points. All
+/// Newton iterates use the same table.
 class ProjectionNodes {
  public:
   ProjectionNodes(const PlaneRule& rule, const Basis& basis);
@@ -31,15 +32,18 @@ class ProjectionNodes {
   double x2(Eigen::Index i) const { return x2_[i]; }
   const BasisTable& basis() const { return basis_; }
 
-  /// Derivatives of Q_n at each point, for scaled coefficients a.
+  /// The derivatives of Q_n at each point, for scaled coefficients a.
   std::vector<Derivatives> exponent_derivatives(const Eigen::VectorXd& a) const;
 
-  /// Projection: sum_i w_i values_i phi_s(x_i) in row s.
+  /// Projects a function, given by its values at the points, on the basis functions phi_s. Row s of
+  /// the result is sum_i w_i values_i phi_s(x_i).
   Eigen::VectorXd project(const Eigen::VectorXd& values) const;
-  /// Projection of a matrix of values with a column for each unknown.
+  /// Projects several functions on the basis functions: column k of `values` has the values of
+  /// function k at the points.
   Eigen::MatrixXd project(const Eigen::MatrixXd& values) const;
-  /// Derivative of a projection by unknown k in column k.
-  /// @param gradients of the values with respect to the derivatives of Q_n, at each point
+  /// Jacobian of a projection: column k is the derivative with respect to unknown k.
+  /// @param gradients gradients of the projected function with respect to the derivatives of Q_n,
+  ///        at each point
   Eigen::MatrixXd project_gradients(const std::vector<Derivatives>& gradients) const;
 
  private:

@@ -15,9 +15,10 @@ struct Recurrence {
   Eigen::VectorXd off_diagonal;
 };
 
-// Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix. The weights follow from the
-// recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors. Moments of degree 5n need the
-// small weights of the outer nodes to full relative accuracy, which eigenvectors do not provide.
+// Gauss rule of the method of Golub and Welsch: the nodes are the eigenvalues of the Jacobi matrix.
+// The weights follow from the recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors.
+// Moments of degree 5n need the small weights of the outer nodes with full relative accuracy.
+// Eigenvectors do not give this accuracy.
 QuadratureRule gauss_rule(const Recurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
@@ -40,9 +41,9 @@ QuadratureRule gauss_rule(const Recurrence& recurrence) {
 }
 
 // With t = u^2 / 2,  E[|u| g(u)] = int_0^inf [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi),
-// where the bracket is a polynomial in t of half the degree. E[sgn(u) g(u)] is the same integral
-// with g(u)/u: only the odd part of g contributes, and its quotient by u is again a polynomial in
-// t.
+// where the bracket is a polynomial in t of half the degree of g. E[sgn(u) g(u)] is the same
+// integral with g(u)/u in place of g(u). Only the odd part of g contributes to this integral, and
+// the odd part divided by u is a polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

@@ -4,25 +4,30 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Quadrature rule: nodes and weights. Below, u is a standard normal variable.
+/// Quadrature rule in one variable: nodes and weights.
 struct QuadratureRule {
   std::vector<double> nodes;
   std::vector<double> weights;
 };
 
-/// E[g(u)], exact for polynomials g up to the given degree (Gauss-Hermite).
+/// Quadrature rule for E[g(u)] with a standard normal variable u (Gauss-Hermite). The rule is exact
+/// for polynomials g up to the given degree.
 QuadratureRule normal_rule(int degree);
 
-/// E[sgn(u) g(u)], exact for polynomials g up to the given degree; some weights are negative.
+/// Quadrature rule for E[sgn(u) g(u)] with a standard normal variable u. The rule is exact for
+/// polynomials g up to the given degree; some weights are negative.
 QuadratureRule sign_rule(int degree);
 
-/// E[|u| g(u)], exact for polynomials g up to the given degree.
+/// Quadrature rule for E[|u| g(u)] with a standard normal variable u. The rule is exact for
+/// polynomials g up to the given degree.
 QuadratureRule absolute_rule(int degree);
 
-/// int_0^inf g(t) exp(-t) dt, exact for polynomials g up to the given degree (Gauss-Laguerre).
+/// Quadrature rule for int_0^inf g(t) exp(-t) dt (Gauss-Laguerre). The rule is exact for
+/// polynomials g up to the given degree.
 QuadratureRule exponential_rule(int degree);
 
-/// The average of g over (-1, 1), exact for polynomials g up to the given degree (Gauss-Legendre).
+/// Quadrature rule for the average of g over (-1, 1) (Gauss-Legendre). The rule is exact for
+/// polynomials g up to the given degree.
 QuadratureRule uniform_rule(int degree);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -7,14 +7,14 @@ namespace {
 
 using problem::Equation;
 
-// Terms of one parity.
+// The terms of a polynomial whose powers have a parity: 1 for odd powers, 0 for even powers.
 numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t parity) {
   numerics::Polynomial::Coefficients a = polynomial.coefficients();
   for (std::size_t n = 1 - parity; n < a.size(); n += 2) a[n] = 0;
   return numerics::Polynomial(a);
 }
 
-// lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
+// Terms with even moments of Y: lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
 double even_series(const RateMoments& m, const Derivatives& q) {
   const double second = q.q22 + q.q2 * q.q2;
   const double fourth = q.q2222 + 4 * q.q2 * q.q222 + 3 * q.q22 * q.q22 + 6 * q.q2 * q.q2 * q.q22 +
@@ -32,7 +32,7 @@ Derivatives even_series_gradient(const RateMoments& m, const Derivatives& q) {
       .q2222 = fourth};
 }
 
-// -lambda E[Y] Q_2 - lambda E[Y^3]/3! [...]
+// Terms with odd moments of Y: -lambda E[Y] Q_2 - lambda E[Y^3]/3! [...]
 double odd_series(const RateMoments& m, const Derivatives& q) {
   const double third = q.q222 + 3 * q.q2 * q.q22 + q.q2 * q.q2 * q.q2;
   return -m[1] * q.q2 - m[3] / 6 * third;

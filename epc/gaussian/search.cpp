@@ -18,16 +18,16 @@ namespace {
 using numerics::NewtonResult;
 using problem::Equation;
 
-// Limit on the relative change of the coefficients between two discs of the jump integral. Roots
-// that are insensitive to the disc have changes below 0.01.
+// Limit on the relative change of the coefficients between two discs of the jump integral. For
+// roots that are insensitive to the disc, this change is below 0.01.
 constexpr double kDiscSensitivityLimit = 0.05;
 
-// Exponent of the Gaussian with the deviations of the weights.
+// Exponent of the Gaussian density with the standard deviations of the weights.
 std::vector<Term> gaussian_exponent(const Deviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
-// Monomials of the basis. Without a wall, asymmetric forces or impulses need all monomials.
+// Set of monomials for the basis. Without a wall, asymmetric forces or impulses need all monomials.
 MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
   if (problem.system.left()) return options.monomials;
   const numerics::Polynomial& force = problem.system.force();
@@ -102,8 +102,8 @@ class RootSearch {
   }
 
   // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
-  // root ends it, as in the paper. Beyond, only a root whose density decays ends it; another root
-  // is kept until then.
+  // root ends the search, as in the paper. Beyond n = 6 only a root whose density decays on the
+  // edge ends the search. The first root without this decay is kept until such a root is found.
   bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;

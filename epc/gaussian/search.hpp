@@ -15,22 +15,22 @@ namespace fpkcheck::epc::gaussian {
 
 /// Result of the search for a root of (23).
 struct RootSearchResult {
-  std::optional<Polynomial> root;  ///< Q_n
-  double residual = 0;             ///< residual of the root, or the smallest residual
-  double condition = 0;            ///< condition number of the Jacobian in the scaled unknowns
-  int iterations = 0;              ///< Newton steps, all attempts together
-  std::string failure;             ///< one sentence without a root; else empty
-  Branch branch;                   ///< set if the branch was followed
-  /// Whether the first attempt of find_root, the paper's, found a root.
+  std::optional<Polynomial> root;  ///< Q_n of the root; empty if no root was found
+  double residual = 0;   ///< residual of the root, or the smallest residual of all iterates
+  double condition = 0;  ///< condition number of the Jacobian in the scaled unknowns
+  int iterations = 0;    ///< number of Newton steps of all attempts together
+  std::string failure;   ///< reason why no root was found, one sentence; else empty
+  Branch branch;         ///< branch of solutions, if the search followed the branch
+  /// Whether the first attempt of find_root(), the method of the paper, found a root.
   bool plain_newton_converges = false;
-  /// `kf`: relative change of the scaled coefficients if the radius of the disc of JumpRemainder is
-  /// one deviation smaller.
+  /// Relative change of the scaled coefficients if the radius of the disc of JumpRemainder is
+  /// smaller by one standard deviation. Only `kf` sets this value.
   std::optional<double> disc_sensitivity;
   std::optional<Polynomial> previous;  ///< Q_(n-2), root of the equations of order n-2, or empty
 };
 
-/// Searches for a root by these attempts in turn and returns the first root. Beyond n = 6 it
-/// prefers the first root whose density decays on the edge of its support.
+/// Searches for a root by the following attempts in turn, and returns the first root. Beyond n = 6
+/// the search prefers the first root whose density decays on the edge of its support.
 ///  1. plain Newton steps from equivalent linearisation, as in the paper;
 ///  2. damped Newton steps from equivalent linearisation;
 ///  3. damped Newton steps from the root of order n-2;

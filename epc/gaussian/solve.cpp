@@ -17,20 +17,20 @@ namespace {
 
 using transform::Status;
 
-// Density normalised on its support.
+// Density C exp(Q_n), normalised on its support.
 transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
                                     const Support& support) {
   return problem.system.left() ? density_of(q, support, log_constant(support))
                                : unfolded_density_of(q, support, log_constant(support));
 }
 
-// Smallest order whose density is a valid comparison. Without a wall a Gaussian approximates
-// neither several wells nor a ring.
+// Smallest order n-2 whose density is compared with the density of order n. Without a wall order 2,
+// a Gaussian, approximates neither several wells nor a ring.
 int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left() ? 2 : 4;
 }
 
-// Reason why a root is inadmissible; empty for an admissible one.
+// Reason why a root is inadmissible; empty for an admissible root.
 std::string inadmissible_reason(const Support& support, const LeadingForm& form,
                                 const transform::Solution& solution,
                                 const std::optional<double>& distance_to_density_before) {
@@ -60,8 +60,8 @@ std::string inadmissible_reason(const Support& support, const LeadingForm& form,
   return "";
 }
 
-// Without a wall the virial balance is a further criterion. A Gaussian in the middle of a double
-// well satisfies its weighted equations, but has a large residual of the virial balance.
+// Reason why a root without a wall is inadmissible: its virial balance. A Gaussian in the middle of
+// a double well satisfies the projected equations, but has a large residual of the virial balance.
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
@@ -72,7 +72,8 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
       100 * virial, 100 * kEnergyResidualLimit);
 }
 
-// Assesses a root of (23): C exp(Q_n) on its support, its moments and its energy balance.
+// Assesses a root of (23) by the density C exp(Q_n) on its support, by the moments and by the
+// energy balance of this density.
 // @param previous root of order n-2 for comparison
 void assess_root(const problem::Problem& problem, const Polynomial& q,
                  const std::optional<Polynomial>& previous, Result& result) {

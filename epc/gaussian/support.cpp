@@ -11,7 +11,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Radius of the search for the peak, in deviations. A rise further out is a violation of (19).
+// Radius of the disc in which the peak of Q_n is searched for, in standard deviations. If Q_n
+// exceeds this peak outside of the disc, (19) is violated.
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
@@ -24,7 +25,8 @@ double minimum_between(const Ray& slope, double low, double high) {
   return (low + high) / 2;
 }
 
-// Radius at which Q_n, falling from low to high, crosses a level: Newton's method with bracketing.
+// Radius between low and high at which Q_n falls to a given value, by Newton's method with
+// bracketing.
 double crossing_between(const Ray& q, const Ray& slope, double level, double low, double high) {
   double at = (low + high) / 2;
   for (int i = 0; i < 60; ++i) {
@@ -42,7 +44,7 @@ struct Edge {
   double peak;  // largest Q_n up to the radius
 };
 
-// Edge along one direction by rules (a) to (c) of Support.
+// Edge of the set along one direction, by rules (a) to (c) of Support.
 Edge edge(const Ray& q, double core_peak) {
   const Ray slope = derivative(q);
   const double negligible = core_peak + std::log(Support::kNegligible);
@@ -120,7 +122,7 @@ void Support::compute_integrals(const std::vector<Ray>& rays) {
   const double element =
       sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
   integral_ = sum * element;
-  // int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1
+  // cut_off uses int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1.
   cut_off_ = edge_sum / sum;
 }
 

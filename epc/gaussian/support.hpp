@@ -7,16 +7,16 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Star-shaped set of the plane on which C exp(Q_n) is used as a density. The density is zero
-/// outside.
+/// Star-shaped set in the plane on which C exp(Q_n) is used as a density. Outside of this set the
+/// density is 0.
 ///
-/// Along each direction the set ends at the first of
+/// Along each direction the set ends at the first of these radii:
 ///  (a) the radius at which the density has fallen to kNegligible of its peak;
-///  (b) a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
-///  (c) the radius at which Q_n is smallest before it exceeds its peak again, up to kLargestRadius
+///  (b) the radius of a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
+///  (c) the radius at which Q_n is smallest before Q_n exceeds its peak again, up to kLargestRadius
 ///      deviations of the weights (25)-(26).
-/// A minimum inside the density is therefore no edge, and if (19) is violated the set ends before
-/// Q_n rises.
+/// Therefore a shallow minimum of Q_n inside the density is not an edge. If condition (19) is
+/// violated, the set ends before Q_n rises.
 class Support {
  public:
   static constexpr double kNegligible = 1e-14;
@@ -24,19 +24,24 @@ class Support {
   Support(const Polynomial& q, const Deviations& sigma);
 
   bool contains(double x1, double x2) const;
-  double least_radius() const { return least_radius_; }  ///< radii in the scaled plane
+  /// Smallest radius of the edge in the scaled plane.
+  double least_radius() const { return least_radius_; }
+  /// Largest radius of the edge in the scaled plane.
   double greatest_radius() const { return greatest_radius_; }
-  double x1_max() const { return x1_max_; }  ///< half-widths of the bounding box
+  /// Half-width in x1 of the bounding box.
+  double x1_max() const { return x1_max_; }
+  /// Half-width in x2 of the bounding box.
   double x2_max() const { return x2_max_; }
 
   /// Largest Q_n on the set.
   double peak() const { return peak_; }
-  /// Integral of exp(Q_n - peak) over the set, by panels in polar coordinates.
+  /// Integral of exp(Q_n - peak()) over the set, by panels in polar coordinates.
   double integral() const { return integral_; }
-  /// Largest density on the edge, relative to the peak.
+  /// Largest density on the edge of the set, relative to the peak of the density.
   double edge_ratio() const { return edge_ratio_; }
-  /// Estimated probability outside relative to the probability inside, for a density that decays
-  /// beyond the edge like the weights (25)-(26): sigma_1 sigma_2 oint p(edge) dtheta.
+  /// Estimated probability outside the set, relative to the probability inside. The estimate
+  /// assumes that the density decays beyond the edge like the weights (25)-(26):
+  /// sigma_1 sigma_2 oint p(edge) dtheta.
   double cut_off() const { return cut_off_; }
 
  private:
@@ -44,7 +49,7 @@ class Support {
 
   Deviations sigma_;
   std::vector<double> radius_;  // radius of the edge in each direction of directions()
-  std::vector<double> sector_;  // radius of the set between a direction and the next
+  std::vector<double> sector_;  // radius of the set in the sector between two successive directions
   double least_radius_ = 0, greatest_radius_ = 0;
   double x1_max_ = 0, x2_max_ = 0;
   double peak_ = 0, integral_ = 0, edge_ratio_ = 0, cut_off_ = 0;

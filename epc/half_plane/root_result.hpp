@@ -35,7 +35,8 @@ void fill_summary(const Root& root, Tail tail, const transform::SmoothDensity& d
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
 ///    the density.
 /// The status is no error estimate: no distance to another order gives the error of the density.
-/// @param quadrature_tolerance tolerance on the change of Q_n on more points, in standard deviations
+/// @param quadrature_tolerance tolerance on the change of Q_n on more points, in standard
+///   deviations
 /// @param inadmissible_reason reason of the formulation, or empty
 void set_status(const Root& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, Result& result);
