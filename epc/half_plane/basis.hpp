@@ -9,17 +9,19 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Basis functions h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates of QuadraturePoints. The
-/// polynomials h and g are orthonormal under the marginals of an approximation of the density. Up
-/// to constants the basis spans the monomials s^p t^q of degree 1 .. n.
+/// Basis of products h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates s and t of
+/// QuadraturePoints. The polynomials h and g are orthonormal under the marginal densities of an
+/// approximation of the density. Up to constants, the basis spans the monomials s^p t^q of degree 1
+/// .. n.
 class Basis {
  public:
+  /// Degrees p and q of a basis function h_p(s) g_q(t).
   struct Member {
     int p, q;
   };
 
   /// @param points quadrature points of the domain
-  /// @param mass of the approximate density at each point, with sum 1
+  /// @param mass probability of the approximate density at each point; the sum is 1
   Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass);
 
   int order() const { return order_; }
@@ -28,10 +30,10 @@ class Basis {
   const OrthonormalPolynomials& polynomials_in_s() const { return of_s_; }
   const OrthonormalPolynomials& polynomials_in_t() const { return of_t_; }
 
-  /// Values at points: shape (points, size()).
+  /// Values of the basis functions at points, shape (number of points, size()).
   Eigen::MatrixXd values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
 
-  /// Q_n with the coefficients a, in monomials of s and t, without its constant.
+  /// Q_n in monomials of s and t, from the coefficients a in the basis, without the constant term.
   Polynomial polynomial(const Eigen::VectorXd& a) const;
 
  private:
@@ -40,7 +42,8 @@ class Basis {
   OrthonormalPolynomials of_s_, of_t_;
 };
 
-/// Products of two tables for each member: column k is s_table.col(p_k) * t_table.col(q_k).
+/// Table of products for all basis functions, from two tables of polynomials: column k is
+/// s_table.col(p_k) * t_table.col(q_k).
 Eigen::MatrixXd products(const std::vector<Basis::Member>& members, const Eigen::MatrixXd& s_table,
                          const Eigen::MatrixXd& t_table);
 

@@ -9,69 +9,72 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Accuracy with which an order is solved.
+/// Stage of the search, which sets the accuracy of the solution at an order.
 enum class SearchStage {
-  rough,  ///< intermediate order, start of the next order
-  last    ///< requested order
+  rough,  ///< an intermediate order, whose root is the start of the next order
+  last    ///< the requested order
 };
 
-/// Criterion for the number of quadrature points.
+/// Criterion by which the search increases the number of quadrature points.
 struct Refinement {
+  /// How the search determines the change of Q_n on more quadrature points.
   enum class Rule {
-    /// Solve again on more points and use the new root.
-    solved,
-    /// Estimate the change by one Newton step on more points and keep the root.
-    estimated
+    solved,    ///< solve the equations again on more points and use the new root
+    estimated  ///< estimate the change by one Newton step on more points and keep the root
   };
   Rule rule;
-  double tolerance;  ///< on the standard deviation of the change of Q_n
+  double tolerance;  ///< tolerance on the standard deviation of the change of Q_n
 };
 
-/// Formulation of the closure as the search for a root uses it: coordinates, equations, and
-/// candidates for the confinement level of an exponent Q_n. Energies are those of QuadraturePoints.
+/// Interface between a formulation of the closure and the search for a root: coordinates,
+/// equations, and candidates for the confinement level. The energies are the energies of
+/// QuadraturePoints.
 class ClosureFormulation {
  public:
   virtual ~ClosureFormulation() = default;
 
   /// Density from which the first order starts.
   virtual ClosureDensity start() const = 0;
-  /// First order to solve on the way to an order.
+  /// Lowest order that the search solves before the requested order.
   virtual int first_order(int /*order*/) const { return 2; }
-  /// Whether every order may start from start() if the order below leads to no root.
+  /// Whether an order may start from start() if the search from the next lower order finds no root.
   virtual bool can_start_at_any_order() const { return false; }
-  /// Unit of rates of change.
+  /// Unit in which rates of change are measured.
   virtual double rate_unit() const = 0;
-  /// Energies for the confinement level, in the order of the attempts.
+  /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
                                                  SearchStage stage) const = 0;
-  /// Larger confinement level that a root at the present level shows to be better; or empty.
+  /// Larger confinement level that suits the density of a root better than the level of this
+  /// density; empty if there is no better level.
   virtual std::optional<double> improved_level(const ClosureDensity& /*guess*/,
                                                const ClosureDensity& /*closure*/) const {
     return std::nullopt;
   }
 
-  /// Number of points for the first attempt.
+  /// Number of quadrature points for the first attempt.
   /// @param level_over_temperature confinement level divided by the temperature of the guess
   virtual QuadratureSize size(int order, double level_over_temperature,
                               SearchStage stage) const = 0;
+  /// Criterion by which the search increases the number of quadrature points.
   virtual Refinement refinement() const = 0;
-  /// Quadrature points on the part of the half-plane below an energy.
+  /// Quadrature points on the part of the half-plane where the energy is below `support`.
   virtual QuadraturePoints points(double support, const QuadratureSize& size) const = 0;
-  /// Equations on these points.
+  /// Galerkin equations for a basis on given quadrature points.
   virtual Equations equations(double support, const Confinement& confinement, Basis basis,
                               QuadraturePoints points, const QuadratureSize& size) const = 0;
 
-  /// Exponent of a guess, which may differ from Q_n where Q_n rises again.
+  /// Exponent of the density from which an order starts, the guess. Where the Q_n of the guess
+  /// rises again, the exponent may differ from Q_n.
   virtual double exponent(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
-  /// ClosureDensity::decay_extent of a Q_n.
+  /// ClosureDensity::decay_extent for a polynomial Q_n: the largest s up to which Q_n falls.
   virtual double decay_extent(const Polynomial& /*q*/, double /*temperature*/) const {
     return std::numeric_limits<double>::infinity();
   }
-  /// Weight of each point in the fit of Q_n to a guess.
-  /// @param exponent of the guess at the points
-  /// @param mass of the confined guess at the points
+  /// Weight of each quadrature point in the fit of Q_n to the exponent of a guess.
+  /// @param exponent exponent of the guess at the points
+  /// @param mass probability of the guess with its confinement at the points
   virtual Eigen::VectorXd fit_weights(const ClosureDensity& /*guess*/, double /*support*/,
                                       const QuadraturePoints& /*points*/,
                                       const Eigen::VectorXd& /*exponent*/,
@@ -79,9 +82,9 @@ class ClosureFormulation {
     return mass;
   }
 
-  /// Decay ratio: largest density where it should have decayed, relative to the peak.
+  /// Largest density in the region where the density should have decayed, relative to the peak.
   virtual double decay_ratio(const ClosureDensity& closure, SearchStage stage) const = 0;
-  /// Largest decay ratio at which no other confinement level is tried.
+  /// Limit on the decay ratio: below this limit the search tries no other confinement level.
   virtual double decay_ratio_limit(SearchStage stage) const = 0;
 };
 

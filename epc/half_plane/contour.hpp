@@ -12,17 +12,18 @@ namespace fpkcheck::epc::half_plane {
 struct ContourPoint {
   double s, t;  ///< coordinates of Q_n, see QuadraturePoints
   double y, v;
-  double area;  ///< contribution to dA/dh, A the area inside the contour
+  double area;  ///< contribution of the point to dA/dh, where A is the area inside the contour
 };
 using Contour = std::vector<ContourPoint>;
 
-/// Smallest and largest distance of a contour from the origin in the plane scaled by sigma.
+/// Smallest and largest distance from the origin of the points of a contour, in the plane scaled by
+/// sigma.
 std::pair<double, double> radii(const Contour& contour, const Deviations& sigma);
 
-/// Estimate of the probability beyond a contour: T oint p dA/dh, exact for a density that decays
-/// like exp(-h/T).
-/// @param temperature T
-/// @param log_normalisation ln of the integral of the density before normalisation
+/// Estimate of the probability outside a contour: T oint p dA/dh. The estimate is exact for a
+/// density that decays like exp(-h/T).
+/// @param temperature temperature T of this decay
+/// @param log_normalisation ln of the integral of the density before its normalisation
 double probability_beyond(const Polynomial& q, const Contour& contour, double temperature,
                           double log_normalisation);
 

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Galerkin equations for the members of a basis.
+/// Galerkin equations for the functions of a basis, with the basis and the quadrature points.
 class Equations : public Galerkin {
  public:
   Equations(GalerkinTables tables, Basis basis, QuadraturePoints points)

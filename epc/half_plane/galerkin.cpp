@@ -35,7 +35,7 @@ MatrixXd Galerkin::centred_members(const MatrixXd& members, const Density& densi
 }
 
 MatrixXd Galerkin::jacobian(const Density& density) const {
-  // d p / d a_k = p (phi_k - E[phi_k]), also on the wall
+  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall
   const MatrixXd change = density.mass.asDiagonal() * centred_members(tables_.members, density);
   const MatrixXd wall_change =
       density.wall_mass.asDiagonal() * centred_members(tables_.wall_members, density);
@@ -54,7 +54,7 @@ MatrixXd Galerkin::covariance(const Density& density) const {
 }
 
 VectorXd Galerkin::fit(const VectorXd& exponent, const VectorXd& mass) const {
-  // The column of ones absorbs the constant, which Q_n lacks.
+  // Q_n has no constant term: the column of ones represents the constant term of the exponent.
   MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
   columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
   const MatrixXd weighted = mass.asDiagonal() * columns;

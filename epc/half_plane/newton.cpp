@@ -79,8 +79,8 @@ numerics::SolutionCurve follow_homotopy(const Galerkin& equations, const VectorX
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
     return equations.jacobian(equations.density(a));
   };
-  // Coefficients of functions of about unit variance; the accuracy suffices to start Newton's
-  // method.
+  // The unknowns are coefficients of functions of about unit variance, which sets the scale of the
+  // options. The accuracy of the path suffices to start Newton's method from its end.
   return numerics::trace_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                {.tolerance = 0,
                                 .correction_tolerance = 1e-6,

@@ -8,16 +8,19 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Damped Newton's method. The norm of a step is the standard deviation of the change of Q_n under
-/// the density (step_norm). It is at most 2, and each step must shorten the next simplified step
-/// (Deuflhard's natural monotonicity test). Norm of the residual: residual_norm.
-/// @param unit rate_unit
+/// Solves the Galerkin equations by a damped Newton method. The norm of a step is the standard
+/// deviation of the change of Q_n under the density (step_norm). The norm of each step is at most
+/// 2, and each step must shorten the next simplified Newton step (Deuflhard's natural monotonicity
+/// test). The norm of the residual is residual_norm.
+/// @param unit unit in which residuals are measured, see rate_unit
 numerics::NewtonResult newton(const Galerkin& equations, const Eigen::VectorXd& start, double unit,
                               const numerics::NewtonOptions& options);
 
-/// Newton's homotopy from the start, past folds. It serves starts from which damped Newton steps
-/// end at a singular Jacobian. The caller refines the end by Newton's method.
-/// @param should_stop called before each step; true ends the path (deadline)
+/// Follows Newton's homotopy from given coefficients, past folds. The homotopy serves starts from
+/// which damped Newton steps end at a singular Jacobian. The caller refines the end point of the
+/// path by Newton's method.
+/// @param should_stop function that is called before each step; the path ends when the function
+///        returns true (deadline)
 numerics::SolutionCurve follow_homotopy(const Galerkin& equations, const Eigen::VectorXd& start,
                                         const std::function<bool()>& should_stop = {});
 

@@ -10,22 +10,26 @@ namespace fpkcheck::epc::half_plane {
 ///
 ///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x),
 ///
-/// by Stieltjes' procedure. They are orthonormal under the marginals of a density. Hermite
-/// polynomials, orthonormal on the whole line, lose accuracy with the order on y >= 0.
+/// by Stieltjes' procedure. The discrete measure approximates a marginal density. Hermite
+/// polynomials, which are orthonormal on the whole line, lose accuracy on y >= 0 as the order
+/// grows.
 class OrthonormalPolynomials {
  public:
-  /// @param points,weights of the measure, shape (number of points). The weights have sum 1, and
-  ///   more than `degree` points are distinct
+  /// @param points,weights points and weights of the measure, shape (number of points). The sum of
+  ///   the weights is 1, and more than `degree` points are distinct
+  /// @param degree largest degree n
   OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
 
   int degree() const { return static_cast<int>(centre_.size()); }
 
-  /// Tables of the derivatives 0 .. order: entry [j](i, k) is the j-th derivative of h_k at x_i.
+  /// Tables of the polynomials and their derivatives: entry [j](i, k) is the j-th derivative of h_k
+  /// at x_i.
+  /// @param order highest derivative j
   std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& x, int order) const;
-  /// Values only: entry (i, k) is h_k(x_i).
+  /// Values of the polynomials: entry (i, k) is h_k(x_i).
   Eigen::MatrixXd values(const Eigen::VectorXd& x) const { return derivatives(x, 0)[0]; }
 
-  /// Entry (k, p) is the coefficient of x^p in h_k.
+  /// Coefficients of the polynomials: entry (k, p) is the coefficient of x^p in h_k.
   Eigen::MatrixXd coefficients() const;
 
  private:

@@ -19,7 +19,7 @@ std::string common_inadmissible_reason(const transform::Solution& solution,
   if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
     return fmt::format(
         "the mass by panels over the support is {:.5f} (limits 1 +- {:.0e}): the panels do not "
-        "resolve a spike of the density, nor do moments and marginals",
+        "resolve a spike of the density; moments and marginal densities have the same error",
         solution.mass, kMassTolerance);
   }
   if (!(summary.half_plane->beyond_level <= kBeyondLevelLimit)) {

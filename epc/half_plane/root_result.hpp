@@ -6,14 +6,14 @@
 #include "epc/half_plane/root.hpp"
 #include "epc/summary.hpp"
 
-/// From a root to a result: common part of the formulations on the half-plane.
+/// Conversion of a root to a result: common part of the formulations on the half-plane.
 namespace fpkcheck::epc::half_plane {
 
-/// Result with iterations and residual of the search, status not_converged and the reason of
-/// failure.
+/// Result before the assessment of the root: iterations and residual of the search, the status
+/// not_converged, and the reason of failure.
 Result make_result(const Root& root);
 
-/// Parameters of the closed form besides the coefficients.
+/// All parameters of the closed form except the coefficients of Q_n.
 Frame frame_of(const ClosureDensity& closure, Tail tail, Variables variables);
 
 /// Contours at the edge of the support and at the confinement level.
@@ -22,26 +22,29 @@ struct BoundaryContours {
   double density;  ///< largest density on the edge of the support, relative to the peak
 };
 
-/// Stores condition number, coefficients, support and tail in the summary. The solution already
-/// contains the density.
-/// @param sigma deviations that scale the plane
+/// Stores the condition number, the coefficients, the support and the tail in the summary of a
+/// result.
+/// @pre the solution already contains the density
+/// @param sigma standard deviations that scale the plane
 void fill_summary(const Root& root, Tail tail, const transform::SmoothDensity& density,
                   const Deviations& sigma, const BoundaryContours& edges, Result& result);
 
-/// Sets the status. A root that the quadrature does not resolve is not_converged. A root is
-/// inadmissible if
-///  - the formulation states a reason;
-///  - its mass by an independent quadrature is not 1: moments and marginals would have this error;
+/// Sets the status of the solution. A root that the quadrature does not resolve has the status
+/// not_converged. A root is inadmissible if
+///  - the formulation gives a reason;
+///  - the integral of its density by an independent quadrature is not 1: moments and marginal
+///    densities would have the same error;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
 ///    the density.
-/// The status is no error estimate: no distance to another order gives the error of the density.
+/// The status is not an error estimate: the distance to another order does not give the error of
+/// the density.
 /// @param quadrature_tolerance tolerance on the change of Q_n on more points, in standard
 ///   deviations
 /// @param inadmissible_reason reason of the formulation, or empty
 void set_status(const Root& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, Result& result);
 
-/// Root-mean-square displacement and velocity.
+/// The root-mean-square displacement and velocity.
 Deviations deviations(const transform::Moments& moments);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -24,7 +24,7 @@ constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
 constexpr double kLongestSeconds = 1e9;  // seconds; the clock can represent this duration
 
-// More than twice the number of points.
+// Refined numbers of quadrature points: more than twice as many points in the plane.
 QuadratureSize refined_size(const QuadratureSize& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
@@ -48,7 +48,7 @@ class RootSearch {
   }
 
  private:
-  // Equations and initial coefficients.
+  // Equations of an order, and the coefficients from which Newton's method starts.
   struct Start {
     Equations equations;
     VectorXd a;
@@ -63,7 +63,8 @@ class RootSearch {
       if (!next && n > first && formulation_.can_start_at_any_order()) {
         next = solve_order(formulation_.start(), n);
       }
-      // Under strong impact losses equivalent linearisation overestimates the deviations.
+      // Order 2 is solved twice: under strong impact losses equivalent linearisation overestimates
+      // the deviations, which set the domain and the basis of the first solution.
       if (next && n == 2) next = solve_order(*next, n);
       if (!next) return;
       guess = *next;
@@ -80,16 +81,16 @@ class RootSearch {
     return true;
   }
 
-  // Candidates for the confinement level: those of the formulation, then the level of the guess. At
-  // its own level the guess is a start without a fit. At another level a Q_n that rises may have
-  // all its mass on the edge.
+  // Candidates for the confinement level: the levels of the formulation, then the level of the
+  // guess. At the level of the guess, the Q_n of the guess is a start without a fit. At another
+  // level, a Q_n that rises may have all its probability on the edge of the domain.
   std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
     std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
     if (guess.level > 0) confinement_levels.push_back(guess.level);
     return confinement_levels;
   }
 
-  // Solves order n from the guess, accurately enough to start the next order.
+  // Solves order n from the guess, with an accuracy that suffices to start the next order.
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
@@ -104,11 +105,11 @@ class RootSearch {
                                       formulation_.decay_ratio_limit(SearchStage::rough), attempt);
   }
 
-  // Solves the requested order to the tolerance.
+  // Solves the requested order to the tolerance of the options.
   void solve_requested_order(const ClosureDensity& guess) {
     const auto attempt = [&](double level) -> std::optional<std::pair<Root, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
-      // The accurate root may allow a better level than the guess did.
+      // The accurate root may allow a better confinement level than the guess.
       const Root first_root = root_;
       const auto improved_level = formulation_.improved_level(guess, first_root.closure);
       if (improved_level && !solve_at_level(first_root.closure, *improved_level))
@@ -120,7 +121,8 @@ class RootSearch {
     if (best) root_ = *best;
   }
 
-  // Solves the requested order at a level, on more points until the quadrature error is small.
+  // Solves the requested order at a confinement level. The number of quadrature points is increased
+  // until the quadrature error is small.
   bool solve_at_level(const ClosureDensity& guess, double level) {
     const Refinement refinement = formulation_.refinement();
     const bool estimated = refinement.rule == Refinement::Rule::estimated;
@@ -160,7 +162,8 @@ class RootSearch {
                                   formulation_.points(support, size), size);
   }
 
-  // Equations of order n in a basis orthonormal under the guess, with the fit of the guess.
+  // Equations of order n in a basis that is orthonormal under the guess, and the coefficients of
+  // the fit of Q_n to the guess.
   Start start_of(const ClosureDensity& guess, int n, double level,
                  const QuadratureSize& size) const {
     const double support = support_of(level, options_.tail);
@@ -188,7 +191,8 @@ class RootSearch {
             .polish = last};
   }
 
-  // Newton's method. If that fails: a homotopy, then Newton's method from its end.
+  // Solves the equations by Newton's method. If Newton's method fails, a homotopy is followed, and
+  // Newton's method starts from the end of the homotopy.
   NewtonResult solve(const Start& start, SearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = newton(start.equations, start.a, unit_, options);
@@ -238,7 +242,7 @@ class RootSearch {
     return equations.covariance(equations.density(a));
   }
 
-  // Norm of the Newton step on more points, from a root on fewer points.
+  // Norm of the Newton step of the equations on more points, from the root on fewer points.
   static double change_on_finer_points(const Equations& fine, const Equations& coarse,
                                        const VectorXd& a) {
     const Galerkin::Density density = coarse.density(a);

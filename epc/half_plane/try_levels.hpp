@@ -7,9 +7,11 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Solves at confinement levels in their order. Returns the first result with a decay ratio below
-/// the limit, else the result with the smallest decay ratio; empty if every attempt failed.
-/// @param attempt level -> optional pair of a result and its decay ratio
+/// Attempts a solution at each of the confinement levels in turn. Returns the first result with a
+/// decay ratio below the limit, else the result with the smallest decay ratio. The return value is
+/// empty if every attempt failed.
+/// @param attempt function that takes a confinement level and returns an optional pair of a result
+///        and the decay ratio of the result
 template <class Result, class Attempt>
 std::optional<Result> try_levels(const std::vector<double>& levels, double decay_ratio_limit,
                                  const Attempt& attempt) {
