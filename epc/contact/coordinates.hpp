@@ -12,11 +12,12 @@ class System;
 
 namespace fpkcheck::epc::contact {
 
-/// Whether the mass can rest in contact with one wall on the left, towards which the force acts
-/// everywhere. rho(y, v) is then increasing in y.
+/// Whether the problem has one wall on the left, with which the mass can rest in contact, and the
+/// restoring force acts towards this wall everywhere. Then rho(y, v) increases with y.
 bool is_pressed_on_one_wall(const problem::Problem& problem);
 
-/// Amplitude and velocity on the half-plane y >= 0 with the corner (0, 0), where the mass rests,
+/// Coordinates amplitude and velocity on the half-plane y >= 0. In the corner (0, 0) the mass rests
+/// in contact with the wall.
 ///
 ///     rho = sqrt(v^2 + 2 V(y)),   V(y) = U(y) - U(0),   |v| <= rho.
 ///
@@ -24,30 +25,35 @@ bool is_pressed_on_one_wall(const problem::Problem& problem);
 ///
 ///     p(y, v) = C exp(Q_n(rho, v) + confinement) / e,   e = rho^2/2 the energy above the corner,
 ///
-/// with an atom of probability P0 at the corner. At small energies the mass bounces under the
-/// constant force g(0). The probability flux J towards the corner is the same at every energy, and
-/// equals the rate lambda P0 at which impulses release the mass. Therefore
+/// with an atom of probability P0 at the corner. At small energies the force is the constant g(0),
+/// and the mass bounces on the wall. The probability flux J towards the corner is the same at every
+/// small energy, and equals the rate lambda P0 at which impulses release the mass. Therefore
 /// u^2 p(0, -u) -> J / ln(1/r), and
 ///
 ///     P0 = 2 C exp(Q_n(0, 0)) ln(1/r) / lambda.
 ///
-/// (The exact limit has a small log-periodic dependence on u, which no polynomial has.) Functions
-/// of rho and v have a value at the corner; functions of amplitude and phase do not. Polynomials of
-/// y and v lack the odd powers of rho, among them the time until rest.
+/// (The exact limit has a small log-periodic dependence on u, which no polynomial can represent.)
+/// Continuous functions of rho and v have a value at the corner; functions of amplitude and phase
+/// have none. Polynomials of y and v do not contain the odd powers of rho. The time until the mass
+/// comes to rest is such an odd power.
 class Coordinates {
  public:
   /// @pre is_pressed_on_one_wall(problem); the wall at 0
   explicit Coordinates(const problem::Problem& problem);
 
+  /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
   double w(double y) const { return std::sqrt(2 * potential_(y)); }
-  /// Inverse of w: y from w(y).
+  /// Displacement y from w(y): the inverse function of w.
   double y(double w) const;
+  /// Amplitude rho of a state.
   double rho(double y, double v) const { return std::hypot(w(y), v); }
+  /// Restoring force g(y).
   double force(double y) const { return force_(y); }
 
-  /// 1/e at an amplitude rho > 0. The corner has the atom instead.
+  /// Factor 1/e of the density at an amplitude rho > 0. In the corner, an atom replaces the
+  /// density.
   static double prefactor(double rho) { return 2 / (rho * rho); }
-  /// P0 / (C exp(Q_n(0, 0))).
+  /// Ratio of the probability of the atom to the exponential: P0 / (C exp(Q_n(0, 0))).
   double atom_weight() const { return atom_weight_; }
 
  private:
@@ -55,10 +61,10 @@ class Coordinates {
   double atom_weight_;
 };
 
-/// Gauss-Legendre points in rho and theta, v = rho sin(theta). The coordinates s and t of the
-/// points are rho and v. The weights include the factor 1/e of the density. The last point is the
-/// atom.
-/// @param size s: number of points in rho; t: in theta
+/// Gauss-Legendre points in amplitude rho and phase theta, v = rho sin(theta). The coordinates s
+/// and t of the points are rho and v. The weights include the factor 1/e of the density. The last
+/// point is the atom.
+/// @param size numbers of points: s in rho, t in theta
 half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
                                                const half_plane::QuadratureSize& size);
 

@@ -9,8 +9,8 @@
 namespace fpkcheck::epc::contact {
 namespace {
 
-// Cell edges from 0 to `end`: a first cell of width first * end, then widths proportional to the
-// distance from 0, then equal widths.
+// Cell edges from 0 to `end`. The first cell has the width first * end. The next cells have widths
+// proportional to the distance from 0, and the last cells have equal widths.
 std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -48,7 +48,8 @@ transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coor
 }
 
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
-  // y is of order v^2. The mass in the first cells is of the order of kFirst.
+  // Near the corner y is of the order of v^2: the first cell in y has the relative width kFirst^2.
+  // The probability in the first cells is of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),

@@ -16,8 +16,8 @@ using half_plane::Basis;
 using half_plane::products;
 using half_plane::QuadraturePoints;
 
-// E[phi(y, v + Y)] of every member at every point. For the mass at rest on the wall an impulse
-// towards the wall is followed by an impact.
+// Means E[phi(y, v + Y)] of every basis function at every point. If the mass is at rest in contact,
+// an impact follows each impulse towards the wall.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
                        const Basis& basis, const QuadraturePoints& points) {
   const double r = problem.system.restitution();
@@ -29,7 +29,7 @@ MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coord
                                         });
 }
 
-// rho' and v' between impulses; 0 at rest.
+// Rates of change rho' and v' between impulses; 0 for the mass at rest in contact.
 struct Flow {
   VectorXd rho, v;
 };

@@ -12,12 +12,13 @@ namespace fpkcheck::epc::contact {
 ///     L*phi = rho' phi_rho + v' phi_v + lambda ( E[phi(y, v + Y)] - phi ),
 ///     rho'  = -v f / rho,    v' = -(f + g),
 ///
-/// f the damping force. At rest, the last quadrature point,
+/// where f is the damping force. At the last quadrature point, where the mass is at rest in
+/// contact,
 ///
 ///     L*phi = lambda ( E[phi(0, Y); Y > 0] + E[phi(0, r |Y|); Y < 0] - phi(0, 0) ).
 ///
-/// rho^2/2 is a member of the basis: the balance of power is satisfied exactly.
-/// @param points quadrature points up to rho_max
+/// The basis contains rho^2/2: the root satisfies the balance of power exactly.
+/// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
                                 double rho_max, const half_plane::Confinement& confinement,

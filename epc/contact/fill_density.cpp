@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
 
-// Discrete law for expectations: points with their masses. The last point is the atom.
+// Discrete law for expectations: points and their probabilities. The last point is the atom.
 struct DiscreteLaw {
   QuadraturePoints points;
   VectorXd mass;
@@ -60,7 +60,7 @@ transform::Moments moments_of(const problem::Frame& frame, const DiscreteLaw& la
           .v4 = mean(0, 4)};
 }
 
-// E[|Y|^power; Y < 0]: contribution of impulses that drive the resting mass into the wall.
+// Partial moment E[|Y|^power; Y < 0] of the impulses that drive the mass at rest into the wall.
 double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseRule(law)(0, 0);
   double sum = 0;
@@ -70,7 +70,7 @@ double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// int u^power p(0, -u) du over the impacts of the moving mass.
+// Integral int u^power p(0, -u) du over the impacts of the moving mass, u the impact speed.
 double wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const half_plane::QuadratureRule wall = half_plane::legendre_rule(points, 0, density.v_max);
   double sum = 0;

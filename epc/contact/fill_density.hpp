@@ -7,9 +7,9 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Stores a density with its atom in a result: averages over graded cells and the mass of cells and
-/// atom. Moments and the residuals of the balances of power, virial and momentum use the quadrature
-/// of the root.
+/// Stores a density and its atom in a result: the averages of the density over graded cells, and
+/// the total probability of cells and atom. The moments and the residuals of the balances of power,
+/// virial and momentum are computed with the quadrature points of the root.
 /// @param density density of the root
 void fill_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
                            const half_plane::Root& root, const transform::SmoothDensity& density,

@@ -42,8 +42,8 @@ class ClosureFormulation : public amplitude::ClosureFormulation {
   }
 
  private:
-  // Relaxation rate of the energy. Lower limit: kRounding times the frequency, since rounding
-  // errors of the undamped motion would dominate smaller rates.
+  // Relaxation rate of the energy, but at least kRounding times the frequency. In a smaller unit
+  // the rounding errors of the undamped motion would dominate the residual.
   static double relaxation_rate(const problem::Problem& problem, const problem::Scales& scales) {
     constexpr double kRounding = 1e-4;
     const double temperature = scales.velocity_deviation * scales.velocity_deviation;

@@ -9,11 +9,12 @@
 
 namespace fpkcheck::epc::contact {
 
-/// half_plane::find_root in amplitude and velocity (amplitude::ClosureFormulation).
+/// Searches for the root by half_plane::find_root() in the coordinates amplitude and velocity.
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options);
 
-/// Q_n, a polynomial of rho and v, as a function of amplitude and phase. The result refers to q.
+/// Function of amplitude and phase that evaluates Q_n, a polynomial of rho and v. The returned
+/// function keeps a reference to q.
 inline amplitude::Exponent polar_exponent(const Polynomial& q) {
   return [&q](double rho, double theta) { return q(rho, rho * std::sin(theta)); };
 }

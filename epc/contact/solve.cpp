@@ -18,7 +18,7 @@ using half_plane::ClosureDensity;
 using half_plane::Root;
 using transform::GridDensity;
 
-// Sum of the L1 distances of both marginals; both densities have the same cells.
+// Sum of the L1 distances of p(y) and p(v) between two densities on the same cells.
 double distance(const GridDensity& a, const GridDensity& b) {
   std::vector<double> y_difference(a.ny()), v_difference(a.nv());
   for (std::size_t i = 0; i < a.ny(); ++i) {
@@ -40,7 +40,8 @@ double probability_at_rest(const Coordinates& coordinates, const ClosureDensity&
   return coordinates.atom_weight() * std::exp(closure.q(0, 0) - closure.log_normalisation);
 }
 
-// Distance to the root of order n - 2, on the cells of the solution, with that of the atoms.
+// Distance of a solution to the root of order n - 2: L1 distances on the cells of the solution,
+// plus the difference of the atoms in both marginal distributions.
 double distance_to(const Coordinates& coordinates, const ClosureDensity& previous, Tail tail,
                    const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);

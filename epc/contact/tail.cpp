@@ -10,7 +10,7 @@
 namespace fpkcheck::epc::contact {
 
 half_plane::Contour contour(const Coordinates& coordinates, double rho) {
-  // dA/dh = integral of w/g dtheta.
+  // The area A inside the contour has dA/dh = integral of w/g dtheta.
   half_plane::Contour contour;
   for (int k = 0; k < amplitude::kPhaseCount; ++k) {
     const double theta = amplitude::phases()[k];

@@ -7,11 +7,12 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Quadrature points on the half-circle of an amplitude. Their areas include the factor 1/e.
+/// Contour of an amplitude: points on the half-circle of this amplitude. The areas of the points
+/// include the factor 1/e of the density.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
-/// Condition (19) for a polynomial of rho and v, in the directions v = rho sin(theta). Radii are
-/// rho/sigma_2.
+/// Behaviour at infinity of a polynomial of rho and v, by condition (19) of the paper, in the
+/// directions v = rho sin(theta). Radii are rho/sigma_2.
 LeadingForm leading_form_of(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::contact
