@@ -31,7 +31,8 @@ AveragedExponent::AveragedExponent(const problem::EnergyAveraging& averaging)
   }
 }
 
-// Band of the nearest energy whose orbit contains y; of a higher energy if none there does.
+// Band of the nearest energy whose orbit contains the displacement y. If no orbit of this energy
+// contains y, the band of the next higher energy with such an orbit.
 const problem::EnergyAveraging::Band& AveragedExponent::band_at(double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);
   const auto last = static_cast<double>(levels_.size() - 2);

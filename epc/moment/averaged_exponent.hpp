@@ -7,24 +7,26 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Exponent -Phi(h) of the density by energy averaging (problem/energy_averaging.hpp) as a function
-/// of y and v. Below a saddle of the potential each well has its own branch of Phi.
+/// Exponent -Phi(h) of the density by energy averaging (problem/energy_averaging.hpp), as a
+/// function of y and v. At energies below a maximum of the potential, each well has a separate
+/// function Phi.
 class AveragedExponent {
  public:
   /// @pre the problem is confined
   explicit AveragedExponent(const problem::Problem& problem);
 
-  /// Piecewise linear in the energy between the bands, extrapolated beyond them.
+  /// Value of the exponent at a state. Between the bands of energy averaging, the exponent is
+  /// interpolated linearly in the energy; beyond the last band, the exponent is extrapolated.
   double operator()(double y, double v) const;
 
-  /// E[v^2].
+  /// Mean square velocity E[v^2] of the averaged density.
   double temperature() const { return temperature_; }
-  /// Smallest energy above which Phi exceeds a depth. Energies are relative to min V
-  /// (EnergyDomain).
+  /// Smallest energy above which Phi exceeds a depth. As in EnergyDomain, energies are relative to
+  /// min V.
   double energy_at_depth(double depth) const;
   /// Energy below which 95 % of the probability lies.
   double bulk_energy() const { return bulk_; }
-  /// Largest energy with several wells; 0 for a single well.
+  /// Largest energy at which the potential has several wells; 0 for a single well.
   double barrier_energy() const { return barrier_; }
 
  private:

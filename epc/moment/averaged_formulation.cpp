@@ -20,20 +20,21 @@ using half_plane::SearchStage;
 
 namespace {
 
-// Candidates for the confinement level, in the order of the attempts: energies with Phi = d^2/2,
-// which corresponds to d deviations of a Gaussian.
+// Candidates d for the confinement level, in the order of the attempts. The level is the energy
+// with Phi = d^2/2, which is the exponent of a Gaussian at d standard deviations.
 constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
 constexpr double kLargestScanRatio = 8;  // largest energy of a scan, in units of the first level
-// Lower limits of the level, in units of bulk_energy: the term (energy / level)^16 of the
-// confinement is then 5e-4 and 4e-8 at bulk_energy.
+// Lower limits of the confinement level, in units of bulk_energy(). With these limits the
+// confinement term (energy / level)^16 is at most 5e-4 and 4e-8 at bulk_energy().
 constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
+// Lower limit of the confinement level, in units of barrier_energy().
 constexpr double kAboveBarrier = 1.3;
 
 double depth_of(double deviations) { return deviations * deviations / 2; }
 
-// Relaxation rate D_eff / E[v^2]: the damping c of a linear oscillator, else the combined effect of
-// damping and impacts. Lower limit: kRounding times the frequency, since rounding errors of the
-// undamped motion would dominate smaller rates.
+// Relaxation rate D_eff / E[v^2], which equals the damping c of a linear oscillator, and otherwise
+// the combined effect of damping and impacts. The rate is at least kRounding times the frequency.
+// In a smaller unit the rounding errors of the undamped motion would dominate the residual.
 double relaxation_rate(const problem::Problem& problem, double temperature) {
   constexpr double kRounding = 1e-4;
   return std::max(total_intensity(problem) / (2 * temperature),
@@ -50,12 +51,13 @@ AveragedFormulation::AveragedFormulation(const problem::Problem& problem, const 
       averaged_(problem),
       rate_unit_(relaxation_rate(problem, averaged_.temperature())) {}
 
-// The start has no Q_n: exponent() evaluates the averaged density instead.
+// The initial density has no Q_n: exponent() evaluates the averaged density instead.
 ClosureDensity AveragedFormulation::start() const {
   return {.temperature = averaged_.temperature()};
 }
 
-// Order 2, a Gaussian, approximates no ring and few densities with several wells.
+// The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density, and few
+// densities with several wells.
 int AveragedFormulation::first_order(int order) const { return std::min(order, 4); }
 
 std::vector<double> AveragedFormulation::confinement_levels(const ClosureDensity& guess,
@@ -84,7 +86,8 @@ std::optional<double> AveragedFormulation::improved_level(const ClosureDensity&,
   return whole && *whole > kMinLevelRatio * closure.level ? whole : std::nullopt;
 }
 
-// Energy at which Q_n of a density lies kNegligibleDepth below its peak.
+// Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if there is
+// none.
 std::optional<double> AveragedFormulation::negligible_level(const ClosureDensity& closure,
                                                             double from) const {
   const double begin = std::max(from, kFarAboveBulk * averaged_.bulk_energy());
@@ -124,7 +127,8 @@ double AveragedFormulation::exponent(const ClosureDensity& guess, double y, doub
   return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
 }
 
-// Fit to the averaged density: a small power weighs large energies too, where Q_n might rise.
+// In a fit to the averaged density, the weights are a small power of this density. The fit then
+// also covers large energies, where Q_n might rise.
 Eigen::VectorXd AveragedFormulation::fit_weights(const ClosureDensity& guess, double,
                                                  const half_plane::QuadraturePoints& points,
                                                  const Eigen::VectorXd& exponent,

@@ -8,12 +8,13 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Formulation beyond the paper's class: wells, rings, walls at any position or none. The start is
-/// the density of energy averaging instead of equivalent linearisation. The first order
-/// starts from it, and every order whose start from the lower order leads to no root.
+/// Formulation `moment` for problems beyond the paper's class: several wells, ring-shaped
+/// densities, walls at any position, or no wall. The initial density is the density of energy
+/// averaging instead of equivalent linearisation. The first order starts from this density. A
+/// higher order starts from this density if the search from the next lower order finds no root.
 class AveragedFormulation : public half_plane::ClosureFormulation {
  public:
-  /// @param rate_moment lambda E[Y^j], see equations()
+  /// @param rate_moment products lambda E[Y^j], see equations()
   AveragedFormulation(const problem::Problem& problem, const Options& options,
                       std::vector<double> rate_moment);
 

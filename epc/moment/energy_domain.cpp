@@ -69,7 +69,8 @@ double EnergyDomain::half_width(double y) const {
 
 double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
 
-// Turning point that the motion would have beyond a wall, at most the width of the part away.
+// Turning point that the motion would have behind a wall. The distance from the wall is limited to
+// the width of the part of the domain.
 double EnergyDomain::continued_turning_point(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
@@ -82,16 +83,17 @@ double EnergyDomain::continued_turning_point(double wall, double far) const {
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
   if (at_equilibrium_) {
-    // If the wall cuts the domain, sin(phi) = -1 is the left turning point of a V even about its
-    // minimum. If that point lies inside, sin(phi) = -1 is the wall itself.
+    // If the wall cuts the domain, sin(phi) = -1 is the left turning point of a potential V that is
+    // even about its minimum. If this turning point lies inside the domain, sin(phi) = -1 is the
+    // wall itself.
     const bool cut_by_wall = part.left == 0 && minimum_ < part.right - minimum_;
     const double centre = cut_by_wall ? minimum_ : (part.left + part.right) / 2;
     const double half_length = part.right - centre;
     return {centre, half_length, cut_by_wall ? std::asin(-centre / half_length) : -kQuarterTurn,
             kQuarterTurn};
   }
-  // The half-width also has a singularity at the turning point that the motion would have behind a
-  // wall.
+  // half_width() has a further singularity at the turning point that the motion would have behind a
+  // wall. The map also removes this singularity.
   const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
   const double high = part.at_right ? continued_turning_point(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;

@@ -12,22 +12,24 @@ struct Problem;
 
 namespace fpkcheck::epc::moment {
 
-/// Part of the half-plane y >= 0, or of the region between other walls (problem/frame.hpp), below
-/// an energy,
+/// Set of the states below an energy in the half-plane y >= 0, or in the region between other walls
+/// (problem/frame.hpp),
 ///
 ///     h(y, v) = v^2/2 + V(y) - min V <= level,     V(y) = U(y) - lambda E[Y] y,
 ///
-/// where V is the potential of the restoring force and of the mean of the impulses. Trajectories
-/// under weak damping follow the energy contours: a stationary density is nearly constant along the
-/// edge of the domain. In the far corners of a rectangle a polynomial exponent is uncontrolled.
-/// Below the energy of a barrier the domain has several parts.
+/// where V is the potential of the restoring force and of the mean of the impulses. Under weak
+/// damping trajectories follow the energy contours: a stationary density is nearly constant along
+/// the edge of the domain. A rectangle is unsuitable as a domain: in its far corners no equation
+/// controls a polynomial exponent. Below the energy of a potential barrier the domain consists of
+/// several parts.
 class EnergyDomain {
  public:
-  /// @param level > 0
+  /// @param level energy of the edge of the domain, > 0
   EnergyDomain(const problem::Problem& problem, double level);
 
+  /// Energy of the edge of the domain.
   double level() const { return level_; }
-  /// h(y, v) above
+  /// Energy h(y, v) of a state, relative to min V.
   double energy(double y, double v) const {
     return v * v / 2 + (potential_(y) - lowest_potential_);
   }
@@ -35,30 +37,37 @@ class EnergyDomain {
     return y >= wall_low_ && y <= wall_high_ && energy(y, v) <= level_;
   }
 
-  /// Intervals of y in increasing order.
+  /// Intervals of y in the parts of the domain, in increasing order.
   const std::vector<problem::HalfCycle>& parts() const { return parts_; }
-  double y_low() const { return parts_.front().left; }  ///< position of a wall inside the domain
+  /// Lower end of the domain in y; the position of the left wall if this wall cuts the domain.
+  double y_low() const { return parts_.front().left; }
+  /// Upper end of the domain in y.
   double y_max() const { return parts_.back().right; }
-  /// Lower end in y of densities on the domain: y_low(), or 0 in the paper's class.
+  /// Lower end in y of the box of densities on the domain: y_low(), or 0 in the paper's class.
   double y_min() const { return at_equilibrium_ ? 0 : y_low(); }
+  /// Upper end of the domain in v.
   double v_max() const;
-  /// Half-width in v at y: sqrt(2 (level - V(y) + min V)), 0 outside.
+  /// Half-width of the domain in v at a displacement y: sqrt(2 (level - V(y) + min V)); 0 for a y
+  /// outside of the domain.
   double half_width(double y) const;
 
-  /// Gauss-Legendre points in phi and tau, y = a + b sin(phi), v = half_width(y) tau, on each part.
-  /// The map removes the square root at the turning points of y: smooth integrands converge
-  /// geometrically. The coordinates s and t of the points are y and v.
+  /// Gauss-Legendre points in phi and tau on each part of the domain, y = a + b sin(phi),
+  /// v = half_width(y) tau. The map removes the square root of half_width() at the turning points
+  /// of y: the quadrature of smooth integrands converges geometrically. The coordinates s and t of
+  /// the points are y and v.
   half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
-  /// Gauss-Legendre points on the left wall before impact, -half_width < v < 0. Empty without a
-  /// left wall inside the domain.
+  /// Gauss-Legendre rule in v for states on the left wall before an impact, -half_width < v < 0.
+  /// The rule is empty if no left wall cuts the domain.
   half_plane::QuadratureRule wall_rule(int points) const;
-  /// Likewise on the right wall before impact, 0 < v < half_width.
+  /// Gauss-Legendre rule in v for states on the right wall before an impact, 0 < v < half_width.
+  /// The rule is empty if no right wall cuts the domain.
   half_plane::QuadratureRule right_wall_rule(int points) const;
 
  private:
+  // Map y = centre + half_length sin(phi) of one part of the domain.
   struct SineMap {
-    double centre, half_length;  // y = centre + half_length sin(phi)
-    double first, last;          // limits of phi
+    double centre, half_length;
+    double first, last;  // limits of phi
   };
   void add_part_at_wall(const problem::Problem& problem);
   void add_parts_between_walls(const problem::Problem& problem);

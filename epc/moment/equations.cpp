@@ -13,7 +13,7 @@ using half_plane::products;
 
 namespace {
 
-// f + g, damping plus restoring force.
+// Total force f + g at states (y, v): damping force plus restoring force.
 VectorXd force_at(const problem::System& system, const VectorXd& y, const VectorXd& v) {
   if (system.damping_is_constant()) return system.damping() * v + y.unaryExpr(system.force());
   const VectorXd damping =
@@ -21,7 +21,7 @@ VectorXd force_at(const problem::System& system, const VectorXd& y, const Vector
   return damping.cwiseProduct(v) + y.unaryExpr(system.force());
 }
 
-// Quadrature points on all walls: y, and v before and after the impact.
+// Quadrature points on all walls: displacement y, and velocities before and after the impact.
 struct IncomingWallPoints {
   VectorXd y, before, after, weight;
 

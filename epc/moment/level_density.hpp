@@ -9,15 +9,17 @@ struct Problem;
 
 namespace fpkcheck::epc::moment {
 
-/// Largest exp(Q_n) at the confinement level, relative to the peak, at which no further level is
-/// tried: at intermediate orders, and at the requested order beyond the paper's class.
+/// Largest exp(Q_n) at the confinement level, relative to the peak, at which the search tries no
+/// further level at intermediate orders.
 inline constexpr double kIntermediateLevelDensity = 1e-2;
+/// Largest exp(Q_n) at the confinement level, relative to the peak, at which the search tries no
+/// further level at the requested order, for problems beyond the paper's class.
 inline constexpr double kPreferredLevelDensity = 1e-3;
-/// Limit of an admissible density. With more, the confinement alone makes the density decay
-/// (rings).
+/// Largest exp(Q_n) at the confinement level, relative to the peak, of an admissible density. A
+/// larger value means that the density decays by the confinement alone (in ring-shaped densities).
 inline constexpr double kLevelDensityLimit = 1e-2;
 
-/// Largest exp(Q_n) on the contour of the confinement level, relative to the peak.
+/// Largest exp(Q_n) on the energy contour of the confinement level, relative to the peak.
 double level_density(const half_plane::ClosureDensity& closure, const problem::Problem& problem);
 
 /// Largest density on the edge of the support, relative to the peak.

@@ -35,7 +35,7 @@ double level_of(const ClosureDensity& closure, double deviations) {
   return closure.temperature * deviations * deviations / 2;
 }
 
-// lambda E[Y^j], j = 0 .. n; 0 for terms absent from the equation.
+// Products lambda E[Y^j], j = 0 .. n; 0 for terms that are absent from the equation.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
   const int last = equation_of(options) == Equation::white ? 2 : options.order;
@@ -80,7 +80,8 @@ class LinearisedFormulation : public half_plane::ClosureFormulation {
 
   QuadratureSize size(int order, double level_over_temperature, SearchStage stage) const override {
     if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The number of points grows more slowly than the width: the density decreases outwards.
+    // The number of points grows more slowly than the width of the domain: in the added part of a
+    // wider domain the density is small.
     const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
@@ -104,7 +105,8 @@ class LinearisedFormulation : public half_plane::ClosureFormulation {
                              std::move(basis), std::move(points), size.wall);
   }
 
-  // At the confinement level for intermediate orders, else at the edge of the support.
+  // Decay ratio at the confinement level for intermediate orders, and at the edge of the support
+  // for the requested order.
   double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
     return stage == SearchStage::rough ? level_density(closure, problem_)
                                        : edge_density(closure, problem_, tail_);
@@ -114,8 +116,8 @@ class LinearisedFormulation : public half_plane::ClosureFormulation {
   }
 
  private:
-  // Energy at which Q_n of a density lies kNegligibleDepth below its peak; empty if it exceeds
-  // kFarthestDeviations of the guess.
+  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if there is no
+  // such energy up to kFarthestDeviations of the guess.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     return scan_decay(closure.q, problem_, from, level_of(guess, kFarthestDeviations),

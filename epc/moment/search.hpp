@@ -9,10 +9,11 @@ struct Problem;
 
 namespace fpkcheck::epc::moment {
 
-/// half_plane::find_root in the coordinates y and v. The confinement level is the energy at which
-/// exp(Q_n) is negligible, if Q_n falls that far, else an energy at which the density has decayed.
-/// Energies are those of EnergyDomain. The search starts from equivalent linearisation in the
-/// paper's class, else from energy averaging.
+/// Searches for the root by half_plane::find_root() in the coordinates y and v. The confinement
+/// level is the energy at which exp(Q_n) is negligible. If Q_n does not fall to this depth, the
+/// confinement level is an energy at which the density has decayed. Energies are defined as in
+/// EnergyDomain. In the paper's class the search starts from equivalent linearisation, otherwise
+/// from energy averaging.
 half_plane::Root find_root(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::moment

@@ -31,8 +31,8 @@ transform::SmoothDensity density_of(const problem::Problem& problem, const Closu
                     half_plane::confinement_of(closure.level, tail), -closure.log_normalisation);
 }
 
-// Reason why a density beyond the paper's class is inadmissible: the confinement alone makes it
-// decay. Empty otherwise.
+// Reason why a density beyond the paper's class is inadmissible: the density decays by the
+// confinement alone. The reason is empty for an admissible density.
 std::string level_inadmissible_reason(double level_density, const LeadingForm& form) {
   if (level_density < kLevelDensityLimit) return "";
   return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
