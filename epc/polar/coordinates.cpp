@@ -16,14 +16,14 @@ using half_plane::QuadratureRule;
 
 namespace {
 
-// K of Coordinates.
+// Stiffness K of Coordinates.
 double coordinate_stiffness(const problem::Problem& problem) {
   constexpr double kLeastStiffnessRatio = 0.1;  // lower limit, relative to the linearised stiffness
   return std::max(problem.system.stiffness(),
                   kLeastStiffnessRatio * problem::equivalent_linearisation(problem).stiffness);
 }
 
-// factor * polynomial / y^power, with another constant term.
+// The polynomial factor * polynomial / y^power, whose constant term is replaced by `constant`.
 numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std::size_t power,
                                      double factor, double constant) {
   numerics::Polynomial::Coefficients a{};
@@ -34,8 +34,8 @@ numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std
   return numerics::Polynomial(a);
 }
 
-// Gauss-Legendre quadrature on [0, end] with one panel between successive breaks. The number of
-// points of a panel is proportional to its width, plus some for its ends.
+// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
+// a panel is proportional to the width of the panel, plus a constant.
 QuadratureRule legendre_panels(double end, const std::vector<double>& breaks, int points) {
   if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
   QuadratureRule all;
@@ -65,7 +65,7 @@ Coordinates::Coordinates(const problem::Problem& problem)
       force_ratio_(divide_by_power(problem.system.force(), 1, 1, problem.system.stiffness())) {}
 
 double Coordinates::displacement_bound(double w) const {
-  // At the y where one positive term of 2 V equals w^2, 2 V is at least w^2.
+  // If one positive term of 2 V(y) equals w^2 at a displacement y, then 2 V(y) is at least w^2.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n <= potential_ratio_.degree(); ++n) {
     if (!(potential_ratio_.coefficient(n) > 0)) continue;

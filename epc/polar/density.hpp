@@ -7,9 +7,9 @@
 
 namespace fpkcheck::epc::polar {
 
-/// Density C exp(Q_n + confinement), Q_n a polynomial of amplitude and phase, and 0 beyond an
-/// energy.
-/// @param support this energy
+/// Density C exp(Q_n + confinement), where Q_n is a polynomial of amplitude and phase. The density
+/// is 0 beyond an energy.
+/// @param support energy beyond which the density is 0
 transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
                                     double support, const half_plane::Confinement& confinement,
                                     double log_constant);

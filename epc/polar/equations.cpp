@@ -19,7 +19,7 @@ using half_plane::Basis;
 using half_plane::products;
 using half_plane::QuadraturePoints;
 
-// E[phi(y, v + Y)] of every member at every point.
+// Means E[phi(y, v + Y)] of every basis function at every point.
 MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coordinates,
                        const Basis& basis, const QuadraturePoints& points) {
   const VectorXd w = points.y.unaryExpr([&](double y) { return coordinates.w(y); });
@@ -29,7 +29,7 @@ MatrixXd after_impulse(const problem::Problem& problem, const Coordinates& coord
       });
 }
 
-// rho' and theta' between impulses.
+// Rates of change rho' and theta' between impulses.
 struct Flow {
   VectorXd rho, theta;
 };
@@ -85,7 +85,7 @@ std::vector<double> amplitude_breaks(const problem::ImpulseLaw& law, double rho_
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // Atoms at -a and a give the same break, up to rounding.
+  // The atoms at -a and a give the same amplitude, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

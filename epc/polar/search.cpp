@@ -11,7 +11,8 @@
 namespace fpkcheck::epc::polar {
 namespace {
 
-// Temperature of the energy, including the energy of the static deflection.
+// Temperature of the initial density: the mean square velocity of equivalent linearisation, plus
+// the potential energy of the static deflection.
 double temperature_of(const problem::Problem& problem, const Coordinates& coordinates) {
   const double sigma = problem::equivalent_linearisation(problem).velocity_deviation;
   const double centre = coordinates.w(problem::static_deflection(problem));

@@ -7,11 +7,12 @@
 
 namespace fpkcheck::epc::polar {
 
-/// half_plane::find_root in amplitude and phase (amplitude::ClosureFormulation).
+/// Searches for the root by half_plane::find_root() in the coordinates amplitude and phase.
 half_plane::Root find_root(const problem::Problem& problem, const Coordinates& coordinates,
                            const Options& options);
 
-/// Q_n, a polynomial of rho and theta, as a function of both. The result refers to q.
+/// Function of amplitude and phase that evaluates Q_n, a polynomial of rho and theta. The returned
+/// function keeps a reference to q.
 inline amplitude::Exponent polar_exponent(const Polynomial& q) {
   return [&q](double rho, double theta) { return q(rho, theta); };
 }

@@ -18,7 +18,8 @@ using half_plane::ClosureDensity;
 using half_plane::Root;
 using transform::PanelSpacing;
 
-// The coarser panels, if they give the mass to kMissed.
+// Spacing of the panels: the coarser panels, if the error of their total probability is below
+// kMissed, else the finer panels.
 PanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
   const double mass =
@@ -26,7 +27,7 @@ PanelSpacing panels_for(const transform::SmoothDensity& density) {
   return std::abs(mass - 1) < kMissed ? PanelSpacing::graded : PanelSpacing::geometric;
 }
 
-// Marginals of C exp(Q_(n-2)) on the box of another density, normalised on this box.
+// Marginal densities of C exp(Q_(n-2)) on the box of another density, normalised on this box.
 transform::PanelMarginals previous_marginals(const Coordinates& coordinates,
                                              const ClosureDensity& previous,
                                              const transform::SmoothDensity& density,

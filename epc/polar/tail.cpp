@@ -7,7 +7,7 @@
 
 namespace fpkcheck::epc::polar {
 half_plane::Contour contour(const Coordinates& coordinates, double rho) {
-  // dA/dh = integral of dtheta / w'(y).
+  // The area A inside the contour has dA/dh = integral of dtheta / w'(y).
   half_plane::Contour contour;
   for (int k = 0; k < amplitude::kPhaseCount; ++k) {
     const double theta = amplitude::phases()[k];

@@ -7,11 +7,12 @@
 
 namespace fpkcheck::epc::polar {
 
-/// Quadrature points on the half-circle of an amplitude.
+/// Contour of an amplitude: points on the half-circle of this amplitude.
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
-/// Condition (19) for a polynomial of rho and theta. The coefficient of its highest power of rho is
-/// constant: the polynomial falls at every phase or at none. Radii are rho/sigma_2.
+/// Behaviour at infinity of a polynomial of rho and theta, by condition (19) of the paper. The
+/// coefficient of the highest power of rho does not depend on theta. Therefore the polynomial falls
+/// either at every phase or at no phase. Radii are rho/sigma_2.
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::polar
