@@ -6,8 +6,8 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Exponent of the density at an intermediate order: Q_n at amplitudes up to the decay extent, and
-/// the exponent of a Gaussian at larger amplitudes.
+/// The exponent of the density at an intermediate order: Q_n at amplitudes up to the decay extent,
+/// and the exponent of a Gaussian at larger amplitudes.
 /// @param q Q_n as a function of amplitude and phase
 double exponent_with_gaussian_tail(const Exponent& q, const half_plane::ClosureDensity& closure,
                                    double rho, double theta);

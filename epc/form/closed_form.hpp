@@ -31,7 +31,7 @@ inline constexpr base::EnumEntry<Variables> kVariablesNames[] = {
 constexpr std::span<const base::EnumEntry<Variables>> names(Variables) { return kVariablesNames; }
 constexpr std::string_view name(Variables variables) { return base::name_of(variables); }
 
-/// Box in the (y, v) plane outside of which the density is 0.
+/// Bounding box in the (y, v) plane outside of which the density is 0.
 struct Box {
   double y_max, v_max;
   double y_min = 0;
@@ -53,7 +53,8 @@ struct Frame {
   /// Level of half_plane::Confinement, infinite without confinement; used unless Q_n has the
   /// coordinates `plane`.
   double level = std::numeric_limits<double>::infinity();
-  /// Box outside of which the density is 0; used if there are neither deviations nor an energy.
+  /// Bounding box outside of which the density is 0; used if there are neither deviations nor an
+  /// energy.
   std::optional<Box> box = {};
 };
 

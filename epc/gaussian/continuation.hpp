@@ -5,7 +5,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Branch of solutions, and the root of the full problem at the end of the branch.
+/// A branch of solutions, and the root of the full problem at the end of the branch.
 struct FollowedBranch {
   Branch branch;
   /// Root of the full problem, converged if the branch reaches fraction 1. Otherwise the iterate at

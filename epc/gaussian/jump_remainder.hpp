@@ -30,7 +30,7 @@ class JumpRemainder {
 
   JumpRemainder(const Basis& basis, const problem::ImpulseTrain& impulses, double radius = kRadius);
 
-  /// Projection of the remainder, shape (basis.size()).
+  /// The projection of the remainder, shape (basis.size()).
   /// @param a scaled coefficients
   Eigen::VectorXd projection(const Eigen::VectorXd& a) const;
   /// Jacobian of the projection: column k is the derivative with respect to a_k.

@@ -44,7 +44,7 @@ struct Edge {
   double peak;  // largest Q_n up to the radius
 };
 
-// Edge of the set along one direction, by rules (a) to (c) of Support.
+// The edge of the set along one direction, by rules (a) to (c) of Support.
 Edge edge(const Ray& q, double core_peak) {
   const Ray slope = derivative(q);
   const double negligible = core_peak + std::log(Support::kNegligible);

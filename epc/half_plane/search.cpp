@@ -48,7 +48,7 @@ class RootSearch {
   }
 
  private:
-  // Equations of an order, and the coefficients from which Newton's method starts.
+  // The equations of an order, and the coefficients from which Newton's method starts.
   struct Start {
     Equations equations;
     VectorXd a;
@@ -162,8 +162,8 @@ class RootSearch {
                                   formulation_.points(support, size), size);
   }
 
-  // Equations of order n in a basis that is orthonormal under the guess, and the coefficients of
-  // the fit of Q_n to the guess.
+  // The equations of order n in a basis that is orthonormal under the guess, and the coefficients
+  // of the fit of Q_n to the guess.
   Start start_of(const ClosureDensity& guess, int n, double level,
                  const QuadratureSize& size) const {
     const double support = support_of(level, options_.tail);

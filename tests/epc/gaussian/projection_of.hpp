@@ -5,7 +5,7 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Projection on the point-symmetric monomials.
+/// The projection on the point-symmetric monomials.
 inline Projection projection_of(const problem::Problem& problem, int order) {
   return Projection(Basis(order, MonomialSet::point_symmetric, deviations(problem)));
 }

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using tests::make_problem;
 
-// Equations of the formulation moment of order 4, with the confinement level at six deviations.
+// The equations of the formulation moment of order 4, with the confinement level at six deviations.
 Equations equations_of(const problem::Problem& p) {
   constexpr int kOrder = 4;
   std::vector<double> rate_moment(kOrder + 1);

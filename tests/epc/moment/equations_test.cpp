@@ -29,7 +29,7 @@ std::vector<double> rate_moments(const problem::Problem& p, int order, int last)
 constexpr int kWallPoints = 60;
 QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
 
-// Equations on a large domain, in a basis orthonormal under the elastic white-noise density.
+// The equations on a large domain, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int last_moment, double deviations,
                        bool confined = false) {
   const double temperature = tests::temperature_of(p);

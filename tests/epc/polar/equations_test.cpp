@@ -23,7 +23,7 @@ constexpr int kWallPoints = 40;
 
 double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::temperature_of(p)); }
 
-// Equations up to eight deviations, in a basis orthonormal under the elastic white-noise density.
+// The equations up to eight deviations, in a basis orthonormal under the elastic white-noise density.
 Equations equations_of(const problem::Problem& p, int order, int points_each_way,
                        const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
