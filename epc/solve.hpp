@@ -12,9 +12,9 @@ namespace fpkcheck::epc {
 ///    formulation gaussian, the density must also satisfy the balance of power;
 ///  - inadmissible if a root was found, but its density violates one of these conditions. The
 ///    result still contains the density and the coefficients;
-///  - not_converged if no root was found. A root is also discarded if it depends on the disc of
-///    gaussian::JumpRemainder (gaussian with kf), or if the quadrature does not resolve the root
-///    (moment, polar). The result has no density.
+///  - not_converged if no root was found. The solver also discards a root that depends on the disc
+///    of gaussian::JumpRemainder (gaussian with kf), and a root that the quadrature does not
+///    resolve (moment, polar). The result has no density.
 /// @throws InputError from validate
 Result solve(const problem::Problem& problem, const Options& options);
 

@@ -12,7 +12,7 @@ namespace fpkcheck::epc::contact {
 half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
 /// Behaviour at infinity of a polynomial of rho and v, by condition (19) of the paper, in the
-/// directions v = rho sin(theta). Radii are rho/sigma_2.
+/// directions v = rho sin(theta). The radii in the result are rho/sigma_2.
 LeadingForm leading_form_of(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::contact

@@ -8,8 +8,8 @@ namespace fpkcheck::epc::gaussian {
 /// A branch of solutions, and the root of the full problem at the end of the branch.
 struct FollowedBranch {
   Branch branch;
-  /// Root of the full problem, converged if the branch reaches fraction 1. Otherwise the iterate at
-  /// the largest fraction.
+  /// Root of the full problem. If the branch does not reach fraction 1, this member is the iterate
+  /// at the largest fraction instead, and has not converged.
   numerics::NewtonResult root;
 };
 

@@ -20,9 +20,9 @@ namespace fpkcheck::epc::gaussian {
 /// remainder of the jump integral (`kf`) is not a polynomial, see JumpRemainder.
 class Projection {
  public:
-  /// Equations without the remainder of the jump integral, for f.jump_fraction = 0.
+  /// Sets up the equations without the remainder of the jump integral, for f.jump_fraction = 0.
   explicit Projection(Basis basis);
-  /// Equations with the remainder of the jump integral.
+  /// Sets up the equations with the remainder of the jump integral.
   Projection(Basis basis, const problem::ImpulseTrain& impulses,
              double jump_radius = JumpRemainder::kRadius);
 

@@ -12,7 +12,7 @@ half_plane::Contour contour(const Coordinates& coordinates, double rho);
 
 /// Behaviour at infinity of a polynomial of rho and theta, by condition (19) of the paper. The
 /// coefficient of the highest power of rho does not depend on theta. Therefore the polynomial falls
-/// either at every phase or at no phase. Radii are rho/sigma_2.
+/// either at every phase or at no phase. The radii in the result are rho/sigma_2.
 LeadingForm leading_form_in_amplitude(const Polynomial& q, const Deviations& sigma);
 
 }  // namespace fpkcheck::epc::polar
