@@ -64,7 +64,7 @@ const Description<Options>& description() {
   static const auto description =
       Description<O>("epc ")
           .add("order", &O::order,
-               {"N", "degree n of the polynomial, even: 2 .. 12; of moment 2 .. 16"},
+               {"N", "order n of the closure, even: 2 .. 12; for moment 2 .. 16"},
                order_range(Formulation::moment))
           .add("formulation", &O::formulation, {"F", "gaussian, moment or polar, see above"})
           .add("monomials", &O::monomials,

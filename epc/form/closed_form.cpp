@@ -136,7 +136,7 @@ ClosedForm read_closed_form(const Metrics& metrics) {
   if (!frame.deviations && !std::isfinite(frame.support)) {
     const auto y_max = number("support.y_max"), v_max = number("support.v_max");
     if (y_max.has_value() != v_max.has_value()) {
-      throw InputError("half a support: \"y_max\" or \"v_max\" is missing; give both");
+      throw InputError("incomplete support: \"y_max\" or \"v_max\" is missing; give both");
     }
     if (y_max) frame.box = box_in(metrics, *y_max, *v_max);
   }

@@ -111,7 +111,7 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
   EXPECT_THROW(density(form, &other), InputError);
 }
 
-// exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
+// The density proportional to exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
 MetricBuilder gaussian_form(const char* coordinates) {
   MetricBuilder builder;
@@ -137,11 +137,11 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
       }
     }
   };
-  // Normalised by the constant: on the plane and on the half-plane.
+  // Forms that the constant normalises: on the plane and on the half-plane.
   expect_exact(gaussian_form("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
   expect_exact(gaussian_form("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
   expect_exact(gaussian_form("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
-  // Normalised over a support with nearly all of the mass.
+  // Forms that are normalised over a support with nearly all of the probability.
   expect_exact(gaussian_form("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB),
                1e-12);
   expect_exact(
@@ -193,8 +193,9 @@ TEST(ClosedForm, ThatIsIncompleteIsRefused) {
                               .result("support.v_max", 1.0))
                 .find("must be below"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("y,v").result("support.y_max", 1.0)).find("half a support"),
-            std::string::npos);
+  EXPECT_NE(
+      error_message(gaussian_form("y,v").result("support.y_max", 1.0)).find("incomplete support"),
+      std::string::npos);
   EXPECT_NE(error_message(gaussian_form("y,v")
                               .result("coefficients[2].x1", 0.5)
                               .result("coefficients[2].x2", 0.0)
@@ -209,7 +210,7 @@ TEST(ClosedForm, ThatIsIncompleteIsRefused) {
                               .result("support.v_max", 9.0))
                 .find("integral over the support is inf"),
             std::string::npos);
-  // Amplitudes and energies need an oscillator.
+  // A form with amplitudes or energies needs an oscillator.
   EXPECT_NE(error_message(gaussian_form("amplitude,phase")).find("name its case"),
             std::string::npos);
   EXPECT_NE(error_message(gaussian_form("y,v").result("support.energy", 1.0)).find("name its case"),
