@@ -12,7 +12,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Every option differs from its default.
+// Options of which every option differs from its default.
 Options non_default_options() {
   return {.order = 10,
           .formulation = Formulation::moment,

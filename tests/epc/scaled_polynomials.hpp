@@ -6,7 +6,7 @@
 #include "epc/form/polynomial.hpp"
 #include "epc/form/rays.hpp"
 
-/// Exponents in a plane with a different deviation for each axis.
+/// Polynomial exponents for tests, in a plane with a different standard deviation for each axis.
 namespace fpkcheck::tests {
 
 inline const epc::Deviations kSigma{0.5, 2.0};
@@ -17,7 +17,7 @@ inline epc::Polynomial scaled(std::vector<epc::Term> terms) {
   return epc::Polynomial(terms);
 }
 
-/// -rho^2/2 + quartic rho^4
+/// The exponent -rho^2/2 + quartic rho^4.
 inline epc::Polynomial radial(double quartic) {
   return scaled(
       {{2, 0, -0.5}, {0, 2, -0.5}, {4, 0, quartic}, {2, 2, 2 * quartic}, {0, 4, quartic}});

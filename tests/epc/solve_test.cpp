@@ -21,7 +21,7 @@ TEST(Closure, HasTheIdentityOfItsOptions) {
   }
 }
 
-// Without a root the solution has an identity and no density.
+// If no root is found, the solution has an identity and no density.
 TEST(Closure, NamesAProblemWithoutARoot) {
   const auto solution = solve(tests::paper_case(1), {.order = 8}).solution;
   EXPECT_EQ(solution.status, transform::Status::not_converged);
@@ -29,7 +29,7 @@ TEST(Closure, NamesAProblemWithoutARoot) {
   EXPECT_FALSE(solution.density.has_value());
 }
 
-// Rare impulses and strong losses make the search long: it ends at the deadline with a reason.
+// For rare impulses and strong losses the search is long, and ends at the deadline with a reason.
 TEST(Closure, EndsAtTheDeadline) {
   const auto p = tests::make_problem({.restitution = 0.6, .rate = 0.05});
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {

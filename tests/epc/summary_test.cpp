@@ -89,7 +89,7 @@ TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
                                       "quadrature_change", "homotopies"}));
   EXPECT_EQ(word(seen, "formulation"), "moment");
   EXPECT_EQ(word(seen, "tail.kind"), "confined");
-  // Leading form of the exponent with its confinement; Q_n alone rises.
+  // The metric is the leading form of the exponent with its confinement; Q_n alone rises.
   EXPECT_EQ(word(seen, "leading_form"), "negative");
   EXPECT_EQ(word(seen, "tail.polynomial_leading_form"), "indefinite");
   EXPECT_EQ(number_at(seen, "homotopies"), 0);

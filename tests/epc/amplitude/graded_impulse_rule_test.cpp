@@ -49,7 +49,7 @@ TEST(GradedImpulseRule, IntegratesTheStepOfThePhaseAtTheWall) {
   }
 }
 
-// A steep but continuous phase.
+// The phase is a steep but continuous function of the velocity.
 TEST(GradedImpulseRule, ResolvesASteepPhase) {
   const auto law = problem::ImpulseLaw::from_name("laplace", 0, 0.5);
   GradedImpulseRule rule(law);

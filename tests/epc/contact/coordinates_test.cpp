@@ -26,7 +26,7 @@ TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
       is_pressed_on_one_wall(pressed({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
   EXPECT_FALSE(
       is_pressed_on_one_wall(pressed({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
-  // The force presses at the wall, but there is another well beyond the barrier.
+  // At the wall the force presses the mass against the wall, but there is another well.
   EXPECT_FALSE(is_pressed_on_one_wall(tests::in_wall_coordinates(
       tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
                                   {.left = -0.5, .left_restitution = 0.7}),
@@ -54,7 +54,8 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
   }
 }
 
-// A ball: rho^2 = v^2 + 2 g y, with area (2/3) (2 h)^(3/2) / g below an energy h.
+// For a constant force g, rho^2 = v^2 + 2 g y. The area below an energy h is
+// (2/3) (2 h)^(3/2) / g.
 TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
   const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
@@ -70,7 +71,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
     first_moment += points.weight[i] * rho * rho / 2 * y;
   }
   EXPECT_NEAR(area, 2.0 / 3 * std::pow(rho_max, 3) / g, 1e-12);
-  // integral over v of (rho_max^2 - v^2)^2 / (8 g^2)
+  // The expected value is the integral over v of (rho_max^2 - v^2)^2 / (8 g^2).
   EXPECT_NEAR(first_moment, 16.0 / 15 * std::pow(rho_max, 5) / (8 * g * g), 1e-12);
   const Eigen::Index last = points.size() - 1;
   for (const auto* column : {&points.s, &points.t, &points.y, &points.v, &points.energy}) {
@@ -79,7 +80,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   EXPECT_NEAR(points.weight[last], 2 * std::log(1 / r) / 0.8, 1e-15);
 }
 
-// exp(-e/T) / e beyond an energy h, with dA/de = 2 sqrt(2 e) / g: about
+// The integral of exp(-e/T) / e beyond an energy h, with dA/de = 2 sqrt(2 e) / g, is about
 // T exp(-h/T) 2 sqrt(2 h) / (g h).
 TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const double g = 1.7, rho = 3, temperature = 0.3;

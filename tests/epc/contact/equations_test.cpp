@@ -21,7 +21,7 @@ using half_plane::QuadraturePoints;
 constexpr int kContactWallPoints = 40;
 constexpr double kRhoMax = 2, kTemperature = 0.6, kRestitution = 0.6;
 
-// Constant force 0.5 towards the wall, with every kind of damping.
+// Problem with a constant force 0.5 towards the wall and all terms of the damping force.
 problem::Problem pressed_mass(const char* law) {
   return tests::with_impulses(
       problem::System({.damping = 0.3,
@@ -43,7 +43,7 @@ Equations contact_equations_of(const problem::Problem& p, int order, int points_
   return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
 }
 
-// A small perturbation, such that the corner keeps its mass.
+// Coefficients with a perturbation so small that the atom at the corner keeps its probability.
 VectorXd perturbed_contact_coefficients(const Equations& equations) {
   const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
   return a + 0.1 * (tests::perturbed(a) - a);
@@ -69,7 +69,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const Eigen::ArrayXd damping =
       (0.3 + 0.2 * y.array().square() + 0.1 * v.array().square()) * v.array();
   const VectorXd force = damping + 0.5 + y.array() + 0.7 * y.array().cube();
-  // Short enough that no point leaves the half-plane.
+  // The time step is so short that no point leaves the half-plane.
   const VectorXd dt = 1e-4 * y.array() / (y.array() + v.array().abs() + 1e-3);
   const VectorXd dy = dt.cwiseProduct(v), dv = -dt.cwiseProduct(force);
   const MatrixXd flow =
@@ -93,7 +93,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
     EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
   }
-  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
+  EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the compared rates of change are not 0
   EXPECT_GT(density.mass[moving], 0.01);
 }
 

@@ -31,8 +31,9 @@ problem::Problem bouncing_ball(double rate, double intensity, double restitution
 class RestInContact : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, RestInContact, testing::Values(2, 4, 6));
 
-// rho^2/2 and v are members: every order satisfies the balance of power and, up to E[v], that of
-// momentum. The mass is a sum over cells; the equations use a rule in amplitude and phase.
+// The basis contains rho^2/2 and v: every order satisfies the balance of power and, up to E[v], the
+// balance of momentum. The mass is a sum over cells; the equations use a quadrature rule in
+// amplitude and phase.
 TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   for (const double r : {0.5, 0.7}) {
     const auto p = problem::load_case("preload", {"system.restitution=" + std::to_string(r)});
@@ -50,8 +51,8 @@ TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   }
 }
 
-// The equations for the members rho and v determine the flight time: for rare impulses 1 - P0 tends
-// to lambda E|Y| (1 + r) / (g (1 - r)), independent of the rest of the density.
+// The equations for the basis functions rho and v determine the flight time: for rare impulses
+// 1 - P0 tends to lambda E|Y| (1 + r) / (g (1 - r)), whatever the rest of the density is.
 TEST(RestInContact, UnderRareImpulsesHasTheFlightTimeOfParabolas) {
   for (const double r : {0.5, 0.7}) {
     const auto share = [&](double rate) {
@@ -75,8 +76,8 @@ TEST(RestInContact, OrdersConvergeTowardsEachOther) {
   EXPECT_LT(eight, six / 2);
 }
 
-// The closed form gives the density in physical coordinates, and the cells of the solution have its
-// averages. The second problem has its wall at 0.3 on the right.
+// The closed form gives the density in physical coordinates, and the cells of the solution contain
+// the averages of this density. The second problem has a right wall at 0.3.
 TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
   const auto impulses = tests::gaussian_impulses(1, 0.5);
   const problem::Problem problems[] = {

@@ -48,8 +48,9 @@ TEST(ImpulseRule, HasTheMomentGeneratingFunctionOfEveryLaw) {
   }
 }
 
-// The rule of a law without a Gauss rule, from its atoms and its density. The probability outside
-// the pieces of laplace is exp(-42); the part of E[Y^6] is 42^6/6! times larger.
+// The quadrature rule of a law without a Gauss rule uses the atoms and the density of the law. The
+// probability outside the pieces of laplace is exp(-42); the missing part of E[Y^6] is 42^6/6!
+// times larger.
 TEST(PiecewiseImpulseRule, HasTheMomentsOfEveryLaw) {
   for (const std::string& name : tests::law_names_without_table()) {
     const auto law = ImpulseLaw::from_name(name, 0.3, 0.7);
@@ -60,8 +61,8 @@ TEST(PiecewiseImpulseRule, HasTheMomentsOfEveryLaw) {
 TEST(PiecewiseImpulseRule, HasTheMomentGeneratingFunctionOfEveryLaw) {
   for (const std::string& name : tests::law_names_without_table()) {
     const auto law = ImpulseLaw::from_name(name, -0.2, 0.4);
-    // The probability beyond the pieces of exponential is exp(-46); of the generating function
-    // exp(-(1 - 1.5 0.4) 46) = 1e-8 here.
+    // The probability beyond the pieces of exponential is exp(-46). The missing part of the
+    // generating function is exp(-(1 - 1.5 0.4) 46) = 1e-8.
     expect_moment_generating_function(piecewise_impulse_rule(law), law, 2e-8);
   }
 }

@@ -37,7 +37,7 @@ TEST(JumpRemainder, IsTheJumpIntegralLessItsSeries) {
     for (const auto& [y, probability] : impulses.law().atoms()) {
       sum += probability * std::exp(-side * y * slope + y * y / 2 * curvature);
     }
-    // exp(-Q) times the derivatives of exp(Q).
+    // The terms of the series are exp(-Q) times the derivatives of exp(Q).
     const double first = slope, second = slope * slope + curvature,
                  third = slope * slope * slope + 3 * slope * curvature,
                  fourth =

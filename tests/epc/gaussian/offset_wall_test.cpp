@@ -10,7 +10,7 @@
 #include "general_oscillators.hpp"
 
 // The paper's closure with a wall away from the equilibrium: the plane is folded at the wall, and
-// the force has even powers. The lowest is the constant force on the mass at the wall.
+// the force has even powers. The lowest power is the constant force on the mass at the wall.
 namespace fpkcheck::epc::gaussian {
 namespace {
 
@@ -23,7 +23,8 @@ problem::Problem elastic(const WallParameters& walls, double intensity) {
                            intensity);
 }
 
-// On both sides of the fold, with Q = -(c/D)(x2^2/2 + U(|x1|)).
+// The residual of the exact density vanishes on both sides of the fold, with
+// Q = -(c/D)(x2^2/2 + U(|x1|)).
 TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) {
   for (const double wall : {-0.5, 0.3}) {
     const auto p = tests::in_wall_coordinates(elastic({.left = wall, .left_restitution = 1}, 0.4));

@@ -46,7 +46,7 @@ class DirectEvaluation {
 
   /// Delta / p~ of (20) without the term of the delta function.
   double plain(double x1, double x2) const {
-    // Relative to the density at the point, which may be very small.
+    // All values are relative to the density at the point, which may be very small.
     const Complex here = exponent(x1, x2);
     const auto at_x1 = [&](Complex z) { return std::exp(exponent(z, x2) - here); };
     const auto at_x2 = [&](Complex z) { return std::exp(exponent(x1, z) - here); };
@@ -105,7 +105,7 @@ double weight(double x, double sigma) {
   return std::exp(-x * x / (2 * sigma * sigma)) / (std::sqrt(2 * std::numbers::pi) * sigma);
 }
 
-// Projections (23) by panels over the four quadrants and along the wall.
+// The projections (23), computed by panels over the four quadrants and along the wall.
 Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const Basis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
@@ -202,7 +202,7 @@ TEST(Projection, TakesEveryPowerOfTheSpring) {
           projection.basis());
       const Eigen::VectorXd residual = projection.residual(f, a);
       EXPECT_LT((residual - expected).norm(), 1e-8 * expected.norm()) << "n " << order;
-      // Exact for F, which is of fourth degree in a.
+      // The difference is exact for F, which is of fourth degree in a.
       const Eigen::VectorXd e = random_coefficients(a.size(), 1e-2);
       const auto difference = [&](double m) -> Eigen::VectorXd {
         return (projection.residual(f, a + m * e) - projection.residual(f, a - m * e)) / (2 * m);

@@ -121,7 +121,7 @@ TEST(GaussianClosure, OrderEightOfThePaperCasesIsNotOk) {
 }
 
 TEST(GaussianClosure, ASpuriousRootThatFallsProperlyIsNamedByItsEnergyBalance) {
-  // Rare impulses: the root at n = 6 is unimodal and dissipates twice the input power.
+  // For rare impulses the density of the root at n = 6 is unimodal and dissipates twice the input.
   const auto [solution, summary] = solve(tests::make_problem({.rate = 0.3}), {.order = 6});
   EXPECT_EQ(solution.status, Status::inadmissible);
   EXPECT_LT(summary.residual, 1e-10);

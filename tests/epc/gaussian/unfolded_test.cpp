@@ -92,7 +92,8 @@ TEST(GaussianClosureWithoutWall, JacobianIsTheDerivativeOfTheResidual) {
   }
 }
 
-// Impulses with lambda E[Y] != 0: mean, and third cumulant with the sign of E[Y^3].
+// For impulses with lambda E[Y] != 0 the response has a mean, and a third cumulant with the sign of
+// E[Y^3].
 TEST(GaussianClosureWithoutWall, FollowsSkewImpulses) {
   for (const double mean : {-0.1, 0.1}) {
     auto p = tests::with_impulses(

@@ -11,19 +11,19 @@
 /// Helpers for the tests of Galerkin equations in any coordinates.
 namespace fpkcheck::tests {
 
-/// T = D2/c of the exact density C exp(-h/T) under white noise with elastic impacts.
+/// Temperature T = D2/c of the exact density C exp(-h/T) under white noise with elastic impacts.
 inline double temperature_of(const problem::Problem& p) {
   return p.impulses.intensity() / (2 * p.system.damping());
 }
 
-/// Density C exp(-h/T) at points, as masses with sum 1.
+/// Probabilities of the density C exp(-h/T) at quadrature points; the sum is 1.
 inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& points,
                                       double temperature) {
   const Eigen::VectorXd mass = points.weight.array() * (-points.energy.array() / temperature).exp();
   return mass / mass.sum();
 }
 
-/// Coefficients of the density C exp(-h/T).
+/// Coefficients in the basis of the exponent of C exp(-h/T).
 inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::Equations& equations,
                                               double temperature) {
   const auto& points = equations.points();

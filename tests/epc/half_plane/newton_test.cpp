@@ -29,7 +29,7 @@ Equations equations_of(const problem::Problem& p) {
   return moment::equations(p, rate_moment, domain, confinement, basis, points, 60);
 }
 
-// From the density with elastic impacts to the density at r = 0.6.
+// The homotopy leads from the density with elastic impacts to the density at r = 0.6.
 TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto p = make_problem({.restitution = 0.6});
   const Equations equations = equations_of(p);

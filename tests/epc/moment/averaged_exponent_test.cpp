@@ -10,7 +10,7 @@ namespace {
 using problem::System;
 using tests::with_noise;
 
-// White noise: Phi = (c/D) h exactly, D = 0.2, c = 0.1.
+// Under white noise Phi = (c/D) h exactly; D = 0.2, c = 0.1.
 TEST(AveragedExponent, IsTheEnergyWhereDampingIsConstant) {
   const auto p =
       with_noise(System({.damping = 0.1, .stiffness = 2, .cubic = 1}, {.none = true}), 0.4);
@@ -31,7 +31,8 @@ TEST(AveragedExponent, IsTheEnergyWhereDampingIsConstant) {
             9);  // 95 % of the mass of laws with mean T to 2 T: at least 3 T
 }
 
-// Minima at +-1 with a maximum 1/4 higher at 0; below it each well has its own energies.
+// The potential has minima at +-1, and a maximum at 0 that is higher by 1/4. Below the maximum each
+// well has separate energies.
 TEST(AveragedExponent, HasABranchForEachWell) {
   const auto p =
       with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.02);
@@ -42,7 +43,7 @@ TEST(AveragedExponent, HasABranchForEachWell) {
   EXPECT_NEAR(exponent(-1, 0.3) - exponent(1, 0), -0.045 * 0.1 / 0.01, 1e-3);
 }
 
-// A ring: -Phi = (R - R^2/2) / 0.4 with its maximum at R = y^2 + v^2 = 1.
+// A ring-shaped density: -Phi = (R - R^2/2) / 0.4 has a maximum at R = y^2 + v^2 = 1.
 TEST(AveragedExponent, HasItsMaximumOnTheRing) {
   const auto p = with_noise(
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),

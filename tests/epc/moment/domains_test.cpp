@@ -209,7 +209,7 @@ TEST(MomentClosureOnDomains, AMirrorImageReflectsTheSolution) {
   EXPECT_NEAR(there.moments.v4, here.moments.v4, 1e-8);
 }
 
-// Exchanging both walls with their restitution coefficients changes the sign of y.
+// If both walls are exchanged with their restitution coefficients, y changes its sign.
 TEST(MomentClosureOnDomains, ExchangedWallsReflectTheSolution) {
   const auto between = [](double left, double r_left, double right, double r_right, double mean) {
     const System system(
@@ -224,8 +224,8 @@ TEST(MomentClosureOnDomains, ExchangedWallsReflectTheSolution) {
   EXPECT_NEAR(there.moments.v2, here.moments.v2, 1e-8);
 }
 
-// Simulation: E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004. The tolerance includes the
-// error of the closure.
+// A simulation gives E[y^2] = .83849 +- .0002 and E[v^4] = .2041 +- .0004. The tolerance includes
+// the error of the closure.
 TEST(MomentClosureOnDomains, IsNearTheSimulationAtOrderEight) {
   const auto well =
       solve_moment(with_impulses(kDoubleWell, gaussian_impulses(1, 0.05)), 8).solution;
@@ -260,7 +260,7 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
   }
 }
 
-// Marginals on the same panels although the supports differ.
+// The marginal densities of both orders are on the same panels, although the supports differ.
 TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   const auto p = with_impulses(kDoubleWell, gaussian_impulses(1, 0.05));
   const auto before = solve_moment(p, 4), here = solve_moment(p, 6);
@@ -270,7 +270,8 @@ TEST(MomentClosureOnDomains, StatesTheDistanceToTheOrderBefore) {
   EXPECT_NEAR(*here.summary.distance_to_previous / (y + v), 1, 0.05);
 }
 
-// epsilon = 1: order 2 gives no ring, and its density decays by the confinement alone.
+// For epsilon = 1, order 2 gives no ring-shaped density: the density decays by the confinement
+// alone.
 TEST(MomentClosureOnDomains, IsInadmissibleIfTheConfinementAloneMakesItDecay) {
   const auto [solution, summary] = solve_moment(with_noise(van_der_pol(1), 0.2), 2);
   EXPECT_EQ(solution.status, Status::inadmissible);

@@ -30,7 +30,7 @@ double integral(const QuadraturePoints& points, auto&& f) {
   return sum;
 }
 
-// k = 4: the half-ellipse 2 y^2 + v^2/2 <= level.
+// For k = 4 the domain is the half-ellipse 2 y^2 + v^2/2 <= level.
 TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
   const double level = 3;
   const EnergyDomain domain(make_problem({.stiffness = 4, .cubic = 0}), level);
@@ -69,7 +69,8 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
               1e-6);
 }
 
-// k = 1, mean force 3: minimum at y = 3, with an energy 4.5 below that at the wall.
+// For k = 1 and mean force 3, the minimum at y = 3 has an energy that is 4.5 below the energy at
+// the wall.
 TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   const auto held = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = 0.03});
   const EnergyDomain oval(held, 2);
@@ -113,8 +114,8 @@ TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
   }
 }
 
-// y^2 + v^2 <= 4: the whole disc, the part right of a wall at -1, and the part between walls at -1
-// and 0.5.
+// Domains y^2 + v^2 <= 4: the whole disc, the part right of a wall at -1, and the part between
+// walls at -1 and 0.5.
 TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   const double level = 2;
   const auto circle = [&](const problem::WallParameters& walls) {
@@ -148,7 +149,7 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   EXPECT_EQ(strip.y_max(), 0.5);
 }
 
-// V = -y^2/2 + y^4/4: two parts at h < 1/4, (y^2 - 1)^2 <= 4 h.
+// For V = -y^2/2 + y^4/4 the domain has two parts if h < 1/4: (y^2 - 1)^2 <= 4 h.
 TEST(EnergyDomain, HasAPartInEachWell) {
   const auto p = tests::with_noise(
       problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);

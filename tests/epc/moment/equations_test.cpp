@@ -71,7 +71,7 @@ TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
 }
 
 // d E[phi]/dt by the impulses alone, lambda E[phi(v + Y) - phi(v)], evaluated directly for a
-// two-point law. All moments of Y contribute; the mean makes the odd ones nonzero.
+// two-point law. All moments of Y contribute; with a mean of Y the odd moments are nonzero.
 TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   const auto p = make_problem({.damping = 1e-9,
                                .stiffness = 1,
@@ -108,7 +108,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   }
 }
 
-// Up to a constant, which normalisation removes.
+// The fit reproduces an exponent up to a constant, which the normalisation removes.
 TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   const Equations equations = equations_of(p, 4, 2, 6);

@@ -157,7 +157,7 @@ TEST(MomentClosure, RandomProblemsConvergeAtEveryOrder) {
 }
 
 // The distance to order n - 2 estimates the error of that order without another method. Reference:
-// n = 12, which is more accurate by a factor.
+// n = 12, whose error is smaller by a factor.
 TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   const auto p = paper_case(1);
   const auto fine = solve(p, moment_options(12)).solution;
@@ -188,7 +188,8 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   }
 }
 
-// The rates of the motion are about 1: relative to a damping of 1e-7 the residual is rounding.
+// The frequencies of the motion are about 1: relative to a damping of 1e-7 the residual is rounding
+// error.
 TEST(MomentClosure, ConvergesAtTheLeastDamping) {
   const auto p = make_problem({.damping = 1e-7, .restitution = 1, .intensity = 1e-7});
   const auto [solution, summary] = solve(p, moment_options(8));
@@ -228,7 +229,7 @@ TEST(MomentClosure, TheConfinementHasNoEffectOnAFallingExponent) {
   EXPECT_LT(summary.half_plane->beyond_level, 1e-15);
 }
 
-// Strong impact losses, and a mean impulse towards the wall.
+// Problem with strong impact losses, and a mean impulse towards the wall.
 TEST(MomentClosure, AHomotopyFindsARootWhereNewtonFails) {
   const auto p = make_problem(
       {.cubic = 1.19, .restitution = 0.40, .rate = 2.66, .intensity = 0.22, .mean = -0.264});

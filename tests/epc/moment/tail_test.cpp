@@ -11,7 +11,7 @@ namespace {
 
 using tests::make_problem;
 
-// k = 1, mu = 0: contours are half-circles of radius sqrt(2 h).
+// For k = 1 and mu = 0 the energy contours are half-circles of radius sqrt(2 h).
 const problem::Problem kLinear = make_problem({.cubic = 0});
 
 // The integral of exp(-(y^2 + v^2) / 2T) over y > 0 is pi T; beyond an energy E: pi T exp(-E/T).
@@ -39,7 +39,7 @@ TEST(MomentTail, AFallIsFollowedToTheDepthAskedFor) {
   EXPECT_FALSE(scan_decay(q, kLinear, 3, 10, 30).crossing.has_value());  // the scan ends too early
 }
 
-// Q_n rises between two radii before it falls for good: a scan across the rise finds no energy.
+// Q_n rises between two radii before the final fall: a scan across the rise finds no energy.
 TEST(MomentTail, ARiseEndsAFall) {
   // Along every direction q = -rho^2 + a rho^4 - b rho^6 rises between two radii.
   const double a = 0.1, b = 0.0031;  // 1 - 2a s + 3b s^2 = 0 at s = rho^2 = 7.4 and 14.1

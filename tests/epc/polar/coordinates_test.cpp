@@ -43,7 +43,7 @@ TEST(PolarRule, HasTheAreaAndTheMomentsOfTheHalfDisc) {
   }
 }
 
-// Solution of K y^2 + mu y^4 / 2 = w^2 in closed form.
+// The equation K y^2 + mu y^4 / 2 = w^2 has a solution in closed form.
 TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
   for (const double cubic : {0.0, 1e-6, 0.7, 5.0}) {
     const Coordinates coordinates(make_problem({.stiffness = 1.3, .cubic = cubic}));

@@ -23,7 +23,8 @@ constexpr int kWallPoints = 40;
 
 double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::temperature_of(p)); }
 
-// The equations up to eight deviations, in a basis orthonormal under the elastic white-noise density.
+// The equations up to eight deviations, in a basis that is orthonormal under the density for white
+// noise with elastic impacts.
 Equations equations_of(const problem::Problem& p, int order, int points_each_way,
                        const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
@@ -89,7 +90,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
       EXPECT_NEAR(residual[s], expected[s], 1e-6 * (1 + std::abs(expected[s]))) << s;
     }
-    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the comparison is not of zeros
+    EXPECT_GT(expected.cwiseAbs().minCoeff(), 1e-4);  // the compared rates of change are not 0
   }
 }
 

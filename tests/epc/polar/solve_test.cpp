@@ -30,9 +30,9 @@ TEST_P(PolarCase, EveryOrderConverges) {
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
     EXPECT_NEAR(solution.mass, 1, 1e-5) << order;
-    // rho^2/2 is a member of the basis: every order satisfies the energy balance.
+    // The basis contains rho^2/2: every order satisfies the energy balance.
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6) << order;
-    // v is not a member: E[v] tends to 0 with growing order.
+    // The basis does not contain v: E[v] tends to 0 with growing order.
     if (order >= 8) {
       EXPECT_NEAR(solution.moments.v1, 0, 1e-6 * std::sqrt(solution.moments.v2));
     }
@@ -82,7 +82,8 @@ TEST(PolarClosure, HasTheExactVelocityWithoutLosses) {
   }
 }
 
-// Linear process with elastic impacts: its fourth moments are not members, and converge.
+// In the linear process with elastic impacts, the basis does not contain the fourth powers: the
+// fourth moments converge with growing order.
 TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
   for (const char* law : {"gaussian", "laplace"}) {
     const auto p = make_problem({.cubic = 0, .restitution = 1, .law = law});
@@ -124,7 +125,8 @@ TEST(PolarClosure, RandomProblemsConverge) {
   }
 }
 
-// A quarter of an impulse per decay time: at all other levels the guess has its mass on the edge.
+// With a quarter of an impulse per decay time, the probability of the guess lies on the edge of the
+// domain at every level except the level of the guess.
 TEST(PolarClosure, TriesTheLevelOfTheOrderBeforeLast) {
   auto options = polar_options(4);
   options.max_seconds = 600;  // sanitizers need more than the default
@@ -140,7 +142,7 @@ TEST(PolarClosure, HasItsWholeMassOnPanels) {
   }
 }
 
-// A twelfth of an impulse per decay time.
+// A problem with a twelfth of an impulse per decay time.
 TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = polar_options(8);
   options.max_iterations = 1;

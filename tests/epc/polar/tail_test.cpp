@@ -11,7 +11,7 @@ namespace {
 
 using tests::make_problem;
 
-// k = 1, mu = 0: amplitudes are radii.
+// For k = 1 and mu = 0 amplitudes are radii.
 const problem::Problem kLinear = make_problem({.cubic = 0});
 
 // The integral of exp(-rho^2 / 2T) over the half-plane is pi T; beyond an energy E: pi T exp(-E/T).
