@@ -7,24 +7,25 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Why this solver does not treat a problem, in one phrase; empty where the solver treats the
-/// problem.
+/// The reason, in one phrase, why this solver does not treat a problem. Empty if the solver treats
+/// the problem.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// As unsupported_reason, for a density over time: only upwind differences compute one.
+/// The reason why this solver does not compute a density over time, as for unsupported_reason. Only
+/// upwind differences compute a density over time.
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// The options allow characteristics: equation `kf` with the impact `map`, and no option that
-/// characteristics lack (cell numbers, grading, order, transport by differences).
+/// Whether the options allow the transport by characteristics: equation `kf` with the impact `map`,
+/// and no option that only differences have (numbers of cells, grading, order, transport `upwind`).
 bool can_use_characteristics(const Options& options);
 
-/// Why the density of `kf` cannot be computed along characteristics (fd_fpk/characteristics/);
-/// empty where it can. Characteristics start at walls and on the sides of the box and end at rest
-/// points, so every motion has to lose energy.
+/// The reason why the density of `kf` cannot be computed along characteristics
+/// (fd_fpk/characteristics/). Empty if the density can be computed so. Characteristics start at
+/// walls and on the sides of the box and end at rest points, so every motion has to lose energy.
 std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
-/// True where mass comes to rest in contact with a wall, so that the law of this equation has an
-/// atom there.
+/// Whether probability mass comes to rest in contact with a wall, so that the stationary law of the
+/// equation has an atom at the wall.
 bool rests_in_contact(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

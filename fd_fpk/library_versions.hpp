@@ -6,8 +6,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Name and version of each library that solves linear systems or steps in time. Versions are those
-/// of the loaded shared library where the library has a query function, else those of the headers.
+/// Name and version of each library that solves linear systems or steps in time. A version is that
+/// of the loaded shared library if the library has a function that returns its version, else that
+/// of the headers.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 }  // namespace fpkcheck::fd_fpk

@@ -10,65 +10,71 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Distances over which the density varies in either direction; 0 where not yet determined.
+/// Lengths over which the density varies in x1 and in x2; 0 for a length that is not yet
+/// determined.
 struct LengthScales {
   double x1 = 0, x2 = 0;
 };
 
-/// The box in which the density is computed. Impact walls are at its ends, where there are any.
+/// The box of the phase plane in which the density is computed. Each impact wall is an end of the
+/// box.
 struct Box {
   double x1_max;
   double x2_max;
   double x1_min = 0;
-  LengthScales lengths = {};  ///< unit of the cell widths, outside the paper's class
+  LengthScales lengths = {};  ///< unit of the cell widths, for problems outside the paper's class
 };
 
-/// Maximum number of cells of a grid: the factors of the preconditioner and the vectors of GMRES
-/// then take about two gigabytes.
+/// Maximum number of cells of a grid. At this number the factors of the preconditioner and the
+/// vectors of GMRES take about two gigabytes of memory.
 inline constexpr int kMostCells = 100000;
 
-/// The grid and the excitation on it.
+/// The grid, and the excitation discretised on the grid.
 struct Discretisation {
   Grid grid;
   Excitation excitation;
-  double regularisation_length = 0;  ///< l of km4 as used, else 0
-  /// Reason for the absence of a grid, and what to do; empty when there is a grid.
+  /// regularisation length l of km4 that was used; 0 for other equations
+  double regularisation_length = 0;
+  /// The reason why there is no grid, and what to do; empty if there is a grid.
   std::string failure = {};
-  double cells = 0;  ///< number of cells of the grid, or the number it would need
+  double cells = 0;  ///< number of cells of the grid, or the number that the grid would need
 };
 
-/// True where the joint density is unbounded at rest (problem::impulses_per_decay_time).
+/// Whether the joint density is unbounded at the rest point (problem::impulses_per_decay_time).
 bool is_unbounded_at_origin(const problem::Problem& problem);
 
-/// True if there is a wall and the density's jump along it at x2 = 0, 1/r^2 - 1, exceeds a tenth.
+/// Whether there is a wall at which the relative jump of the density at x2 = 0, 1/r^2 - 1, exceeds
+/// a tenth.
 bool has_significant_losses(const std::optional<problem::Wall>& wall);
 
-/// True if a nonzero mean of the impulses keeps the oscillator so far off the wall that impacts are
-/// rare.
+/// Whether a nonzero mean of the impulses keeps the oscillator so far from the wall that impacts
+/// are rare.
 bool is_held_off_wall(const problem::Problem& problem);
 
-/// Automatic ratio of the cell width far out to the width at the origin, where the origin is
-/// refined.
+/// Automatic ratio of the cell width far from the origin to the cell width at the origin, for grids
+/// refined at the origin.
 inline constexpr double kOriginRefinement = 16;
-/// The same ratio for x2 under white noise with losses, where the density at the wall goes as
-/// u^-beta and cells of x1 are graded as the cube of those of x2 (orders 3 and 5).
+/// Automatic ratio of the cell widths of x2 far from the origin and at the origin, under white
+/// noise with losses at the impact. There the density at the wall is proportional to u^-beta, and
+/// the cells of x1 are graded as the cube of the cells of x2 (orders 3 and 5).
 inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
-/// Automatic order outside the paper's class where no wall dissipates energy. There the density has
-/// no jump along the orbit that grazes the wall, and this order with wider cells is more accurate
-/// than order 5 at equal cost (docs/performance.md).
+/// Automatic order of the transport terms for problems outside the paper's class in which no wall
+/// dissipates energy. Then the density has no jump along the orbit that grazes the wall, and order
+/// 7 with wider cells is more accurate than order 5 at equal cost (docs/performance.md).
 inline constexpr int kHighOrder = 7;
 inline constexpr double kHighOrderWidthFactor = 1.2;
 
 /// Automatic order of the transport terms for the stationary density.
 int automatic_order(const problem::Problem& problem);
 
-/// options.origin_refinement, or its automatic value.
+/// The value of options.origin_refinement, or the automatic value if the option is not set.
 double origin_refinement(const problem::Problem& problem, const Options& options);
 
-/// Cells of about 1/7 (x1) and 1/6 (x2) of a standard deviation of equivalent linearisation, or of
-/// the box's length scales; 1.6 times as wide far out on a graded grid. The options may set the
-/// numbers of cells.
+/// The grid and the excitation on the grid. The cell widths are about 1/7 (x1) and 1/6 (x2) of a
+/// standard deviation of equivalent linearisation, or of the length scales of the box. On a graded
+/// grid the cells far from the origin are 1.6 times as wide. The options may set the numbers of
+/// cells.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
 /// A box and its numbers of cells.
@@ -77,17 +83,19 @@ struct BoxExtension {
   int nx;
   int nv;
 };
-/// A box enlarged by about these factors, with the same cells inside the given grid.
+/// The box of the grid enlarged by about these factors. Inside the given grid the cells are
+/// unchanged.
 BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2);
 
-/// The operator of the options on their grid.
+/// The Fokker-Planck operator of the options on the given grid.
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);
 
-/// The excitation on a uniform velocity axis with this step, long enough that its middle row is the
-/// operator without walls: the input of largest_growth. The regularisation length is that of the
-/// options, or the default for cells of this step.
+/// The excitation on a uniform velocity axis, as input of largest_growth. The axis has cells of the
+/// given width and is so long that the middle row of the matrix contains no end stencils: this row
+/// is the row of an unbounded axis. The regularisation length is that of the options, or the
+/// default for cells of this width.
 struct UnboundedExcitation {
   Axis axis;
   Excitation excitation;
@@ -95,16 +103,18 @@ struct UnboundedExcitation {
 UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
                                          double step);
 
-/// The box of the options. Else 6 (x1, from the static deflection) and 7 (x2) standard deviations
-/// of equivalent linearisation, and at least 6.5 standard deviations of a single impulse in x2.
-/// Outside the paper's class the limits of problem::Scales, and the walls.
+/// The box before any widening. Ends that the options set are kept. The automatic box extends over
+/// 6 standard deviations of equivalent linearisation in x1, from the static deflection, and over 7
+/// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Outside the paper's
+/// class the box has the limits of problem::Scales, or ends at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                 const Options& options);
 
-/// The length scales of a density on a coarse grid, by its Fisher information: l^-2 = E[(d ln
-/// p/dx)^2]. For a normal density they are the standard deviations; they are shorter for several
-/// wells or a ring, and never longer.
+/// The length scales of a density on a coarse grid, from the Fisher information of the density:
+/// l^-2 = E[(d ln p/dx)^2]. The length scales of a normal density are its standard deviations. The
+/// length scales of every other density, such as that of several wells or of a ring, are shorter
+/// than its standard deviations.
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
                                   const problem::Scales& scales);
 

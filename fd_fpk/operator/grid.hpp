@@ -6,12 +6,13 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min = 0: in the paper's
-/// class this is the half of the (z, z') plane that point symmetry leaves. x2 = 0 lies on a face,
-/// and the faces of x2 are symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the
-/// paper) over each cell; cell (i, j) has index i nv() + j.
+/// Grid of rectangular cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min
+/// is 0. In the paper's class the grid then covers one half of the (z, z') plane; the density on
+/// the other half follows by point symmetry. x2 = 0 is a face, and the faces of x2 are symmetric.
+/// The unknown is the average of p(y, y') (= 2 p(z, z') of the paper) over each cell; cell (i, j)
+/// has index i nv() + j.
 struct Grid {
-  Axis x1;  ///< its ends of type `boundary` are impact walls
+  Axis x1;  ///< an end with the condition `boundary` is an impact wall
   Axis x2;
 
   int nx() const { return x1.cells(); }
@@ -20,13 +21,13 @@ struct Grid {
   double x1_min() const { return x1.faces().front(); }
   double x1_max() const { return x1.faces().back(); }
   double x2_max() const { return x2.faces().back(); }
-  /// Areas of the cells, shape (size).
+  /// Areas of all cells, shape (size).
   Eigen::VectorXd areas() const;
-  /// Speeds of the half x2 > 0 in increasing order, from 0 upwards.
+  /// The axis of speeds: the half x2 >= 0 of the velocity axis, in increasing order from 0.
   Axis speeds() const { return x2.from(nv() / 2); }
 };
 
-/// @param positive_x2 faces from 0 upwards; their mirror images are added
+/// @param positive_x2 faces of x2 >= 0, increasing from 0; the function adds their mirror images
 /// @param left,right end conditions of x1
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
                     EndCondition left = EndCondition::boundary,
@@ -36,10 +37,10 @@ Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_
 Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
                const Grading& x2_grading = {});
 
-/// The density of a vector of cell averages.
+/// The density on the grid that has the given cell averages.
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// @param reference the peak density to which the result is relative
+/// @param reference the peak density: the returned wall densities are fractions of this value
 WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference);
 
 }  // namespace fpkcheck::fd_fpk

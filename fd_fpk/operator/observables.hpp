@@ -18,92 +18,102 @@ struct Marginals {
 };
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// E[x^n], E[x'^n] from cell averages, with the order of the operator, in the grid's coordinates
-/// (equal to y where the wall coordinates are the physical ones).
+/// The moments E[x^n] and E[x'^n] of a density given by cell averages, in the coordinates of the
+/// grid. The quadrature has the order of accuracy of the operator. Where the wall coordinates are
+/// the physical coordinates, x is y.
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
 
-/// E[y^n], E[y'^n] of cell averages in coordinates x: of y = frame.y(x), y' = frame.v(x').
+/// The moments E[y^n] and E[y'^n] in physical coordinates, y = frame.y(x) and y' = frame.v(x'), of
+/// a density given by cell averages in the coordinates x of the grid.
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int order);
 
-/// Estimated magnitude of the moments missing because the box is finite: the tails outside,
-/// extrapolated from the marginals, and the motion that would return from there.
-/// @param moments_in_box the moments in the box
+/// Estimated magnitude of the moments that the finite box misses: those of the tails outside the
+/// box, extrapolated from the marginal densities, and those of the motion that would return from
+/// outside.
+/// @param moments_in_box the moments of the density inside the box
 transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
                                        const Eigen::VectorXd& averages,
                                        const transform::Moments& moments_in_box);
 
-/// E[y y'] likewise; 0 for a stationary density.
+/// The mixed moment E[y y'] in physical coordinates, of a density given by cell averages; 0 for a
+/// stationary density.
 double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
                    int order);
 
-/// E[v^2]/2 + E[U(y)], with the potential U of the spring averaged over cells as the operator
-/// averages the force. Linear in the averages: applied to the rate of change of a density, the
-/// result is the rate of change of energy.
+/// The mean energy E[v^2]/2 + E[U(y)]. The potential U of the spring is averaged over cells in the
+/// same way as the operator averages the force. The mean energy is linear in the cell averages: the
+/// mean energy of the rate of change of a density is the rate of change of the energy.
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
                    int order);
 
-/// int_{v<0} |v|^power p(0, v) dv, or int_{v>0} v^power p(b, v) dv at the end b, from the
-/// extrapolation to the wall in the operator; power >= 1. Power 1 is the impact rate; power 3
-/// enters the energy balance.
+/// Speed moment of the density at a wall: int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n p(b, v) dv
+/// at the end b, where n >= 1 is the argument `power`. The density at the wall is extrapolated as
+/// in the operator. The impact rate is the moment with n = 1. The energy balance contains the
+/// moment with n = 3.
 double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
                    End end = End::left);
 
-/// E[v f], the mean damping power, of cell averages with these moments (in the grid's coordinates).
+/// The mean power of the damping force, E[v f], of a density given by cell averages. The moments
+/// are those of the same density, in the coordinates of the grid.
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
                           const Grid& grid, const Eigen::VectorXd& averages, int order);
 
-/// The terms of the power balance for cell averages with these moments (in the grid's coordinates).
+/// The terms of the power balance of a density given by cell averages. The moments are those of the
+/// same density, in the coordinates of the grid.
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
                                   const Grid& grid, const Eigen::VectorXd& averages, int order);
 
-/// problem::energy_residual of cell averages.
+/// The residual of the power balance, problem::energy_residual, of a density given by cell
+/// averages.
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
                        const Eigen::VectorXd& averages, int order);
 
-/// Momentum transferred to the walls per unit time.
+/// Momentum that impacts and contact transfer to the walls per unit time.
 struct MomentumAtWalls {
-  double left_momentum = 0;   ///< int_{v<0} v^2 p(0, v) dv, plus that of impulses on mass at rest
-  double right_momentum = 0;  ///< likewise at the right wall
-  /// Contribution of mass at rest in contact to E[y]. The wall balances the force on this mass, so
-  /// neither enters the momentum balance.
+  /// int_{v<0} v^2 p(0, v) dv, plus the momentum of impulses on mass at rest in contact
+  double left_momentum = 0;
+  double right_momentum = 0;  ///< the same momentum at the right wall
+  /// Contribution of mass at rest in contact to E[y]. The wall balances the spring force on this
+  /// mass, so the momentum balance contains neither of the two forces.
   double displacement_at_rest = 0;
 };
 
-/// problem::virial_balance and problem::momentum_balance of cell averages. The force is averaged
-/// over cells as in the operator. Without a wall and without a mean of the impulses there is no
-/// momentum residual: both sides are 0.
-/// @param walls ignored where there is no wall
+/// Residuals of problem::virial_balance and problem::momentum_balance for a density given by cell
+/// averages. The force is averaged over cells as in the operator. Without a wall, and with impulses
+/// of mean zero, there is no momentum residual, because both sides of the balance are 0.
+/// @param walls momentum transferred to the walls; ignored for problems without a wall
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int order,
                                               const MomentumAtWalls& walls);
-/// The momentum transfer of a density at the walls.
+/// The momentum that a density given by cell averages transfers to the walls per unit time.
 MomentumAtWalls momentum_at_walls(const problem::System& system, const Grid& grid,
                                   const Eigen::VectorXd& averages, int order);
 
-/// Density on the walls of the box relative to the peak, or to the peak of equivalent linearisation
-/// where that is lower: a spike at rest must not hide a tail.
+/// Density on the walls of the box, relative to the smaller of two peaks: that of the density, and
+/// that of equivalent linearisation. The second peak is needed because a spike at the rest point
+/// would make a significant density on the walls appear negligible.
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 
-/// Independent Gaussians of x and x'.
+/// A Gaussian density of independent x and x'.
 struct Gaussian {
   double displacement_deviation, velocity_deviation;
   double mean_displacement = 0, mean_velocity = 0;
 };
-/// Cell averages of the Gaussian truncated at the ends of the grid, with mass 1.
+/// Cell averages of the Gaussian, truncated at the ends of the grid and normalised to mass 1.
 Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
 
-/// Cell averages, with mass 1, of the Gaussian of (z, z') with mean zero and these standard
-/// deviations, folded to the half-plane: twice its density on y >= 0.
+/// Cell averages, normalised to mass 1, of a Gaussian density of (z, z') folded to the half-plane:
+/// twice the density on y >= 0. The Gaussian has mean zero and the given standard deviations.
 Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
                                 double velocity_deviation);
 
-/// Cell averages, with mass 1, of the density of equivalent linearisation on the half-plane: the
-/// initial density of time steps and of iterations. Outside the paper's class the Gaussian of
-/// problem::Scales between the walls.
+/// Cell averages, normalised to mass 1, of the density of equivalent linearisation on the
+/// half-plane. This density is the initial density of time steps and of iterations. Outside the
+/// paper's class the initial density is the Gaussian of problem::Scales, truncated at the walls.
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);
 Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
                                const problem::Scales& scales);

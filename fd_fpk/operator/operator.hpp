@@ -17,31 +17,35 @@ namespace fpkcheck::fd_fpk {
 using SparseColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
 /// The semi-discrete equation dP/dt = L P for the cell averages P of p(y, y') on the half-plane, L
-/// = local + 1 (x) exchange. Conservative: the areas of the cells times L is zero, so that the
-/// mass, the sum of area times P, is constant.
+/// = local + 1 (x) exchange. The operator conserves mass: the row vector of cell areas times L is
+/// zero, so that the mass, the sum of area times P over all cells, is constant.
 struct FokkerPlanckOperator {
   SparseColumns local;       ///< transport, impact, drift and diffusion; shape (size, size)
   Eigen::MatrixXd exchange;  ///< jumps of the velocity at fixed x1, shape (nv, nv), or empty
-  Eigen::VectorXd areas;     ///< of the cells, shape (size)
+  Eigen::VectorXd areas;     ///< areas of the cells, shape (size)
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
-  /// The whole operator as one sparse matrix, without exchange entries at the level of rounding.
+  /// The whole operator as one sparse matrix. Entries of `exchange` at the level of rounding errors
+  /// are dropped.
   SparseColumns assembled() const;
-  /// Largest |sum over the column of area times entry| / area: the largest rate of mass loss.
+  /// The largest rate at which a cell loses or gains mass: the maximum over all columns of |sum of
+  /// area times entry| / area of the cell of the column.
   double leak() const;
-  /// Mass of cell averages.
+  /// Total mass of a density given by cell averages.
   double mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
-  /// ||L P||_1 / ||P||_1, per unit time: the relative rate of change of a density that is not
-  /// stationary.
+  /// The stationarity residual ||L P||_1 / ||P||_1, per unit time: the relative rate of change of
+  /// the density with cell averages P.
   double residual(const Eigen::VectorXd& averages) const;
 };
 
-/// Averages of x2 p and of the force times p over a cell from averages of p. full: to the order of
-/// the operator. lumped: the product with the value at the centre, of second order and without
-/// neighbours.
+/// How the averages of x2 p and of the force times p over a cell are computed from averages of p.
+/// full: to the order of the operator, from several cells. lumped: as the product of the average of
+/// p with x2 or the force at the centre of the cell; this product is accurate to second order and
+/// uses no neighbouring cells.
 enum class Weighting { full, lumped };
 
-/// Paper (15) with the chosen excitation, and the impact at the walls at the ends of x1, if any,
+/// The operator of paper (15) with the chosen excitation, and with the impact condition at each
+/// wall at an end of x1:
 ///
 ///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
 ///
@@ -55,15 +59,15 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Grid& grid, int order,
                                             Weighting weighting = Weighting::full);
 
-/// An end of x1.
+/// The left or the right end of the x1 axis.
 enum class End { left, right };
 
-/// Averages of u p(0+, -u), or of u p(b-, u) at the end b, over the cells of the speed u of
-/// particles moving into the wall, in increasing order, as a matrix on P, shape (nv/2, nx nv): the
-/// flux of probability into the wall.
+/// The flux of probability into a wall as a matrix on P, shape (nv/2, nx nv). Row i of the product
+/// is the average of u p(0+, -u), or of u p(b-, u) at the end b, over cell i of the axis of the
+/// speed u into the wall, with u increasing from 0.
 SparseColumns wall_flux(const Grid& grid, int order, End end = End::left);
 
-/// factor A + shift 1.
+/// The matrix factor A + shift I, with the identity matrix I.
 SparseColumns scale_and_shift(double factor, const SparseColumns& a, double shift);
 
 }  // namespace fpkcheck::fd_fpk

@@ -8,36 +8,40 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Limits for a density that its grid resolves.
+/// Limits that a density must satisfy to count as resolved by its grid.
 struct ResolutionLimits {
   double min_density;  ///< smallest density relative to the peak: an exact density is nonnegative
   double power;        ///< residual of the power balance, relative to the input
 
-  /// Both functions return false for NaN.
+  /// Both of the following functions return false for NaN.
   bool is_density_accepted(double least) const { return least >= min_density; }
   bool is_imbalance_accepted(double residual) const { return std::abs(residual) <= power; }
 };
 
-/// An automatic grid that violates these limits is refined. They are stricter than the limits
-/// below: an automatic grid should not be close to those.
+/// An automatic grid that violates these limits is refined. These limits are stricter than
+/// kStationaryLimits, so that the density on an automatic grid satisfies kStationaryLimits with a
+/// margin.
 inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
 
 /// A stationary density that violates these limits is `inadmissible`.
 inline constexpr ResolutionLimits kStationaryLimits{.min_density = -1e-4, .power = 1e-3};
 
-/// Likewise for a density over time. With losses at the impact the initial density does not satisfy
-/// the impact condition: a discontinuity travels from the wall into the plane until the noise
-/// smooths it, and no grid resolves it. These limits allow for the discontinuity and still detect
-/// grids that are too coarse.
+/// A density over time that violates these limits is `inadmissible`. With losses at the impact the
+/// initial density does not satisfy the impact condition: a discontinuity of the density travels
+/// from the wall into the plane until the noise smooths the discontinuity. No grid resolves a
+/// discontinuity. These limits allow for the discontinuity and still detect grids that are too
+/// coarse.
 inline constexpr ResolutionLimits kTransientLimits{.min_density = -1e-3, .power = 1e-2};
 
-/// Density on a wall relative to the peak, above which a box is rejected, for stationary and
-/// transient densities: probability that has left the box is missing in both.
+/// Largest accepted density on a wall of the box, relative to the peak. A box with a larger density
+/// is rejected, because probability that has left the box is missing. The limit applies to
+/// stationary and transient densities.
 inline constexpr double kMaxWallDensity = 1e-3;
 
-/// Reason why a box with these wall densities is too small; empty when the box is large enough.
-/// @param frame wall coordinates of the grid: the message states the box in physical coordinates
-/// @param when "at t = 1 ", or nothing
+/// The reason why a box with these wall densities is too small; empty if the box is large enough.
+/// @param frame map from the wall coordinates of the grid to physical coordinates, in which the
+/// message states the box
+/// @param when words that the message puts in front, such as "at t = 1 "; may be empty
 std::string box_failure_reason(const problem::Frame& frame, const Grid& grid,
                                const WallDensity& wall, const std::string& when = "");
 

@@ -3,11 +3,11 @@
 namespace fpkcheck::fd_fpk {
 
 /// The largest density in the cells along the upper x1 wall and along the two x2 walls of the box,
-/// relative to a peak density. Zero where an impact wall replaces the wall of the box.
+/// relative to a peak density. Zero at an end of the box that is an impact wall.
 struct WallDensity {
   double x1;
   double x2;
-  double x1_low = 0;  ///< along the left wall of the box, where no impact wall is
+  double x1_low = 0;  ///< density along the left end of the box; 0 if that end is an impact wall
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A test function h(y, v), y > 0 the distance from a wall and v the velocity away from it, that
-/// every impact raises by the same amount for any speed: h = f + f_1,
+/// A test function h(y, v), with the distance y > 0 from a wall and the velocity v away from the
+/// wall. Every impact increases h by the same amount, whatever the impact speed: h = f + f_1,
 ///
 ///     D f_vv + v f_y = 0,              f = log(y) / 3 + phi(s),             s = v / (D y)^(1/3),
 ///     D f_1,vv + v f_1,y = F_0 f_v,    f_1 = (F_0 / D) (D y)^(1/3) chi(s), F_0 the force at y = 0,
@@ -18,11 +18,11 @@ namespace fpkcheck::fd_fpk {
 /// At the wall f is log|v| plus a constant for each sign of v: f(0, u) - f(0, -u) = pi / sqrt 3,
 /// the integral of phi' over all s. There f_1 is proportional to |v|. A multiple of v, which solves
 /// the homogeneous equation, is added to f_1 such that f_1(0, r u) = f_1(0, -u). An impact
-/// therefore raises h by pi / sqrt 3 + log r: 0 where impacts accumulate
-/// (problem::kCollapseRestitution).
+/// therefore increases h by pi / sqrt 3 + log r. This amount is 0 at the restitution coefficient
+/// below which impacts accumulate (problem::kCollapseRestitution).
 ///
-/// The remainder of the backward equation of noise D and force F is F h_v - F_0 f_v, bounded at the
-/// wall where F h_v alone goes as 1/v.
+/// Inserted into the backward equation with noise D and force F, h leaves the remainder F h_v - F_0
+/// f_v. The remainder is bounded at the wall, whereas F h_v alone is proportional to 1/v.
 class WallTestFunction {
  public:
   /// @param diffusion D > 0
@@ -32,12 +32,12 @@ class WallTestFunction {
 
   /// @pre y > 0
   double operator()(double y, double v) const;
-  /// F h_v - F_0 f_v at a point with the force F.
+  /// The remainder F h_v - F_0 f_v of the backward equation, at a point with the force F.
   double remainder(double y, double v, double force) const;
-  /// h_v.
+  /// The derivative h_v of the test function with respect to the velocity.
   double slope(double y, double v) const;
 
-  /// f(0, u) - f(0, -u).
+  /// The difference f(0, u) - f(0, -u) at the wall, the same for every speed u.
   static constexpr double kStepAtWall = std::numbers::pi / std::numbers::sqrt3;
 
  private:

@@ -9,14 +9,16 @@ namespace fpkcheck::fd_fpk {
 
 /// Result of the stability check of the discretised excitation.
 struct WellPosedness {
-  Growth growth{0, 0};  ///< largest_growth; zero for equations that are well-posed for any cells
-  /// Why the scheme is ill-posed and what to do; empty when it is well-posed.
+  /// the fastest growing wave; zero for equations that are well-posed for any cell width
+  Growth growth{0, 0};
+  /// The reason why the scheme is ill-posed, and what to do; empty if the scheme is well-posed.
   std::string ill_posed_reason;
 };
 WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
                                    const Discretisation& discretisation);
 
-/// largest_growth of the excitation of the options on cells of this width.
+/// The fastest growing wave of the excitation that the options select, on velocity cells of the
+/// given width.
 Growth largest_growth(const problem::Problem& problem, const Options& options, double step);
 
 }  // namespace fpkcheck::fd_fpk
