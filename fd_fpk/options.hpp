@@ -13,7 +13,7 @@ namespace fpkcheck::fd_fpk {
 using problem::Equation;
 using problem::Impact;
 
-/// How the stationary density is computed.
+/// Method that computes the stationary density of the discrete operator.
 enum class Stepper {
   cvode,  ///< pseudo-transient steps of CVODE, compared with the null vector
   direct  ///< the null vector of the operator alone, by a preconditioned GMRES solve
@@ -24,7 +24,7 @@ inline constexpr base::EnumEntry<Stepper> kStepperNames[] = {
 constexpr std::span<const base::EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
 constexpr std::string_view name(Stepper stepper) { return base::name_of(stepper); }
 
-/// How the transport between two impulses is discretised.
+/// Discretisation of the transport between two impulses.
 enum class Transport {
   upwind,          ///< finite volumes of high order, upwind-biased for odd orders
   characteristics  ///< along the characteristics of the motion, for `kf` with impact `map`
@@ -39,46 +39,52 @@ struct Options {
   Equation equation = Equation::kf;
   Impact impact = Impact::map;  ///< map or delta
   Stepper stepper = Stepper::cvode;
-  /// Automatic: characteristics where impulses are rare or losses are strong, see solve().
+  /// Automatic: characteristics if impulses are rare or losses are strong, see solve().
   std::optional<Transport> transport{};
   /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails free of
   /// oscillations; even orders are centred and leave grid-scale ripples of about 1e-4 of the peak.
   /// Automatic: automatic_order() for the stationary density, else kDefaultOrder; see order_of().
   std::optional<int> order{};
-  /// Cells for each automatic cell in each direction: 2 halves the widths.
+  /// Factor by which the number of cells in each direction exceeds the automatic number: 2 halves
+  /// the cell widths.
   double refinement = 1;
   /// Ratio of the cell width far from the origin to the width at the origin; 1 for a uniform grid.
-  /// With losses at the impact the density jumps at the origin (by 1/r^2 along the wall). A uniform
-  /// grid of any order converges there only with the square of its step. Automatic: 16 when the
-  /// jump exceeds a tenth (32 under white noise), else 1. Under white noise with losses the ratio
-  /// holds for x2; cells of x1 are graded as the cube of those of x2, y ~ v^3 / D2.
+  /// With losses at the impact the density jumps at the origin (by 1/r^2 along the wall). At the
+  /// jump a uniform grid converges only with the square of the cell width, whatever the order of
+  /// the scheme. Automatic: 16 if the jump exceeds a tenth (32 under white noise), else 1. Under
+  /// white noise with losses the ratio applies to x2, and the cells of x1 are graded as the cube of
+  /// the cells of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
   std::optional<int> nx{};  ///< number of cells in x1; automatic: from equivalent linearisation
-  std::optional<int> nv{};  ///< number of cells in x2, even; automatic likewise
-  /// upper end of the box in x1; automatic: where the density is negligible
+  /// number of cells in x2, even; automatic: from equivalent linearisation
+  std::optional<int> nv{};
+  /// Upper end of the box in x1; automatic: an x1 at which the density is negligible.
   std::optional<double> x1_max{};
-  std::optional<double> x2_max{};  ///< upper end of |x2|; automatic likewise
-  /// Step l of the fourth difference of km4; 0 is the literal scheme. Automatic:
-  /// default_regularisation_length on the cells.
+  std::optional<double> x2_max{};  ///< upper end of |x2|; automatic: at a negligible density
+  /// Regularisation length of km4: the step l of the fourth difference. The value 0 selects the
+  /// literal scheme, in which l is the cell width. Automatic: default_regularisation_length for the
+  /// cells of the grid.
   std::optional<double> regularisation_length{};
-  /// Density on a wall of the box, relative to the peak, up to which an automatic box is not
-  /// widened.
+  /// Threshold of the density on a wall of the box, relative to the peak. An automatic box is
+  /// widened if the density on one of its walls exceeds the threshold.
   double wall_density = 1e-6;
-  /// Refine an automatic grid that does not resolve its density.
+  /// Whether an automatic grid that does not resolve its density is refined.
   bool refine_unresolved = true;
-  /// Add an estimate of the discretisation error, from two coarser grids. Where the options fix
+  /// Whether the discretisation error is estimated, from two coarser grids. If the options fix
   /// neither transport nor grid, the estimate selects both: see solve().
   bool error_estimate = true;
-  /// Largest estimated error of a marginal, in L1, for status `ok`.
+  /// Largest estimated L1 error of a marginal density with which the status is `ok`.
   double accuracy = 1e-2;
   /// Time limit in seconds. A finer grid starts only if it is expected to end before the limit. A
   /// solve that exceeds the limit is aborted, and the most accurate solution so far is returned.
   double max_seconds = 20;
-  /// Selects the grid: the first whose error estimate (L1 of both marginals, and the second moments
-  /// relative) is below the tolerance.
+  /// Tolerance that selects the grid: the first grid whose error estimate is below the tolerance.
+  /// The estimate comprises the L1 errors of both marginal densities and the relative errors of the
+  /// second moments.
   std::optional<double> tolerance{};
-  /// Threshold of ||L P||_1 / ||P||_1 below which a density is stationary, in units of the
-  /// frequency sqrt(k_eq) of equivalent linearisation: independent of the unit of time.
+  /// Threshold of ||L P||_1 / ||P||_1 below which a density counts as stationary. The unit of the
+  /// threshold is the frequency sqrt(k_eq) of equivalent linearisation, so that the threshold does
+  /// not depend on the unit of time.
   double residual_tolerance = 1e-10;
 };
 
@@ -91,13 +97,15 @@ const base::Description<Options>& description();
 /// @throws InputError for the first invalid option or invalid combination of options
 void validate(const Options& options);
 
-/// The id of the solution: "fd-kf"; "fd-km4-delta" where the impact is not `map`.
+/// The id of the solution of these options, such as "fd-kf", or "fd-km4-delta" for the impact
+/// `delta`.
 std::string id(const Options& options);
 
-/// The identity of the solution of these options.
+/// The identity (id, method, equation, impact, role) of the solution of these options.
 transform::Identity identity(const Options& options);
 
-/// The options with this id, all others at their defaults; empty when no options have the id.
+/// The options whose solution has the given id, with default values of all options that the id does
+/// not contain. Empty if no options have the id.
 std::optional<Options> options_of(std::string_view id);
 
 }  // namespace fpkcheck::fd_fpk

@@ -7,21 +7,23 @@
 namespace fpkcheck::fd_fpk {
 
 /// The stationary density of the (generalised) Fokker-Planck-Kolmogorov equation, paper (15), by
-/// finite volumes on the point-symmetric half of the (z, z') plane. Two transports: finite volumes
-/// of high order with the exact impact map; characteristics of the motion, where impulses are rare
-/// or losses are strong. Where the options fix neither transport nor grid, refine_until_deadline()
-/// chooses finer grids, and the second transport is computed where the first is not `ok`.
+/// finite volumes on the point-symmetric half of the (z, z') plane. There are two discretisations
+/// of the transport: finite volumes of high order with the exact impact map, and characteristics of
+/// the motion, which are used if impulses are rare or losses are strong. If the options fix neither
+/// transport nor grid, refine_until_deadline() chooses finer grids. If the solution with the first
+/// transport is not `ok`, the solution with the second transport is computed too.
 ///
-/// Status:
-/// - `ok`;
-/// - `ill_posed`: the discrete excitation is unstable (the literal km4 on a fine grid); nothing is
-///   solved;
+/// Status of the solution:
+/// - `ok`: none of the following applies;
+/// - `ill_posed`: the discrete excitation is unstable (the literal km4 on a fine grid), and no
+///   density is computed;
 /// - `inaccurate`: the estimated error exceeds the requested accuracy;
-/// - `not_converged`: the residual exceeds its threshold;
-/// - `inadmissible`: the density is negative, or its power balance has a residual above that of a
-///   resolved density;
-/// - `failed`: the box is too small, the grid too large or KLU fails; also white noise at a
-///   restitution coefficient for which impacts accumulate (problem/inelastic_collapse.hpp).
+/// - `not_converged`: the stationarity residual exceeds its threshold;
+/// - `inadmissible`: the density is negative, or the residual of its power balance exceeds the
+///   limit for a resolved density (kStationaryLimits);
+/// - `failed`: the box is too small, the grid is too large, or KLU fails. The status is `failed`
+///   also under white noise if impacts accumulate at the restitution coefficient
+///   (problem/inelastic_collapse.hpp).
 /// @throws InputError for invalid options
 Result solve(const problem::Problem& problem, const Options& options);
 

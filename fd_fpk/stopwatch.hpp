@@ -5,7 +5,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Wall-clock time since construction.
+/// Stopwatch that measures the wall-clock time since its construction.
 class Stopwatch {
  public:
   double seconds() const {
@@ -16,14 +16,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// The time limit of a solution, from construction on.
+/// A time limit that begins at the construction of the object.
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
-  /// No time limit.
+  /// A deadline that never passes.
   static Deadline none() { return Deadline(std::numeric_limits<double>::infinity()); }
 
-  /// True if a task of this duration would end before the deadline.
+  /// Whether a computation of this duration would end before the deadline if started now.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool has_passed() const { return !has_time_for(0); }
   double total_seconds() const { return seconds_; }

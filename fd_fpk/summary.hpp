@@ -13,59 +13,64 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Estimate of the discretisation error, from coarser grids.
+/// Estimates of the discretisation errors, from solutions on coarser grids.
 struct ErrorEstimate {
-  double y_l1 = 0;                  ///< error of p(y), in L1
-  double ydot_l1 = 0;               ///< error of p(y'), in L1
-  transform::Moments moments = {};  ///< absolute errors: discretisation, and truncation by the box
-  transform::Moments box_truncation = {};  ///< the part due to truncation by the box
-  double observed_order = 0;               ///< from the decrease of the marginals' differences
-  transform::Moments extrapolated = {};    ///< limits by Richardson extrapolation
-  double factor = 0;  ///< estimated error of the finest grid, in units of the last difference
+  double y_l1 = 0;     ///< L1 error of p(y)
+  double ydot_l1 = 0;  ///< L1 error of p(y')
+  /// absolute errors of the moments, due to the discretisation and to the finite box
+  transform::Moments moments = {};
+  transform::Moments box_truncation = {};  ///< the part of `moments` due to the finite box
+  /// order of convergence observed in the differences of the marginal densities
+  double observed_order = 0;
+  transform::Moments extrapolated = {};  ///< limits of the moments by Richardson extrapolation
+  /// estimated error on the finest grid, divided by the difference of the two finest solutions
+  double factor = 0;
   std::vector<double> rest_probabilities =
       {};                  ///< errors of the probabilities of rest, for each atom
   double impact_rate = 0;  ///< error of Summary::impact_rate; not finite where the rate is infinite
-  /// True if the observed order is consistent with the order of the scheme.
+  /// Whether the observed order is consistent with the order of the scheme.
   bool has_limit = false;
 };
 
-/// Numerical data of a run of the solver, beside its density.
+/// Numerical data of a run of the solver, without the density.
 struct Summary {
   int nx = 0;
   int nv = 0;
-  int order = 0;                 ///< order of the finite volumes, as used; 0 along characteristics
-  double refinement = 1;         ///< refinement of the automatic cells, as used
-  double origin_refinement = 1;  ///< as used
+  /// order of the finite volumes that was used; 0 along characteristics
+  int order = 0;
+  double refinement = 1;         ///< the factor Options::refinement that was used
+  double origin_refinement = 1;  ///< the ratio Options::origin_refinement that was used
   double x1_max = 0;
   double x2_max = 0;
-  Transport transport = Transport::upwind;  ///< as used
+  Transport transport = Transport::upwind;  ///< transport that was used
   long visits = 0;                          ///< number of cell visits of all characteristics
   double rest_mass = 0;     ///< mass at rest in equilibria (innermost cells; characteristics only)
-  long nonzeros = 0;        ///< nonzeros of the operator without the jumps
-  double leak = 0;          ///< largest rate at which the operator loses mass in a column
-  long steps = 0;           ///< steps of CVODE; 0 for the direct solve
-  long factorisations = 0;  ///< number of KLU factorisations on the final grid
+  long nonzeros = 0;        ///< number of nonzeros of the operator without the jumps
+  double leak = 0;          ///< largest rate at which the operator loses mass in a cell
+  long steps = 0;           ///< steps of CVODE; 0 for the direct solution
+  long factorisations = 0;  ///< number of factorisations by KLU on the final grid
   long rhs_evaluations = 0;
   long krylov_iterations = 0;  ///< total iterations of GMRES
-  long factor_entries = 0;     ///< entries of both factors of the preconditioner
-  double factor_seconds = 0;   ///< time of KLU factorisations on the final grid
-  double krylov_seconds = 0;   ///< time of GMRES on the final grid
+  long factor_entries = 0;     ///< number of entries of both factors of the preconditioner
+  double factor_seconds = 0;   ///< seconds that KLU took for factorisations on the final grid
+  double krylov_seconds = 0;   ///< seconds that GMRES took on the final grid
   double residual = 0;         ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
-  double stepped_against_direct =
-      0;  ///< max |difference| / max density; 0 for the direct solve alone
-  double regularisation_length = 0;  ///< l of km4, else 0
+  /// Largest |difference| of the pseudo-transient and the direct solution, relative to the
+  /// largest density; 0 if there is only the direct solution.
+  double stepped_against_direct = 0;
+  double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (positive: ill-posed)
   double growth_wavenumber = 0;
   WallDensity wall{0, 0};  ///< density on the walls of the box, relative to the peak
-  /// A larger box that measures the truncation error of this box; empty where that error is
-  /// negligible.
+  /// A larger box, in which a second solution measures the truncation error of this box. Empty if
+  /// the truncation error is negligible.
   std::optional<BoxExtension> enlarged_box = {};
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
-  std::optional<ErrorEstimate> error = {};      ///< present where the options request an estimate
-  /// Residuals of the balances, where there is a density.
+  std::optional<ErrorEstimate> error = {};      ///< present if the options request an estimate
+  /// Residuals of the balances of power, virial and momentum, if there is a density.
   transform::BalanceResiduals balances = {};
-  /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite where impacts end in rest in
-  /// contact.
+  /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in
+  /// contact after infinitely many impacts.
   double impact_rate = 0;
 };
 

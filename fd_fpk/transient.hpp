@@ -16,17 +16,17 @@ struct Snapshot {
   transform::Moments moments{};
   double yv = 0;      ///< E[y y']
   double energy = 0;  ///< E[v^2]/2 + E[U(y)], with the potential U of the spring
-  /// Input minus dissipation, problem::power; equals dE/dt of the exact equation.
+  /// Power input minus dissipation, problem::power; equal to dE/dt for the exact equation.
   double power = 0;
-  /// Difference of `power` and the dE/dt of dp/dt = L p, relative to D + lambda E[Y^2]/2: a
-  /// discretisation error alone.
+  /// Difference between `power` and the dE/dt of the discrete equation dp/dt = L p, relative to D +
+  /// lambda E[Y^2]/2. The cause of the difference is the discretisation error alone.
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
   double min_density = 0;   ///< smallest density relative to the largest
-  WallDensity wall{0, 0};   ///< as relative_wall_density, for the problem in wall coordinates
+  WallDensity wall{0, 0};   ///< relative_wall_density, for the problem in wall coordinates
   std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
-  std::vector<double> v{};  ///< p(y', t), likewise
+  std::vector<double> v{};  ///< p(y', t), averages over the cells between TransientResult::v_edges
 };
 
 /// A density over time and the numerical data of its computation.
@@ -34,34 +34,36 @@ struct TransientResult {
   transform::Status status = transform::Status::failed;
   std::string reason;             ///< one sentence; nonempty unless the status is ok
   double seconds = 0;             ///< wall-clock time
-  double start_displacement = 0;  ///< standard deviations of the initial density, as used
+  double start_displacement = 0;  ///< standard deviation of y in the initial density that was used
   double start_velocity = 0;
-  double start_mean_displacement = 0;  ///< means of the initial density, as used
+  double start_mean_displacement = 0;  ///< mean of y in the initial density that was used
   double start_mean_velocity = 0;
-  std::vector<double> y_edges;  ///< faces of the grid
+  std::vector<double> y_edges;  ///< faces of the grid in y; v_edges: in y'
   std::vector<double> v_edges;
-  std::vector<Snapshot> snapshots;   ///< up to the time at which the integration ended
-  long steps = 0;                    ///< steps of CVODE
-  long factorisations = 0;           ///< factorisations by KLU
+  std::vector<Snapshot> snapshots;   ///< densities up to the time at which the integration ended
+  long steps = 0;                    ///< number of steps of CVODE
+  long factorisations = 0;           ///< number of factorisations by KLU
   long rhs_evaluations = 0;          ///< products L P evaluated for CVODE
   long krylov_iterations = 0;        ///< total iterations of GMRES
-  double regularisation_length = 0;  ///< l of km4, else 0
+  double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
 
-/// p(y, y', t) by the operator of solve(), from an initial Gaussian truncated at the walls, with
-/// mass 1 between them. The initial Gaussian has mean zero in the (z, z') plane where the wall is
-/// at y = 0. CVODE integrates in time: BDF of variable step and order, GMRES preconditioned by KLU.
+/// The density p(y, y', t) over time by the operator of solve(). The initial density is a Gaussian
+/// truncated at the walls and normalised to mass 1 between the walls. The initial Gaussian has mean
+/// zero in the (z, z') plane where the wall is at y = 0. CVODE integrates in time: BDF of variable
+/// step and order, GMRES preconditioned by KLU.
 ///
-/// Box and grid, where the options leave them free, contain and resolve the stationary density and
-/// the initial density with every state that its energy can reach, as far as 10 000 cells suffice.
-/// Options::stepper and residual_tolerance are ignored. Options::order must be 3 or 5: other
-/// operators have growing modes.
+/// An automatic box contains the stationary density, the initial density, and every state that the
+/// initial energy can reach. An automatic grid resolves both densities, as far as 10 000 cells
+/// suffice. Options::stepper and residual_tolerance are ignored. Options::order must be 3 or 5:
+/// operators of other orders have growing modes.
 ///
-/// Status: `ok`; `ill_posed` as in solve(); `not_converged` when CVODE stops before the end time;
-/// `inadmissible` when the density of a snapshot violates kTransientLimits; `failed` when the box
-/// is too small or the grid would be too large.
-/// @param problem in any coordinates: the solver uses wall coordinates, the result is physical
-/// @throws InputError for invalid options, and where transient_unsupported_reason is not empty
+/// Status of the result: `ok`; `ill_posed` as in solve(); `not_converged` if CVODE stops before the
+/// end time; `inadmissible` if the density of a snapshot violates kTransientLimits; `failed` if the
+/// box is too small or the grid would be too large.
+/// @param problem the problem in any coordinates; the solver uses wall coordinates, the result has
+/// physical coordinates
+/// @throws InputError for invalid options, or if transient_unsupported_reason is not empty
 TransientResult integrate(const problem::Problem& problem, const Options& options,
                           const TransientOptions& transient);
 

@@ -8,10 +8,11 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The stationary density of `kf` with the exact impact on one grid, by the embedded chain of
-/// states after impulses: transport along characteristics between impulses
-/// (characteristics/transport_operator.hpp), then the jump. For rare impulses the transport
-/// dominates, and it is exact; the density may be unbounded at the origin. Otherwise as
+/// The stationary density of `kf` with the exact impact on one grid, by the embedded Markov chain
+/// of the states after impulses. A step of the chain consists of the transport along
+/// characteristics between impulses (characteristics/transport_operator.hpp) and of the velocity
+/// jump. For rare impulses the transport dominates, and the transport along characteristics is
+/// exact. The density may be unbounded at the origin. Status and options are treated as by
 /// solve_on_one_grid.
 Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
                                    const Options& options, const Deadline& deadline);

@@ -8,47 +8,55 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The discretisation error of the last of three solutions on grids refined by
-/// transform::kRefinementRatio, by transform::richardson; neighbouring levels are compared on the cells
-/// of the finer grid. An estimate, not a bound: it has been low by up to a factor of 2.5.
-/// @param order of the scheme
+/// The estimated discretisation error of the finest of three solutions, by Richardson extrapolation
+/// (transform::richardson). The cells of each grid are narrower than those of the preceding grid by
+/// transform::kRefinementRatio. Solutions on successive grids are compared on the cells of the
+/// finer grid. The result is an estimate, not a bound: the largest observed ratio of error to
+/// estimate is 2.5.
+/// @param order the order of accuracy of the scheme
 /// @pre all three solutions have a density
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order);
 
-/// Solves a fixed problem with the given options on a single grid.
+/// Function that solves a fixed problem with the given options on a single grid.
 using SolveOnOneGrid = std::function<Result(const Options&)>;
 
-/// The solution on the grid of the options with an error estimate from two grids with cells wider
-/// by transform::kRefinementRatio and its square (direct solves). The solution includes its
-/// extrapolation where transform::has_limit accepts the observed order.
+/// The solution on the grid of the options, with an error estimate. The estimate uses direct
+/// solutions on two coarser grids, whose cells are wider by transform::kRefinementRatio and by its
+/// square. The solution includes the extrapolated moments if transform::has_limit accepts the
+/// observed order of convergence.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
-/// Target of the automatic grid for the error in L1, where time permits.
+/// Target for the estimated L1 error on an automatic grid, if the time limit permits.
 inline constexpr double kTargetAccuracy = 1e-4;
 
 /// Goal of refine_until_deadline().
 struct RefinementGoal {
   double accuracy = kTargetAccuracy;
-  bool until_ok = false;  ///< refine also where the error is small and the status not `ok`
+  /// whether to refine also if the error is small but the status is not `ok`
+  bool until_ok = false;
 };
 
-/// As solve_with_error_estimate, with finer grids while the estimate exceeds the accuracy of the
-/// goal. A finer grid needs an expected time of at most a fraction of the limit, or a solution that
-/// is not yet `ok`. A solve that exceeds the deadline is aborted.
+/// The solution with an error estimate, as by solve_with_error_estimate. The grid is refined while
+/// the estimate exceeds the accuracy of the goal. A finer grid is tried only if its expected time
+/// is at most a fraction of the time limit, or if the solution is not yet `ok`. A solve that
+/// exceeds the deadline is aborted.
 Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
                              const Deadline& deadline, const RefinementGoal& goal);
 
-/// True if the first result is preferable: `ok` before not `ok`, with before without an error
-/// estimate, with before without a density, then by the smaller estimate.
+/// Whether the first result is preferable to the second. The first criterion that differs decides,
+/// in this order: the status is `ok`; there is an error estimate; there is a density; the error
+/// estimate is smaller.
 bool is_better(const Result& first, const Result& second);
 
-/// The solution on the first of a sequence of grids, each with cells narrower by
-/// transform::kRefinementRatio, whose error estimate is below options.tolerance: L1 of both marginals,
-/// and the second moments relative. If the differences fall more slowly than the order of the
-/// scheme predicts, cells are graded towards the origin. Status `not_converged` when the largest
-/// grid permitted by the deadline or the number of cells misses the tolerance. The solution
-/// includes its extrapolation as above.
+/// The solution on the first grid of a sequence whose error estimate is below options.tolerance.
+/// The cells of each grid are narrower than those of the preceding grid by
+/// transform::kRefinementRatio. The estimate comprises the L1 errors of both marginal densities and
+/// the relative errors of the second moments. If the differences between successive solutions
+/// decrease more slowly than the order of the scheme predicts, the cells are graded towards the
+/// origin. The status is `not_converged` if the estimate on the largest permitted grid still
+/// exceeds the tolerance; the deadline and the maximum number of cells limit the grid. The solution
+/// includes the extrapolated moments as in solve_with_error_estimate.
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline);
 

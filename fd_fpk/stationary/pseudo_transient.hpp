@@ -9,30 +9,31 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Result of the march to stationarity.
+/// Result of time stepping to the stationary density.
 struct March {
   Eigen::VectorXd averages;    ///< the last density
-  std::string reason;          ///< error message of CVODE; empty when it did not stop
-  bool out_of_time = false;    ///< true if the next step would have ended after the deadline
+  std::string reason;          ///< error message of CVODE; empty if CVODE did not stop
+  bool out_of_time = false;    ///< whether the next step would have ended after the deadline
   double residual = 0;         ///< FokkerPlanckOperator::residual of `averages`
   long steps = 0;              ///< internal steps of CVODE
   long rhs_evaluations = 0;    ///< products L P evaluated for CVODE
   long krylov_iterations = 0;  ///< total iterations of GMRES
-  double krylov_seconds = 0;   ///< time without factorisations, nearly all of it in GMRES
+  /// time in seconds without factorisations, nearly all of which GMRES takes
+  double krylov_seconds = 0;
 };
 
 /// Steps dP/dt = L P from `start` until ||L P||_1 <= tolerance ||P||_1, with SUNDIALS CVODE. BDF of
 /// order 1 is L-stable; higher orders damp slowly near the imaginary axis, where the eigenvalues of
 /// the rotating oscillator lie. Steps of 10 to 500 decay times are not limited by local errors:
 /// each is a step of inverse iteration and leaves 1/(1 + step/decay time) of the residual. GMRES
-/// solves the linear systems with L itself, to the residual attainable in the step. KLU
-/// preconditions it, with the factors of the stationary operator where available. The residual
-/// alone is the stopping criterion, never the step size of CVODE. A step does not start if it would
-/// exceed the deadline with the duration of the preceding step; a step that exceeds the deadline is
-/// aborted.
+/// solves the linear systems with L itself, to the residual attainable in the step. The
+/// preconditioner is KLU, with the factors of the stationary operator if available. The residual
+/// alone is the stopping criterion, never the step size of CVODE. A step does not start if a step
+/// of the same duration as the preceding step would end after the deadline. A running step is
+/// aborted at the deadline.
 ///
-/// @param tolerance on the residual, per unit time
-/// @param decay_time the longest of the problem
+/// @param tolerance tolerance of the residual, per unit time
+/// @param decay_time the longest decay time of the problem
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
 March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
                             const Eigen::VectorXd& start, double tolerance, double decay_time,
