@@ -16,37 +16,44 @@ using AxisOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// The upstream side of a face: stencils of odd length have one cell more on this side.
 enum class Bias { left, right };
 
-/// Point values on the inner faces 1 .. cells-1, shape (cells + 1, cells); the rows of the two end
-/// faces are zero. Stencils have `points` cells and are exact on averages of polynomials of degree
-/// points-1; centred for even `points`, with one cell more upstream for odd `points`.
+/// The matrix that maps cell averages to point values on the inner faces 1 .. cells-1, shape (cells
+/// + 1, cells). The rows of the two end faces are zero. Stencils have `points` cells and are exact
+/// on averages of polynomials of degree points-1. Stencils of an even number of cells are centred;
+/// stencils of an odd number have one cell more on the upstream side.
 AxisOperator face_values(const Axis& axis, int points, Bias bias);
 
-/// As face_values, for the derivative; centred stencils, even `points`.
+/// The matrix that maps cell averages to derivatives on the inner faces, with the shape of
+/// face_values. Stencils are centred, `points` is even.
 AxisOperator face_derivatives(const Axis& axis, int points);
 
-/// The value at face 0 by extrapolation from the first `points` cells, shape (1, cells).
+/// The row that maps cell averages to the value at face 0, by extrapolation from the first `points`
+/// cells, shape (1, cells).
 AxisOperator first_face_value(const Axis& axis, int points);
 
-/// The value at the last face by extrapolation from the last `points` cells, shape (1, cells).
+/// The row that maps cell averages to the value at the last face, by extrapolation from the last
+/// `points` cells, shape (1, cells).
 AxisOperator last_face_value(const Axis& axis, int points);
 
-/// Averages of weight(x) p over each cell from averages of p, shape (cells, cells). Stencils of
-/// `points` cells (odd) do not cross the inner face `barrier`, if given.
+/// The matrix that maps averages of p to averages of weight(x) p over each cell, shape (cells,
+/// cells). Stencils of `points` cells (odd) do not cross the inner face `barrier`, if given.
 AxisOperator weighted_averages(const Axis& axis, int points, const numerics::Polynomial& weight,
                                std::optional<int> barrier = {});
 
-/// Point values inside the cells: row i n + k is the value at face(i) + fractions[k] width(i), with
-/// n the number of fractions, shape (n cells, cells). Stencils as in weighted_averages.
+/// The matrix that maps cell averages to point values inside the cells, shape (n cells, cells),
+/// with n the number of fractions. Row i n + k gives the value at face(i) + fractions[k] width(i).
+/// Stencils are those of weighted_averages.
 AxisOperator point_values(const Axis& axis, int points, std::span<const double> fractions,
                           std::optional<int> barrier = {});
 
-/// (F[f+1] - F[f]) / width, shape (cells, cells + 1).
+/// The matrix that maps face values F to the divergence (F[f+1] - F[f]) / width in each cell, shape
+/// (cells, cells + 1).
 AxisOperator divergence(const Axis& axis);
 
-/// Stencil length of centred differences of this order.
+/// Number of cells in a stencil of centred differences of this order.
 constexpr int centred_points(int order) { return order + order % 2; }
 
-/// Stencil length of weighted_averages for this order: the order of the averages is points + 1.
+/// Number of cells in a stencil of weighted_averages that suffices for this order. The averages are
+/// accurate to the order of this number plus 1.
 constexpr int weighting_points(int order) { return order % 2 == 1 ? order : order - 1; }
 
 }  // namespace fpkcheck::fd_fpk

@@ -10,14 +10,15 @@ class ImpulseLaw;
 
 namespace fpkcheck::fd_fpk {
 
-/// The effect of an impulse on the masses of velocity cells, column by column. Unlike jump_matrix
-/// this operator does not interpolate across cells, so that a spike remains a positive mass.
+/// Matrices that map the masses of velocity cells before an impulse to the masses after the
+/// impulse. Unlike jump_matrix, these matrices do not interpolate across cells, so that a spike of
+/// the density in a cell remains a positive mass.
 struct CellJumps {
-  /// From a cell with uniformly distributed mass, shape (cells, cells): columns sum to 1. Mass that
-  /// would leave the axis is kept in the cell at its end.
+  /// Matrix for cells with uniformly distributed mass, shape (cells, cells). Every column sums to
+  /// 1. Mass that would leave the axis remains in the outermost cell.
   Eigen::MatrixXd uniform;
-  /// The contribution of a slope of 1, i.e. of the mass distribution (v - centre) dv / width;
-  /// columns sum to 0.
+  /// Matrix for a slope of 1, that is for the mass distribution (v - centre) dv / width in a cell.
+  /// Every column sums to 0.
   Eigen::MatrixXd slope;
 };
 

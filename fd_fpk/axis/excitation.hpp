@@ -11,17 +11,20 @@ class ImpulseTrain;
 
 namespace fpkcheck::fd_fpk {
 
-/// The excitation on a velocity axis: local derivatives by differences, and a nonlocal exchange of
-/// mass between cells.
+/// The excitation terms of the density equation on a velocity axis: the coefficients of the
+/// derivatives that differences represent, and a matrix of the nonlocal exchange of mass between
+/// cells.
 struct Excitation {
-  double drift = 0;      ///< a in -a p'
-  double diffusion = 0;  ///< D in D p''
-  /// Shape (cells, cells), or empty: jumps, or third and fourth differences. Conservative: the
-  /// widths of the cells times this matrix is zero.
+  double drift = 0;      ///< drift coefficient a in the term -a p'
+  double diffusion = 0;  ///< diffusion coefficient D in the term D p''
+  /// Matrix of the jumps, or of the third and fourth differences, shape (cells, cells); empty if
+  /// the equation has neither. The matrix conserves mass: the row vector of cell widths times the
+  /// matrix is zero.
   Eigen::MatrixXd exchange;
-  /// A drift and a diffusion that approximate the exchange in the preconditioner: their
-  /// coefficients for long waves, and the rate at which the exchange saturates for short waves.
-  /// Zero where the differences of `diffusion` suffice.
+  /// Coefficients of a drift and a diffusion that approximate the exchange matrix in the
+  /// preconditioner. exchange_drift and exchange_diffusion hold for long waves; exchange_rate is
+  /// the damping rate that the exchange has for short waves. All three are zero if `drift` and
+  /// `diffusion` suffice for the preconditioner.
   double exchange_drift = 0;
   double exchange_diffusion = 0;
   double exchange_rate = 0;
@@ -33,35 +36,36 @@ struct Excitation {
 /// the standard deviation of Y.
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
-/// White noise: -lambda E[Y] p' + lambda E[Y^2]/2 p''.
+/// The white-noise approximation of the impulses: -lambda E[Y] p' + lambda E[Y^2]/2 p''.
 Excitation white_noise(const problem::ImpulseTrain& impulses);
 
-/// `white` and, with differences of fixed step l on any cells,
+/// The Kramers-Moyal series truncated after the fourth derivative: the terms of white_noise and, by
+/// differences of the fixed step l on any cells,
 ///
 ///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
 ///
-/// The literal scheme has l equal to the width of the cells.
+/// In the literal scheme l is the cell width.
 Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Axis& axis, double length);
 
-/// The [2/2] Pade approximant of the truncated series. With D_j = lambda E[Y^j]/j!, a = D3/D2 and b
-/// = D4/D2 - a^2,
+/// The [2/2] Pade approximant of the truncated Kramers-Moyal series. With D_j = lambda E[Y^j]/j!, a
+/// = D3/D2 and b = D4/D2 - a^2,
 ///
 ///     -D1 p' + (1 + a d/dx2 - b d^2/dx2^2)^(-1) D2 p''.
 ///
 /// For a symmetric law this operator is the generator of a compound Poisson process with Laplace
-/// jumps. It exists for b > 0.
-/// @param order order of the differences, even
+/// jumps. The approximant exists for b > 0.
+/// @param order order of accuracy of the differences, even
 Excitation kramers_moyal_pade(const problem::ImpulseTrain& impulses, const Axis& axis, int order);
 
 /// The coefficient b of kramers_moyal_pade: positive where the Pade approximant is a bounded
 /// operator.
 double pade_length_squared(const problem::ImpulseTrain& impulses);
 
-/// The jump integral lambda (E[p(x2 - Y)] - p).
+/// The excitation by the jump integral lambda (E[p(x2 - Y)] - p).
 Excitation jumps(const problem::ImpulseTrain& impulses, const Axis& axis);
 
 /// Drift and diffusion of the excitation as a matrix on cell averages of the velocity axis, shape
-/// (cells, cells), to the given even order.
+/// (cells, cells). The differences have the given even order of accuracy.
 AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int order);
 
 }  // namespace fpkcheck::fd_fpk

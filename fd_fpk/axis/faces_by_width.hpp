@@ -6,10 +6,12 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Faces that include all anchors, with cells of about the local `width`, slightly narrower so that
-/// whole cells fill each interval.
-/// @param anchors increasing, at least two
-/// @param width cell width at a position, > 0; its relative change over one width must be small
+/// Faces of an axis that include all anchors. Each cell has about the width that `width` gives at
+/// its position; the cells are slightly narrower, so that a whole number of cells fills each
+/// interval between anchors.
+/// @param anchors positions in increasing order, at least two
+/// @param width function that returns the cell width at a position, > 0. The relative change of
+/// this function over one cell must be small.
 std::vector<double> faces_by_width(std::span<const double> anchors,
                                    const std::function<double(double)>& width);
 

@@ -5,15 +5,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Captures an exception of a callback that SUNDIALS calls. Exceptions must not propagate through
-/// the C frames of SUNDIALS: the callback returns a flag instead, and the caller of SUNDIALS
-/// rethrows the exception.
+/// Stores an exception that is thrown in a callback of SUNDIALS. Exceptions must not propagate
+/// through the C frames of SUNDIALS: the callback returns a flag instead, and the caller of
+/// SUNDIALS rethrows the exception.
 class CapturedException {
  public:
   /// SUNDIALS treats a negative flag as unrecoverable and returns.
   static constexpr int kUnrecoverable = -1;
 
-  /// Calls `callback` and returns its flag; kUnrecoverable when it throws.
+  /// Calls `callback` and returns the flag of the callback, or kUnrecoverable if the callback
+  /// throws.
   template <class Callback>
   int invoke(const Callback& callback) noexcept {
     try {
@@ -24,7 +25,7 @@ class CapturedException {
     }
   }
 
-  /// Rethrows the first exception captured since the last call, if any.
+  /// Rethrows the first exception that was stored since the last call, if any.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }

@@ -11,14 +11,15 @@ namespace fpkcheck::fd_fpk {
 struct GmresResult {
   std::optional<Eigen::VectorXd> solution;
   long iterations = 0;
-  std::string failure = {};  ///< reason for the absence of a solution
+  std::string failure = {};  ///< reason why there is no solution; empty if there is a solution
 };
 
-/// Solves A x = b from x = 0 by SUNDIALS' GMRES (SUNLinSol_SPGMR). Preconditioning is from the
-/// right, so that the stopping criterion is the true residual.
+/// Solves A x = b from x = 0 by SUNDIALS' GMRES (SUNLinSol_SPGMR). The preconditioner acts from the
+/// right, so that the stopping criterion is the residual of A x = b itself.
 ///
-/// @param weights the norm is that of weights times the vector
-/// @param tolerance ||A x - b|| / ||b||
+/// @param weights weights of the norm: the norm of a vector is the 2-norm of the products of
+/// weights and entries
+/// @param tolerance largest accepted ||A x - b|| / ||b||
 /// @param deadline time limit of the iteration
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory), and every exception of
 /// `a` and `approximate_solve`

@@ -8,9 +8,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Sparse LU factorisations by KLU with a nested-dissection ordering (CHOLMOD with METIS). Ordering
-/// and pivots are computed once: all matrices of one object must have the same pattern. A matrix
-/// for which the previous pivots are numerically unsuitable is factored with new pivots.
+/// Sparse LU factorisations by KLU with a nested-dissection ordering (CHOLMOD with METIS). The
+/// ordering is computed once, for the first matrix: all matrices of one object must have the same
+/// pattern of nonzeros. The pivots of the previous matrix are reused; a matrix for which they are
+/// numerically unsuitable is factored with new pivots.
 class KluFactorisation {
  public:
   KluFactorisation();
@@ -18,11 +19,11 @@ class KluFactorisation {
   KluFactorisation(KluFactorisation&&) noexcept;
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
-  /// Factors `matrix`. Returns false on failure; solve_in_place must not be called then.
+  /// Factors `matrix`. Returns false on failure; then solve_in_place must not be called.
   bool factor(const SparseColumns& matrix);
-  /// Reason of the failure and what to do; empty on success.
+  /// The reason why the factorisation failed, and what to do; empty after a success.
   std::string failure() const;
-  /// Number of entries of both factors.
+  /// Number of entries of both triangular factors.
   long entries() const;
 
   /// Replaces b by the solution x of A x = b.

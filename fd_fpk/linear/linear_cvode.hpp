@@ -11,37 +11,44 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// dP/dt = L P, and approximate solves with I - gamma L.
+/// The linear system dP/dt = L P: products with L, and approximate solutions of systems
+/// with I - gamma L.
 struct LinearSystem {
-  LinearMap times;                           ///< L P
-  std::function<bool(double gamma)> factor;  ///< called before `solve`; false on failure
-  ApproximateSolve solve;                    ///< uses the gamma of the last factorisation
+  LinearMap times;  ///< returns L P
+  /// factors I - gamma L for `solve`; returns false on failure
+  std::function<bool(double gamma)> factor;
+  ApproximateSolve solve;  ///< solves with the gamma of the last call of `factor`
 };
 /// @param op,preconditioner must outlive the returned system
 LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
 
-/// Thrown inside a step at its deadline: one step may take as long as many products.
+/// Exception that a product throws after the deadline, inside a time step. Products must check the
+/// deadline, because one time step may contain many products.
 struct DeadlineExceeded {};
 
-/// The same system with products that throw DeadlineExceeded after the deadline.
+/// The given system, with products that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
 LinearSystem with_deadline(const Deadline& deadline, LinearSystem system);
 
-/// Step control of CVODE; absent values are the defaults of CVODE.
+/// Settings of CVODE's step control. For absent values the defaults of CVODE hold.
 struct BdfControl {
-  /// Order of BDF, 1 .. 5; orders above 2 are unstable on part of the imaginary axis.
+  /// Highest order of BDF, 1 .. 5. BDF of an order above 2 is unstable on part of the imaginary
+  /// axis.
   int max_order;
-  double relative_tolerance;  ///< for the local error of a cell average, in the RMS over the cells
-  double absolute_tolerance;  ///< likewise, in units of the density
+  /// relative tolerance of the local error of the cell averages, in the RMS over the cells
+  double relative_tolerance;
+  double absolute_tolerance;  ///< absolute tolerance of the same error, in units of the density
   double linear_tolerance;    ///< tolerance of GMRES as a fraction of the local error
-  /// Replaces the absolute tolerance by a value for each cell: shape of the start.
+  /// Absolute tolerances for each cell, in place of absolute_tolerance; shape of the initial
+  /// vector.
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
   std::optional<double> step_growth = {};  ///< largest ratio of successive steps
-  std::optional<double> stop_time = {};    ///< upper limit of the time of a step
+  std::optional<double> stop_time = {};    ///< time that no step exceeds
   std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
-  std::optional<long> steps_per_factorisation = {};  ///< maximum, for a constant gamma
+  /// maximum number of steps with the same factorisation, for a constant gamma
+  std::optional<long> steps_per_factorisation = {};
 };
 
 /// CVODE with BDF for dP/dt = L P: GMRES with L itself, preconditioned by factors of an
@@ -55,23 +62,23 @@ class LinearCvode {
   LinearCvode& operator=(const LinearCvode&) = delete;
 
   struct StepResult {
-    int flag;  ///< flag of CVODE; negative: it stopped, see message()
+    int flag;  ///< flag of CVODE; negative if CVODE stopped, see message()
     double time;
   };
-  /// Takes effect from the next step; see BdfControl::linear_tolerance.
+  /// Sets BdfControl::linear_tolerance from the next step on.
   void set_linear_tolerance(double tolerance);
-  /// One internal step.
+  /// Takes one internal step of CVODE.
   /// @throws every exception of the system
   StepResult step();
-  /// Advances to `time`; the averages are interpolated there.
+  /// Advances to `time`; the averages at this time are interpolated.
   /// @throws every exception of the system
   StepResult advance(double time);
 
   Eigen::Map<const Eigen::VectorXd> averages() const;
-  /// The last error message of CVODE.
+  /// The last error message that CVODE reported.
   const std::string& message() const;
 
-  /// Counters of CVODE since the start.
+  /// Counters of CVODE since the initial time.
   long steps() const;
   long factorisations() const;
   long rhs_evaluations() const;

@@ -5,9 +5,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A linear map on vectors: returns A x.
+/// A linear map A on vectors: the function returns A x.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-/// Replaces a vector by the solution of an approximate system.
+/// Function that replaces a right-hand side by the approximate solution of a linear system.
 using ApproximateSolve = std::function<void(Eigen::Ref<Eigen::VectorXd>)>;
 
 }  // namespace fpkcheck::fd_fpk

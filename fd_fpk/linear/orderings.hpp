@@ -7,11 +7,11 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A fill-reducing ordering of the unknowns for a factorisation, by nested dissection of the graph
-/// of A + A^T (CHOLMOD with METIS). It depends on the pattern of the matrix alone. Recent orderings
-/// are cached, since grids of one size recur: coarser grids of an error estimate, neighbours in a
-/// sweep. Thread-safe.
-/// @return empty on failure
+/// An ordering of the unknowns that reduces the number of new nonzeros in the factors, by nested
+/// dissection of the graph of A + A^T (CHOLMOD with METIS). The ordering depends on the pattern of
+/// the matrix alone. Recent orderings are cached, since the same grid sizes recur in error
+/// estimates and at neighbouring points of a sweep. The function is thread-safe.
+/// @return the ordering; empty on failure
 std::vector<std::int64_t> ordering(const SparseColumns& matrix);
 
 }  // namespace fpkcheck::fd_fpk

@@ -12,36 +12,37 @@ class System;
 
 namespace fpkcheck::fd_fpk {
 
-/// Approximate solves with I - gamma L, or with L itself: KLU on a sparse low-order operator of the
-/// same equation. A weak diffusion replaces the jumps, which would fill the factors; a small loss
-/// of mass makes the matrix regular. GMRES corrects for all three approximations. Its number of
-/// iterations hardly increases with the grid (docs/performance.md).
+/// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M,
+/// which approximates L in three respects: the differences have low order; a weak diffusion
+/// replaces the jumps, whose dense matrix would fill the factors; a small loss of mass makes the
+/// matrix regular. GMRES corrects for all three approximations. The number of GMRES iterations
+/// hardly increases with the number of cells (docs/performance.md).
 class Preconditioner {
  public:
-  /// @param order of L. Even orders are used unchanged instead of the third order: centred
-  /// differences lack the upwind dissipation, and GMRES would not converge with a dissipative
-  /// preconditioner.
+  /// @param order the order of L. If the order of L is odd, M has order 3. If the order of L is
+  /// even, M has the same order: centred differences have no upwind dissipation, and GMRES would
+  /// not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss problem::Scales::slowest_decay_rate, where known
+  /// @param loss rate of the mass loss: problem::Scales::slowest_decay_rate, if known
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M. Returns false on failure; see failure(). For gamma much longer than the
-  /// slowest decay time the matrix is nearly -gamma M: directly after factor_stationary() those
-  /// factors are reused, and GMRES corrects for the difference, as for the loss.
+  /// Factors I - gamma M. Returns false on failure; see failure(). If gamma is much longer than the
+  /// slowest decay time, I - gamma M is nearly -gamma M. Directly after factor_stationary() the
+  /// factors of M are then reused, and GMRES corrects for the difference.
   bool factor(double gamma);
-  /// Factors M.
+  /// Factors M. Returns false on failure; see failure().
   bool factor_stationary();
   std::string failure() const { return klu_.failure(); }
 
   long factorisations() const { return factorisations_; }  ///< number of factorisations so far
   /// Total time of the factorisations, in seconds.
   double factor_seconds() const { return factor_seconds_; }
-  /// Number of entries of the factors.
+  /// Number of entries of both triangular factors.
   long entries() const { return klu_.entries(); }
 
-  /// Replaces b by the solution.
+  /// Replaces the right-hand side b by the solution of the factored system.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
@@ -51,7 +52,7 @@ class Preconditioner {
   SparseColumns approximation_;  // M, with its diagonal stored
   SparseColumns factored_;
   KluFactorisation klu_;
-  bool are_stationary_ = false;  // true if the factors are those of M
+  bool are_stationary_ = false;  // whether the factors are those of M
   double matrix_scale_ = 1;      // the requested matrix is this multiple of the factored matrix
   long factorisations_ = 0;
   double factor_seconds_ = 0;

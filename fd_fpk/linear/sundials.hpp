@@ -11,15 +11,16 @@
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
-/// Owning handles of SUNDIALS objects, and a check of every flag. The differences between SUNDIALS
-/// 6 and 7 are confined to this header.
+/// Owning handles of SUNDIALS objects, and a function that checks the flags that SUNDIALS returns.
+/// The differences between SUNDIALS 6 and 7 are confined to this header.
 namespace fpkcheck::fd_fpk::sundials_owned {
 
-/// SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
+/// Flag of success: SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
 inline constexpr int kSuccess = 0;
 
-/// A context without output: errors are reported by flags, and by messages to set_error_handler. By
-/// default SUNDIALS 7 prints errors and warnings to standard error.
+/// A SUNDIALS context that prints nothing: flags report errors, and the handler of
+/// set_error_handler receives the messages. By default SUNDIALS 7 prints errors and warnings to
+/// standard error.
 struct QuietContext : sundials::Context {
   QuietContext() {
 #if SUNDIALS_VERSION_MAJOR >= 7
@@ -54,7 +55,7 @@ inline void check(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
 }
 
-/// Errors of `cvode` go to `handler(function, text, data)`, which must not throw.
+/// Makes `cvode` report its errors to `handler(function, text, data)`, which must not throw.
 template <void (*handler)(const char* function, const char* text, void* data)>
 void set_error_handler([[maybe_unused]] void* cvode, [[maybe_unused]] QuietContext& context,
                        void* data) {
@@ -74,8 +75,9 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// A vector whose failed clones throw, and whose inner products (a tenth of a solution's time) are
-/// those of Eigen. Eigen uses vector registers, N_VDotProd_Serial adds one product at a time.
+/// A SUNDIALS vector with two changed operations. A failed clone throws. Inner products, which take
+/// a tenth of the time of a solution, are those of Eigen: Eigen uses vector registers,
+/// N_VDotProd_Serial adds one product at a time.
 inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
   auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
