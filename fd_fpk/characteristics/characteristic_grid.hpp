@@ -7,14 +7,16 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cells for characteristics. Far from the origin their width is a fifth of the typical amplitude;
-/// nearer by a constant fraction of the distance to the origin, down to relative_core_width(). All
-/// widths are divided by options.refinement. In v they are equally narrow at the speeds to which
-/// atoms or steps of the impulse law take mass at rest. The typical amplitude is that of equivalent
-/// linearisation, or the amplitude due to half an impulse where that is larger.
+/// The grid of cells for characteristics with a single wall at the equilibrium. Far from the origin
+/// the cell width is a fifth of the typical amplitude. Nearer to the origin the width is a constant
+/// fraction of the distance to the origin, down to relative_core_width(). All widths are divided by
+/// options.refinement. In v, cells are also narrow at the speeds that mass at rest gains from
+/// atoms, or from steps of the density, of the impulse law. The typical amplitude is that of
+/// equivalent linearisation, or the amplitude due to half an impulse if that is larger.
 Grid characteristic_grid(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// The initial, generous box in which to compute the density, with cells that are wide far out.
+/// The box in which the density is computed first. The box is larger than needed, because its cells
+/// far from the origin are wide and therefore few.
 Box initial_characteristic_box(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,82 +13,88 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The part of a characteristic inside a cell.
+/// The part of a characteristic inside one cell.
 struct Visit {
   std::int32_t cell;
   float ended;  ///< probability that an impulse ends the visit: 1 - exp(-lambda duration)
-  float mean_end_probability;  ///< its average over starting points along the visit
+  float mean_end_probability;  ///< average of this probability over starting points along the visit
   double share;                ///< fraction of the cell's area covered by the strip of this visit
-  double y, v;  ///< mean position of the visit, relative to the mean over all visits of the cell
+  /// mean position of the visit, relative to the mean position of all visits to the cell
+  double y, v;
 };
 
-/// Maximum number of visits of all characteristics, which take 0.8 GB. Slow motion that circles an
-/// equilibrium without impacts visits cells indefinitely.
+/// Maximum number of cell visits of all characteristics; this number of visits takes 0.8 GB of
+/// memory. A limit is necessary because slow motion that circles an equilibrium without impacts
+/// visits cells indefinitely.
 inline constexpr std::size_t kMostVisits = 16000000;
 
-/// The end of a characteristic: at a wall, at rest, or on its way, when its remaining probability
-/// is negligible.
+/// The end of a characteristic: at a wall, at a rest point, or at a state where the probability
+/// that no impulse has occurred is negligible.
 struct Landing {
   std::optional<Side> wall = {};
-  double speed = 0;  ///< speed of the impact
-  /// The two characteristics from that wall whose speeds enclose r times the impact speed, and the
-  /// fraction of the faster; the fractions conserve E[v^2].
+  double speed = 0;  ///< impact speed at the wall
+  /// Indices of the two characteristics from that wall on which the mass continues after the
+  /// impact: their speeds enclose r times the impact speed.
   int faster = 0, slower = 0;
   double faster_fraction = 0;
   std::optional<int> rest = {};    ///< index of the rest point
   std::optional<Cascade> cascade;  ///< the impacts that lead to rest in contact
 };
 
-/// A characteristic through the grid: from a wall or from the boundary of the box to the next
-/// impact or to rest.
+/// A characteristic through the grid, from a wall or from the boundary of the box to the next
+/// impact or to a rest point.
 struct Track {
-  std::size_t first, last;  ///< its visits, [first, last)
+  std::size_t first, last;  ///< range of the cell visits of the track, [first, last)
   Landing landing = {};
-  double energy = 0;  ///< energy at the start
+  double energy = 0;  ///< energy of the state at the start
 };
 
-/// Distribution of mass at rest in contact after an impulse, over the characteristics from that
-/// wall. An impulse Y off the wall starts the motion at speed Y; an impulse into the wall rebounds
-/// at once.
+/// How the mass at rest in contact with a wall is distributed after an impulse over the
+/// characteristics from that wall. An impulse of amplitude Y off the wall starts the motion at
+/// speed Y. After an impulse into the wall, an impact follows at once.
 struct Emission {
-  std::vector<double> shares;  ///< fractions for from_walls()
-  double rest_fraction = 0;    ///< fraction with a speed below that of all characteristics
-  /// Momentum and energy of the immediate impacts, per impulse.
+  std::vector<double> shares;  ///< fraction of the mass on each characteristic of from_walls()
+  /// fraction of the mass with a speed below that of every characteristic
+  double rest_fraction = 0;
+  /// Momentum and energy of the impacts that follow impulses into the wall, per impulse.
   double momentum = 0, energy = 0;
 };
 
-/// Characteristics that cover the plane, so dense that each cell is crossed. Each represents the
-/// strip half way to its neighbours. The strip's area in a cell is its flux times the time spent
-/// there (the method of characteristics of transport theory: J. R. Askew, AEEW-M 1108, 1972).
+/// Characteristics that cover the phase plane so densely that each cell is crossed by one or more.
+/// Each characteristic represents a strip of the plane, which ends half way to the neighbouring
+/// characteristics. The area of the strip in a cell is the flux of the strip times the time that
+/// the characteristic spends in the cell (the method of characteristics of transport theory: J. R.
+/// Askew, AEEW-M 1108, 1972).
 class Characteristics {
  public:
-  /// @param rate arrival rate of the impulses
+  /// @param rate arrival rate of impulses, per unit time
   /// @param per_cell number of characteristics that start in each cell at the boundary
-  /// @param deadline time at which the construction ends
+  /// @param deadline deadline after which the construction stops, with a failure()
   Characteristics(const problem::System& system, const Grid& grid, double rate, int per_cell,
                   const Deadline& deadline = Deadline::none());
 
   /// Characteristics that start at the boundary of the box, or in a cell that no other
-  /// characteristic crosses. Their mass continues on characteristics from the walls.
+  /// characteristic crosses. Their mass continues on characteristics that start at walls.
   const std::vector<Track>& from_outside() const { return from_outside_; }
-  /// Characteristics that start at a wall, by decreasing energy. None continues on a preceding
-  /// characteristic, except for the faster of the two at an impact.
+  /// Characteristics that start at a wall, by decreasing energy. After the impact at its end, the
+  /// mass of a characteristic continues on characteristics later in this order; only the faster of
+  /// these two may come earlier.
   const std::vector<Track>& from_walls() const { return from_walls_; }
   const std::vector<Visit>& visits() const { return visits_; }
-  /// Reason why the plane is not covered; empty when it is.
+  /// The reason why the characteristics do not cover the plane; empty if they cover the plane.
   std::string failure() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
-  /// The rest points in contact, as indices of rest_points().
+  /// Indices in rest_points() of the rest points that are in contact.
   const std::vector<int>& contacts() const { return contacts_; }
   const std::optional<problem::Wall>& wall(Side side) const { return flow_.wall(side); }
 
-  /// The emissions from each of contacts().
+  /// The distribution of mass after an impulse, for each rest point of contacts().
   std::vector<Emission> emissions(const problem::ImpulseLaw& law) const;
 
  private:
-  struct Position;  // state while a characteristic is traced
-  // Characteristics from one wall: speeds, decreasing; the lower ends of their strips, where the
-  // next strip begins; and the characteristics' indices.
+  struct Position;  // state of the tracing of a characteristic
+  // The characteristics from one wall: their speeds in decreasing order; for each strip the lowest
+  // speed, at which the next strip begins; and the indices of the characteristics.
   struct Fan {
     std::vector<double> speeds, below;
     std::vector<int> tracks;

@@ -11,11 +11,12 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A stationary density as masses on cells and masses at rest in contact.
+/// A stationary law, as masses on cells and masses at rest in contact.
 struct StationaryMasses {
-  /// Masses of p on cells; their sum with the masses in contact is 1.
+  /// Masses of the density p on cells. The sum of these masses and of the masses in contact is 1.
   std::optional<Eigen::VectorXd> masses;
-  /// Masses at rest, for each rest point: in contact, or in the cells of an equilibrium.
+  /// Mass at rest, for each rest point: the mass in contact, or the mass in the cells of an
+  /// equilibrium.
   std::vector<double> at_rest = {};
   WallImpacts impacts = {};
   double residual = 0;  ///< ||J T q - q||_1 of the density q after impulses, normalised to mass 1
@@ -26,10 +27,11 @@ struct StationaryMasses {
 };
 
 /// The embedded Markov chain of states after impulses, q = J T q, with the transport operator T and
-/// the velocity jumps J at fixed displacement. GMRES solves it twice: first with uniform mass in
-/// each cell, which keeps the masses positive, then with slopes limited by that solution. The
-/// preconditioner is the same chain on blocks of cells.
-/// @param deadline time limit of the characteristics and of GMRES
+/// the velocity jumps J at fixed displacement. GMRES solves this equation twice: first with a
+/// uniform density in each cell, which keeps the masses positive, then with slopes limited
+/// according to the first solution. The preconditioner is the embedded chain aggregated to blocks
+/// of cells.
+/// @param deadline time limit for the construction of the characteristics and for GMRES
 StationaryMasses stationary_masses(const problem::Problem& problem, const problem::Scales& scales,
                                    const Grid& grid, int characteristics_per_cell,
                                    const Deadline& deadline = Deadline::none());

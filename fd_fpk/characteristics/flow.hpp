@@ -13,23 +13,25 @@ struct State {
   double v;
 };
 
-/// An end of the displacement axis, where a wall may be.
+/// The left or the right end of the displacement axis, at which there may be a wall.
 enum class Side { left, right };
-/// The sign of a velocity away from the wall on that side.
+/// The sign of the velocity of a motion away from the wall on that side.
 constexpr double inward_sign(Side side) { return side == Side::left ? 1 : -1; }
 
-/// The displacements energetically accessible without losses: between the turning points or walls.
+/// The interval of displacements that a motion with the energy of a state would reach without
+/// losses. Each end of the interval is a turning point or a wall.
 struct AccessibleInterval {
   double low, high;
   double least_potential;  ///< least potential in the interval
-  double frequency;        ///< square root of the largest |g'(y)| in the interval, per radian
+  /// square root of the largest |g'(y)| in the interval, in radians per unit time
+  double frequency;
 };
 
-/// The motion from the left wall to the next impact on the same wall.
+/// The half-cycle: the motion from the left wall to the next impact on the same wall.
 struct HalfCycle {
   double height;            ///< largest distance from the wall
-  double duration = 0;      ///< infinite when the motion does not return
-  double impact_speed = 0;  ///< speed of the impact
+  double duration = 0;      ///< infinite if the motion does not return
+  double impact_speed = 0;  ///< impact speed at the end
 };
 
 /// The motion between impulses and impacts, y'' + f(y, y') + g(y) = 0: the characteristics of the
@@ -42,18 +44,18 @@ class Flow {
   const std::optional<problem::Wall>& wall(Side side) const {
     return side == Side::left ? system_.left() : system_.right();
   }
-  /// Distance to the wall; negative behind it. @pre the wall exists
+  /// Distance of the displacement y from the wall; negative behind the wall. @pre the wall exists
   double distance(double y, Side side) const;
   /// The wall behind which the displacement lies, if any.
   std::optional<Side> beyond(double y) const;
 
   double acceleration(const State& at) const;
-  /// The rate at which areas in the phase plane shrink, df/dv (Liouville).
+  /// The relative rate at which the flow contracts areas of the phase plane, df/dv (Liouville).
   double contraction(const State& at) const;
   double force(double y) const { return force_(y); }
   double energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }
   double potential(double y) const { return potential_(y); }
-  /// Extrema of the potential U between the walls, increasing.
+  /// Positions of the extrema of the potential U between the walls, in increasing order.
   const std::vector<double>& potential_extrema() const { return potential_extrema_; }
 
   /// The state at the end of one time step: by the classical Runge-Kutta method, or, where damping
@@ -61,10 +63,11 @@ class Flow {
   /// and g.
   State advance(const State& from, double time) const;
 
-  /// The largest accurate time step. The relative error of the state is of the order 1e-7 in one
-  /// step and 1e-6 to 1e-5 in a half-cycle. Where overdamped motion approaches rest, the steps grow
-  /// with its time scale, and the error is 1e-4.
-  /// @param accessible_interval of this state, or of an earlier state with more energy
+  /// The largest time step with which advance() is accurate. The relative error of the state is of
+  /// the order 1e-7 in one step and 1e-6 to 1e-5 in a half-cycle. Where overdamped motion
+  /// approaches rest, the steps grow with its time scale, and the error is 1e-4.
+  /// @param accessible_interval accessible interval of this state, or of an earlier state with more
+  /// energy
   double max_step(const State& from, const AccessibleInterval& accessible_interval) const;
   AccessibleInterval accessible_interval(const State& at) const;
 
@@ -76,7 +79,8 @@ class Flow {
   double impact_time(const State& from, double time, Side side) const;
 
  private:
-  /// v = v_slow exp(slow t) + v_fast exp(fast t), with the tangents of the forces.
+  /// The two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), of the
+  /// equation linearised by the tangents of the forces.
   struct Modes {
     double slow, fast, v_slow, v_fast;
   };
@@ -87,7 +91,8 @@ class Flow {
   problem::System system_;
   numerics::Polynomial force_, tangent_, potential_, damping_, damping_slope_;
   double rayleigh_;
-  std::vector<double> potential_extrema_, stiffness_extrema_;  // extrema of U; extrema of g'
+  // positions of the extrema of U, and of g'
+  std::vector<double> potential_extrema_, stiffness_extrema_;
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -8,48 +8,51 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A cell and its fraction of the mass at rest.
+/// A cell, and the fraction of the mass at rest that the cell contains.
 struct CellFraction {
   int cell;
   double share;
 };
 
-/// A rest point of the motion. Either a stable equilibrium, about which the motion decays for ever,
-/// or contact with a wall to which the force presses the mass. Contact occurs after infinitely many
-/// impacts in a finite time, and the law has an atom there.
+/// A rest point of the motion. A rest point is either a stable equilibrium, to which the motion
+/// decays without reaching it in finite time, or contact with a wall against which the force
+/// presses the oscillator. Contact begins after infinitely many impacts in a finite time, and the
+/// stationary law has an atom at the point of contact.
 struct RestPoint {
   double y;
-  std::optional<Side> contact = {};  ///< the wall in contact, if any
-  /// The innermost cells. The residual motion about an equilibrium is distributed over them in
-  /// proportion to the time spent there; motion that starts in them in contact comes to rest.
+  std::optional<Side> contact = {};  ///< the wall of the contact; empty for an equilibrium
+  /// The innermost cells around the rest point. For an equilibrium, the residual motion about it is
+  /// distributed over these cells in proportion to the time spent in each. For contact, motion that
+  /// starts in these cells comes to rest.
   std::vector<CellFraction> cells = {};
-  /// Motion with less energy does not leave these cells; unused in contact.
+  /// Energy below which motion does not leave the cells of an equilibrium; unused for contact.
   double escape_energy = 0;
   /// Impacts per unit time of mass at rest in an equilibrium at a wall.
   double impact_rate = 0;
 };
 
-/// All rest points, by increasing y, with their cells.
-/// @param rate arrival rate of the impulses
+/// All rest points of the motion, by increasing y, with their innermost cells.
+/// @param rate arrival rate of impulses, per unit time
 std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double rate);
 
-/// All rest points, without cells.
+/// All rest points of the motion, by increasing y, without their innermost cells.
 std::vector<RestPoint> rest_points(const Flow& flow);
 
 /// Distance to an equilibrium, relative to the typical amplitude A, below which cells have a
-/// constant width. The innermost cells contain the mass at rest. With one impulse in several decay
-/// times this is most of the mass, while the standard deviation s and the mean are small against A:
-/// s / A goes as the square root of the impulses per decay time, the mean as (s / A)^2. The cells
-/// are a thousandth of the mean, and narrower than the narrowest bins next to 0, 8e-4 s
-/// (compare/axes.cpp).
+/// constant width. The innermost cells contain the mass at rest. If only one impulse occurs in
+/// several decay times, the mass at rest is most of the mass, and the standard deviation s and the
+/// mean are small compared with A: s / A is proportional to the square root of the number of
+/// impulses per decay time, mean / A to (s / A)^2. The width of these cells is a thousandth of the
+/// mean, and less than that of the narrowest bins next to 0, 8e-4 s (compare/axes.cpp).
 double relative_core_width(double deviation, double typical_amplitude);
 
-/// The cascade of impacts that follows a motion off a wall towards which the acceleration a is
-/// nearly constant: speeds r^n u, in a total time of 2 u / (a (1 - r)).
+/// The cascade of impacts with which a motion off a wall comes to rest in contact. The acceleration
+/// a towards the wall is nearly constant. For an initial speed u the impact speeds are r^n u, n =
+/// 0, 1, .., and the total time is 2 u / (a (1 - r)).
 struct Cascade {
-  double rest_probability;  ///< probability of rest before the next impulse
-  double momentum;          ///< sum of the impact speeds, over all impacts
-  double energy;            ///< sum of their squares
+  double rest_probability;  ///< probability that the motion comes to rest before the next impulse
+  double momentum;          ///< sum of the impact speeds over all impacts
+  double energy;            ///< sum of the squared impact speeds over all impacts
 };
 /// @param force_towards_wall the acceleration towards the wall, > 0
 Cascade cascade(double speed, double force_towards_wall, double restitution, double rate);

@@ -8,9 +8,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Sums over the impacts at one wall, per impulse.
+/// Sums over the impacts at one wall, per impulse of the excitation.
 struct ImpactSums {
-  /// Number of impacts, without those of a cascade to rest, which are infinitely many.
+  /// Number of impacts. The infinitely many impacts of a cascade to rest are not counted.
   double number = 0;
   double momentum = 0;  ///< sum of the impact speeds
   double energy = 0;    ///< sum of v^2 over the impacts: int |v|^3 p dv
@@ -20,25 +20,27 @@ struct WallImpacts {
   ImpactSums& at(Side side) { return side == Side::left ? left : right; }
 };
 
-/// The transport operator p = T q. It maps the density q after an impulse to the density p between
-/// impulses, which is also that of the state at the next impulse:
+/// The transport operator p = T q. T maps the density q of the state after an impulse to the
+/// density p of the state between impulses, which is also the density of the state just before the
+/// next impulse:
 ///
 ///     p = lambda int_0^infinity exp(-lambda t) (q transported along the motion for t) dt.
 ///
-/// Each visit of a characteristic takes its fraction of the mass that starts in its cell, with the
-/// cell's slopes, adds the mass from the preceding visit, and passes on the mass that no impulse
-/// has ended. The transport is exact along the characteristics and conserves mass.
+/// Along a characteristic, the mass that enters a cell visit is the mass that left the preceding
+/// visit. During the visit, the fraction of the mass q in the cell that belongs to the strip is
+/// added, with the slopes of the cell. The mass to which no impulse occurs during the visit enters
+/// the next visit. The transport is exact along the characteristics and conserves mass.
 ///
-/// Both vectors contain the masses on the cells, followed by one mass for each rest point in
-/// contact: for p the mass at rest there, for q the mass that an impulse has just set in motion
-/// from there.
+/// The vectors of p and of q contain the masses on the cells, followed by one mass for each rest
+/// point in contact. For p this mass is at rest in contact. For q this mass was at rest in contact
+/// until the impulse set it in motion.
 class TransportOperator {
  public:
-  /// Both arguments must outlive the operator.
+  /// @param characteristics,law must outlive the operator
   TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law)
       : characteristics_(characteristics), emissions_(characteristics.emissions(law)) {}
 
-  /// @param masses of q
+  /// @param masses of the density q
   /// @param slopes of q
   Eigen::VectorXd operator()(const Eigen::VectorXd& masses, const CellSlopes& slopes,
                              WallImpacts* impacts = nullptr) const;
