@@ -7,8 +7,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// True for external noise, and for equations whose excitation term contains a diffusion instead of
-// the impulses.
+// Whether the equation that is solved has a diffusion term: from external white noise, or in place
+// of the term of the impulses.
 bool has_diffusion(const problem::Features& features, const Options& options) {
   return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
 }
@@ -27,7 +27,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
       (features.no_wall || features.two_walls || features.rests_in_contact)) {
     return "impact delta (first order in 1-r): requires one wall without rest in contact; use map";
   }
-  // Under white noise the contact ends at once, so there is no atom.
+  // White noise ends every contact at once, so the stationary law has no atom.
   const bool rests = features.rests_in_contact && !noise;
   if (rests && !can_use_characteristics(options)) {
     return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
@@ -61,16 +61,19 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
   if (features.noise || !features.impulses) {
     return "characteristics: impulses alone must excite the oscillator; use transport upwind";
   }
-  if (features.no_wall) return "characteristics: start at walls, and there is none";
+  if (features.no_wall)
+    return "characteristics start at walls: the problem has no wall; use transport upwind";
   if (features.negative_damping) {
-    return "characteristics: end at rest points, and this damping gives energy to the motion";
+    return "characteristics must end at rest points: the damping of the problem increases "
+           "the energy";
   }
   const Flow flow(problem.system);
   const auto points = rest_points(flow);
-  if (points.empty()) return "characteristics: end at rest points, and there is no rest point";
+  if (points.empty())
+    return "characteristics must end at rest points: the problem has no rest point";
   for (const RestPoint& point : points) {
     if (!point.contact && flow.contraction({point.y, 0}) <= 0) {
-      return "characteristics: end at rest points, and an equilibrium is undamped";
+      return "characteristics must end at rest points: an equilibrium of the problem is undamped";
     }
   }
   return "";

@@ -11,13 +11,13 @@ namespace {
 
 using namespace base;
 
-// An axis must have enough cells for one-sided stencils on both sides of x2 = 0.
+// Minimum number of cells of an axis: sufficient for one-sided stencils on both sides of x2 = 0.
 constexpr int kFewestAxisCells = 16;
 constexpr int kMostAxisCells = 2000;
 constexpr double kMostOriginRefinement = 1000;
 constexpr double kSmallestTolerance = 1e-10;
 
-// The impacts of a density equation; Impact::exact is for the simulation alone.
+// The impact models of the density equations. Only the simulation has Impact::exact.
 constexpr Impact kImpacts[] = {Impact::map, Impact::delta};
 
 std::vector<std::string> impact_names() {

@@ -17,11 +17,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Limit for factoring the whole matrix, which the dense jumps fill: KLU takes minutes above this
-// number of cells.
+// Largest number of cells for which the whole matrix is factored. The dense jump matrix fills the
+// factors, and KLU takes minutes for more cells.
 constexpr int kMostCellsFactored = 5000;
-// An operator is unstable when the real part of its rightmost eigenvalue exceeds this, in units of
-// sqrt(k_eq).
+// Threshold of the real part of the rightmost eigenvalue, in units of sqrt(k_eq), above which an
+// operator counts as unstable.
 constexpr double kUnstableRate = 1e-7;
 
 struct Scheme {
@@ -42,12 +42,13 @@ double frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
-// The box of the solver, with a velocity range of a whole number of steps.
+// The options for a grid with the given velocity step: the box of the solver, with a velocity range
+// that is a whole number of steps.
 Options options_for_step(const problem::Problem& problem, double step, int nx) {
   Options options;
   const Box box = initial_box(problem, options);
   const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
-  options.origin_refinement = 1;  // uniform: all cells have the width h
+  options.origin_refinement = 1;  // a uniform grid: all cells have the width h
   options.nx = nx;
   options.nv = 2 * half;
   options.x1_max = box.x1_max;
@@ -67,7 +68,7 @@ NullVector solve_null_vector(const problem::Problem& problem, const Options& opt
   return null_vector(op, preconditioner, gaussian_start(on.grid, problem));
 }
 
-// The density of the jump equation (kf) on a grid, or the reason for its absence.
+// The density of the jump equation (kf) on a grid, or the reason why there is no density.
 NullVector reference(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
   const Discretisation on = discretise(problem, options, box_of_options(options));
@@ -93,7 +94,7 @@ void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperato
 void find_density(const problem::Problem& problem, const Options& options, const Discretisation& on,
                   const FokkerPlanckOperator& op, bool symbol_grows, const NullVector& kf,
                   RegularisationRow& row) {
-  // The preconditioner of GMRES approximates stable operators only.
+  // The preconditioner of GMRES approximates only stable operators.
   const NullVector found = symbol_grows
                                ? null_vector_by_inverse_iteration(
                                      op, gaussian_start(on.grid, problem), frequency(problem))

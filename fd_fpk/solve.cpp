@@ -15,7 +15,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Impulses per decay time above which characteristics are not computed.
+// Number of impulses per decay time above which the density is not computed along characteristics.
 constexpr double kMostFrequent = 3000;
 
 // Mean acceleration towards the wall due to impulses of nonzero mean, relative to the acceleration
@@ -31,7 +31,7 @@ bool is_bouncing(const problem::Problem& problem) {
   return mean_force_ratio(problem) > kBouncing && problem.system.restitution() < kLosses;
 }
 
-// True where characteristics are the first choice at this number of impulses per decay time. The
+// Whether characteristics are the first choice at this number of impulses per decay time. The
 // thresholds are empirical, from random problems (docs/limits.md).
 bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
@@ -45,8 +45,8 @@ bool are_characteristics_preferred(const problem::Problem& problem, double per_d
   return per_decay_time < kRare || (losses && per_decay_time < kFrequent) || is_bouncing(problem);
 }
 
-// True where upwind differences cannot resolve the density: an unbounded density, or flights
-// between impacts that are shorter than a cell.
+// Whether upwind differences cannot resolve the density, because the density is unbounded or
+// because flights between impacts are shorter than a cell.
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
   if (!problem::is_paper_oscillator(problem)) return false;
@@ -54,7 +54,7 @@ bool are_characteristics_required(const problem::Problem& problem) {
          (is_bouncing(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
-// True where the solver may choose finer grids than those of the options.
+// Whether the options permit the solver to choose finer grids.
 bool has_automatic_grid(const Options& options) {
   const Options defaults;
   return options.error_estimate && options.refine_unresolved && !options.nx && !options.nv &&
@@ -83,16 +83,18 @@ class Solver {
       return solve_with(along ? Transport::characteristics : Transport::upwind);
     if (along && are_characteristics_required(problem_))
       return solve_with(Transport::characteristics);
-    // The first choice has half of the time, which leaves the second half for the alternative.
+    // The transport of first choice has half of the time limit; the other half remains for the
+    // alternative transport.
     Result first = solve_with(
         along ? Transport::characteristics : Transport::upwind,
         Deadline(options_.tolerance ? deadline_.total_seconds() : deadline_.total_seconds() / 2));
-    // Differences that are not the first choice need a small error: their error estimate is
-    // unreliable there.
+    // If upwind differences are the alternative, they must reach a small estimated error, because
+    // their error estimate is unreliable for such problems.
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
-    // A tolerance that the first choice misses cannot be met faster with the alternative.
+    // If the transport of first choice misses the tolerance, the alternative does not meet the
+    // tolerance faster.
     if (options_.tolerance && first.solution.density) return first;
-    // Characteristics would visit too many cells at this impulse rate. A box that the options set
+    // At this impulse rate characteristics would visit too many cells. A box that the options set
     // is the same for both transports.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
@@ -118,9 +120,10 @@ class Solver {
     }
     const bool family = !problem::is_paper_oscillator(problem_);
     ScalesAndBox scales_and_box{.scales = scales_};
-    // All grids share the box and the length scales that set the cell widths. A box of the default
-    // wall density truncates the tails due to impulses: 2e-7 of E[v^2], and a hundred times this
-    // fraction of the excess of E[v^4] due to the fourth cumulant.
+    // All grids share one box and the length scales that set the cell widths. A box with the
+    // default wall density truncates the tails due to impulses. The truncated tails contribute a
+    // fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due to the
+    // fourth cumulant.
     if (family && transport == Transport::upwind) {
       constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
       options.wall_density *= problem_.impulses.is_present() ? kTailsOfImpulses : kTails;
@@ -143,7 +146,8 @@ class Solver {
   const problem::Problem& problem_;
   const problem::Scales scales_;
   const Options& options_;
-  // Fraction of max_seconds; a running solve ends when it next checks its deadline.
+  // Time limit as a fraction of max_seconds. A running solve ends at the next check of its
+  // deadline.
   static constexpr double kDeadlineFraction = 0.98;
   Deadline deadline_;
 };

@@ -13,7 +13,7 @@ namespace {
 using transform::count_value;
 using transform::MetricBuilder;
 
-// Densities relative to the peak: differences below this level are insignificant.
+// Absolute tolerance for densities relative to the peak: smaller differences are insignificant.
 constexpr double kInsignificant = 1e-6;
 
 void observe_faint(MetricBuilder& builder, const std::string& path, double density) {
@@ -21,15 +21,16 @@ void observe_faint(MetricBuilder& builder, const std::string& path, double densi
 }
 
 void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
-  // The error of the impact rate may differ in a repeated run, which must reproduce the rate only.
+  // A repeated run must reproduce the impact rate, but not the error estimate of the impact rate.
   if (std::isfinite(error.impact_rate)) builder.work("error.impact_rate", error.impact_rate);
-  // The logarithm of a quotient of small differences: sensitive to rounding.
+  // The observed order is the logarithm of a quotient of small differences, and therefore sensitive
+  // to rounding errors.
   builder.add({.path = "error.observed_order",
                .value = error.observed_order,
                .is_rounding_sensitive = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The scale of rounding errors in a limit is that of the moment; for E[y'] that of the
-    // velocities.
+    // The scale of rounding errors in an extrapolated moment is the moment itself; for E[y'] the
+    // scale is the root mean square velocity.
     builder.add({.path = std::string("error.extrapolated.") + name,
                  .value = error.extrapolated.*moment,
                  .min_scale = std::max(0.1, std::abs(error.extrapolated.*size))});

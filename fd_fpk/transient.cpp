@@ -26,8 +26,8 @@ namespace {
 
 using transform::Status;
 
-// Half-width of the box in standard deviations of the initial density, and the least number of
-// cells per standard deviation.
+// Half-width of the box in standard deviations of the initial density, and minimum number of cells
+// per standard deviation.
 constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
 
@@ -40,7 +40,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::Scales&
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
       .mean_displacement = problem::is_paper_oscillator(problem) ? 0 : scales.centre};
-  // In a symmetric well the mean is 0 except for rounding.
+  // In a symmetric well the mean is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;
@@ -58,8 +58,8 @@ Gaussian initial_density(const problem::Problem& problem, const problem::Scales&
   return start;
 }
 
-// The largest v^2/2 + V(y), between the walls, on an ellipse of kInitialBoxDeviations standard
-// deviations.
+// The largest energy v^2/2 + V(y) on the ellipse of kInitialBoxDeviations standard deviations of
+// the initial density, between the walls.
 double max_initial_energy(const problem::System& system, const numerics::Polynomial& potential,
                           const Gaussian& start) {
   constexpr int kDirections = 120;
@@ -96,8 +96,9 @@ Box transient_box(const problem::Problem& problem, const problem::Scales& scales
   return box;
 }
 
-// An initial density narrower than the stationary density needs narrower cells in both directions,
-// since the flow rotates it in the phase plane.
+// The options with cells refined for the initial density. An initial density narrower than the
+// stationary density requires narrower cells in both directions, since the flow rotates the initial
+// density in the phase plane.
 Options refine_for_start(const problem::Problem& problem, const problem::Scales& scales,
                          Options options, const LengthScales& of_stationary,
                          const Gaussian& start) {
@@ -109,8 +110,8 @@ Options refine_for_start(const problem::Problem& problem, const problem::Scales&
   const double narrowness =
       std::max(lengths.x1 / start.displacement_deviation, lengths.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kCellsPerDeviation / kCells);
-  // Time steps are short compared with the period: narrow cells of an automatic grading would make
-  // the equations stiff for the benefit of a single point.
+  // Time steps are short compared with the period. The narrow cells of an automatic grading would
+  // make the equations stiff and improve the accuracy only at the origin.
   options.origin_refinement = options.origin_refinement.value_or(1);
   return options;
 }
@@ -124,7 +125,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   Snapshot s{.time = time,
              .moments = physical_moments(frame, grid, averages, order_of(options)),
              .yv = physical_yv(frame, grid, averages, order_of(options))};
-  // U is 0 at y = 0, for any origin of the wall coordinates.
+  // The potential U is 0 at y = 0, whatever the origin of the wall coordinates.
   s.energy =
       mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
   const double energy_rate = mean_energy(system, grid, change, order_of(options));
@@ -151,7 +152,7 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
   return s;
 }
 
-// Sets status and reason where a snapshot violates a limit.
+// Sets status and reason of the result if the snapshot violates a limit.
 void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
                     TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", at.time);
@@ -194,7 +195,7 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
   constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
   // Tolerance of GMRES as a fraction of the local error. The linear residual shows up as lost mass.
   constexpr double kLinearTolerance = 1e-3;
-  // L is constant: CVODE factors for a new gamma alone.
+  // L is constant, so CVODE factors again only for a new gamma.
   constexpr long kStepsPerFactorisation = 10000;
 
   const Grid& grid = on.grid;

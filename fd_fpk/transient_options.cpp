@@ -13,8 +13,9 @@ constexpr int kMostSnapshots = 10000;
 constexpr int kHighestBdfOrder = 5;
 
 // Upwind-biased operators of orders 3 and 5 have no eigenvalue with a positive real part. Centred
-// operators, and the one-sided stencils of order 7 at the walls, have some. Long implicit steps to
-// stationarity damp these modes; accurate time steps amplify them.
+// operators, and operators of order 7 with their one-sided stencils at the walls, have such
+// eigenvalues. Long implicit steps to stationarity damp these modes; accurate time steps amplify
+// them.
 void require_stable_order(int order) {
   if (order != 3 && order != 5) {
     throw InputError(fmt::format(

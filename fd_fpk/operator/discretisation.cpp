@@ -13,14 +13,15 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// In standard deviations of equivalent linearisation. A hardening spring shortens the tail of p(y),
-// the impulses lengthen that of p(y'); the steep tail of p(y) requires the finer step.
+// Half-widths of the box and cell widths, in standard deviations of equivalent linearisation. A
+// hardening spring shortens the tail of p(y), the impulses lengthen that of p(y'); the steep tail
+// of p(y) requires the finer step.
 constexpr double kX1BoxDeviations = 6;
 constexpr double kX2BoxDeviations = 7;
-// Least half-width of the velocity box, in standard deviations of a single impulse.
+// Minimum half-width of the box in velocity, in standard deviations of a single impulse.
 constexpr double kImpulseBoxDeviations = 6.5;
-// A graded grid has narrow cells near the origin; wider cells far out keep the total number
-// unchanged.
+// Factor of the cell widths far from the origin on a graded grid. The wider cells there compensate
+// the narrow cells near the origin in the total number of cells.
 constexpr double kGradedWidth = 1.6;
 // Distance, in lengths sqrt(b), at which the kernel of the Pade approximant falls below 1e-12 of
 // its peak.
@@ -28,22 +29,23 @@ constexpr double kPadeReach = 28;
 constexpr double kX1Step = 0.15;
 constexpr double kX2Step = 0.16;
 
-// Distance, in standard deviations, at which cells of a graded grid have half of their full width:
-// for x1 where it is graded to a singularity, and for all other axes.
+// Distances from the origin, in standard deviations, at which the cells of a graded axis have half
+// of their full width: for an x1 axis that is graded to a singularity, and for all other axes.
 constexpr double kLongReach = 2;
 constexpr double kReach = 0.75;
 
-// True if cells of x1 may be graded as the cube of those of x2: centred orders and order 7
-// oscillate on cells as uneven as this.
+// Whether the cells of x1 may be graded as the cube of the cells of x2. On such uneven cells,
+// schemes of even orders and of order 7 oscillate.
 bool can_grade_cubically(const Options& options) {
   return order_of(options) == 3 || order_of(options) == 5;
 }
 
-// True if single impulses are so short that the density at a wall has the singularity of white
-// noise down to lengths that cells resolve. Cells graded as under white noise are better below an
-// eighth of the standard deviation of velocity. Measured by the estimated error and the limit of
-// the finest grids for case 1 with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential
-// (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+// Whether single impulses are so small that the density at a wall has the singularity of white
+// noise down to lengths that cells resolve. Cells graded as under white noise are better if the
+// impulses are below an eighth of the standard deviation of velocity. This threshold was measured
+// by the estimated error and the limit of the finest grids for case 1 with r = 0.3 .. 0.7, rates 30
+// .. 1e6, gaussian and exponential (build/release/benchmarks/fpkcheck_rates --restitutions
+// 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
 bool are_impulses_short(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.is_present()) return false;
@@ -51,32 +53,35 @@ bool are_impulses_short(const problem::Problem& problem) {
          kShort * problem::scales(problem).velocity_deviation;
 }
 
-// True if the excitation acts on the shortest lengths, as white noise does.
+// Whether the excitation has a diffusion term, which acts on the shortest lengths as white noise
+// does.
 bool is_noise_like(const problem::Problem& problem, Equation equation) {
   return equation == Equation::white || are_impulses_short(problem);
 }
 
-// True if the density at the wall goes as u^-beta (exact::wall_exponent) and cells may be graded to
-// this singularity.
+// Whether the density at the wall is proportional to u^-beta (exact::wall_exponent) and cells may
+// be graded to this singularity.
 bool can_resolve_singularity(const problem::Problem& problem, const Options& options) {
   const double r = problem.system.restitution();
   return options.impact == Impact::map && r < 1 && can_grade_cubically(options) &&
          is_noise_like(problem, options.equation);
 }
 
-// Grading with cells at the origin narrower by this factor than far out.
+// Grading with which cells at the origin are narrower than cells far from the origin, by this
+// factor.
 Grading grading(double factor, double deviation) {
   if (factor == 1) return {};
   return {.reach = kReach * deviation, .core = kReach * deviation / (factor - 1)};
 }
 
-// Grading of x1, given that of x2. Under white noise with losses the density near the origin is
-// v^-beta times a function of D2 y / v^3 (Cornell, Swift, Bray 1998). Where x2 is resolved down to
-// its core, x1 must be resolved down to core^3 / D2. On cells graded alike the density at the wall
-// is flat instead, and the impact rate too small (by 1 % at r = 0.6). Separate impulses leave a
-// mere step at the origin. Where neighbouring cells differ by more than a quarter, a grid-scale
-// ripple is amplified, up to 4 % of p(y). The long reach avoids this, with a factor of 2 in reserve
-// for the coarser grids of an error estimate.
+// Grading of x1, for the given refinement factor of x2. Under white noise with losses the density
+// near the origin is v^-beta times a function of D2 y / v^3 (Cornell, Swift, Bray 1998). If cells
+// resolve x2 down to the length `core`, cells must resolve x1 down to core^3 / D2. If x1 is graded
+// like x2, the computed density at the wall is flat, and the impact rate is too small (by 1 % at r
+// = 0.6). Separate impulses cause only a step of the density at the origin. If the widths of
+// neighbouring cells differ by more than a quarter, a grid-scale ripple is amplified, up to 4 % of
+// p(y). The long reach keeps the differences below a quarter, also on grids twice as coarse, as for
+// an error estimate.
 Grading x1_grading(const problem::Problem& problem, const Options& options, double factor,
                    const Grading& of_x2, double deviation) {
   if (factor == 1 || !can_resolve_singularity(problem, options)) return grading(factor, deviation);
@@ -86,7 +91,7 @@ Grading x1_grading(const problem::Problem& problem, const Options& options, doub
 
 Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Options& options,
                               const Axis& axis, double regularisation_length) {
-  if (!impulses.is_present()) return {};  // all equations coincide
+  if (!impulses.is_present()) return {};  // without impulses all equations coincide
   switch (options.equation) {
     case Equation::white:
       return white_noise(impulses);
@@ -108,7 +113,7 @@ Excitation excitation(const problem::Problem& problem, const Options& options, c
   return terms;
 }
 
-// l of km4 on these cells; option value 0 selects the literal scheme.
+// Regularisation length l of km4 on these cells. The option value 0 selects the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
                              const Axis& axis) {
   if (options.equation != Equation::km4 || !problem.impulses.is_present()) return 0;
@@ -119,9 +124,9 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
   return length > 0 ? length : axis.smallest_width();
 }
 
-// Number of cells, as a double, since a box may need more cells than an int can hold. The minimum
-// is proportional to the refinement, so that the levels of an error estimate differ; one-sided
-// stencils need kFewest.
+// Number of cells of an axis, as a double, since a box may need more cells than an int can
+// represent. The minimum number of cells is proportional to the refinement, so that the grids of an
+// error estimate differ. One-sided stencils require kFewest cells.
 double cell_count(double length, double step, const Grading& grading, double refinement) {
   constexpr double kAutomatic = 16, kFewest = 8;
   const double fewest = std::max(kFewest, std::ceil(kAutomatic * refinement - 1e-9));
@@ -136,7 +141,7 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
           .cells = cells};
 }
 
-// Reason for the absence of a usable grid; empty when there is one.
+// The reason why there is no usable grid; empty if there is a usable grid.
 std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
                                 const Box& box, double nx, double nv) {
   if (options.impact == Impact::map) {
@@ -177,11 +182,12 @@ Gradings gradings(const problem::Problem& problem, const Options& options) {
           .of_x2 = of_x2};
 }
 
-// The upper end of an axis with `more` additional cells, where `cells` cells end at `length`.
+// The upper end of an axis with `more` additional cells; without these the axis has `cells` cells
+// and ends at `length`.
 double extended_end(int more, int cells, double length, const Grading& grading) {
   const double wanted = graded_cell_count(length, 1, grading) * (cells + more) / cells;
   double end = length;
-  for (int n = 0; n < 20; ++n) {  // Newton: convex, and nearly linear
+  for (int n = 0; n < 20; ++n) {  // Newton's method: the function is convex and nearly linear
     end -=
         (graded_cell_count(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
   }
@@ -199,10 +205,10 @@ double local_diffusion(const problem::Problem& problem, Equation equation) {
   return problem.noise.diffusion() + (local ? problem.impulses.rate_moment(2) / 2 : 0);
 }
 
-// Gradings outside the paper's class: at walls with losses and at x2 = 0. Noise dominates slow
-// motion at the wall for any force; under noise the cells of x1 are graded as the cube of those of
-// x2 (x1_grading). The long reach in both directions limits the difference of neighbouring widths
-// to a fifth.
+// Gradings for problems outside the paper's class: at walls with losses and at x2 = 0. Whatever the
+// force, noise dominates slow motion at the wall; under noise the cells of x1 are graded as the
+// cube of those of x2 (x1_grading). The long reach in both directions limits the difference of
+// neighbouring widths to a fifth.
 struct WallGradings {
   Grading x1, x2;
 };
@@ -229,7 +235,8 @@ double refinement_at_walls(const problem::Problem& problem, const Options& optio
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
 }
 
-// Faces between the walls or the ends of the box; `cells` sets their number, if given.
+// Faces of an axis between the walls or the ends of the box. If `cells` is given, the axis has this
+// number of cells.
 std::vector<double> faces_between_walls(const problem::System& system, const Box& box, double step,
                                         const Grading& grading, std::optional<int> cells) {
   std::vector<RefinementPoint> refinement_points;
@@ -292,9 +299,11 @@ bool has_significant_losses(const std::optional<problem::Wall>& wall) {
 
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
                                   const problem::Scales& scales) {
-  constexpr double kFaint = 1e-3;  // fraction of the peak: smaller densities may be numerical noise
-  constexpr double kShortest = 0.25;  // shortest length, in standard deviations
-  constexpr double kMost = 25;  // maximum number of lengths along the axis: a long tail is smooth
+  // fraction of the peak, below which densities may be numerical errors
+  constexpr double kFaint = 1e-3;
+  constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
+  // maximum number of length scales along the axis, since a long tail is smooth
+  constexpr double kMost = 25;
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const double faint = kFaint * averages.maxCoeff();
   double of_x1 = 0, of_x2 = 0, mass = 0;
@@ -376,8 +385,8 @@ double origin_refinement(const problem::Problem& problem, const Options& options
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
-  // High orders oscillate on narrow cells at the spike of rare impulses, where wide cells represent
-  // the spike as a mass. White noise leaves no spike.
+  // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
+  // cell represents the spike as a mass. Under white noise the density has no spike.
   const bool singular = can_resolve_singularity(problem, options);
   const bool narrow =
       jumps && !is_held_off_wall(problem) && (singular || !is_unbounded_at_origin(problem));

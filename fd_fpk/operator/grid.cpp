@@ -13,7 +13,7 @@ Eigen::VectorXd Grid::areas() const {
 
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
                     EndCondition left, EndCondition right) {
-  std::vector<double> x2;  // 0 occurs once, with a positive sign
+  std::vector<double> x2;  // the face 0 occurs once, as +0
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
   return {Axis(std::move(x1), left, right), Axis(std::move(x2))};

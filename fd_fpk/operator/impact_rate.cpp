@@ -22,7 +22,8 @@ double quadrature_node(const Axis& axis, int cell, int point) {
   return axis.face(cell) + kFractions[point] * axis.width(cell);
 }
 
-// A wall and its coordinates: d = sign (x - position) >= 0, and w = sign v away from the wall.
+// A wall and coordinates relative to the wall: the distance d = sign (x - position) >= 0, and the
+// velocity w = sign v away from the wall.
 struct WallCoordinates {
   double position;
   double sign;
@@ -78,7 +79,7 @@ class TestFunctionBalance {
            excitation_.drift;
   }
 
-  // The integral of weight times p, from the averages of p.
+  // The integral of weight times p over the plane, from the cell averages of p.
   template <class Weight>
   double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
     const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
@@ -110,7 +111,8 @@ class TestFunctionBalance {
     const Eigen::VectorXd p = point_values(grid_.x2, weighting_points(order_), kFractions, half) *
                               (columns(averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
-    // First-order impact of the paper: the flux f returns as f(w) + (1-r) d(w f)/dw; by parts.
+    // Under the paper's impact to first order in 1-r, a flux f into the wall leaves the wall as the
+    // flux f(w) + (1-r) d(w f)/dw. The integral of this flux times h is evaluated by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
       return impact_ == problem::Impact::map

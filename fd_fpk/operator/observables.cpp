@@ -14,20 +14,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The polynomial factor x^power.
+// The polynomial factor times x^power.
 numerics::Polynomial monomial(int power, double factor = 1) {
   numerics::Polynomial::Coefficients a{};
   a[static_cast<std::size_t>(power)] = factor;
   return numerics::Polynomial(a);
 }
 
-// Integral of a polynomial weighted with the averages of a marginal.
+// Integral of a polynomial times a marginal density given by cell averages.
 double integral(const Axis& axis, const Eigen::VectorXd& marginal, int order,
                 const numerics::Polynomial& weight) {
   return axis.widths().dot(weighted_averages(axis, weighting_points(order), weight) * marginal);
 }
 
-// Integral of a product of polynomials weighted with the joint density.
+// Integral of a product of polynomials, one of x1 and one of x2, times the joint density.
 double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
                       const numerics::Polynomial& of_x1, const numerics::Polynomial& of_x2) {
   const int points = weighting_points(order);
@@ -51,7 +51,7 @@ Eigen::VectorXd normal_averages(const Axis& axis, double deviation, double centr
 }  // namespace
 
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
-  // Column i of the map is the velocity cells at x1 cell i.
+  // Column i of the mapped matrix contains the velocity cells at cell i of x1.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
 }
@@ -68,7 +68,7 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   transform::Moments result = moments(grid, averages, order);
   if (frame.is_identity()) return result;
   const Eigen::VectorXd y = marginals(grid, averages).y;
-  // y = frame.origin + sign x as a polynomial of x
+  // The displacement y = frame.origin + sign x as a polynomial of x.
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integral(grid.x1, y, order,
@@ -83,11 +83,12 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
 
 namespace {
 
-// Missing moments n = 0 .. 4 beyond the end x of an axis: int_0^inf |x + t|^n p e^(-s t) dt. The
-// decay of the logarithm of the marginal, and its increase in steepness, determine p and s. They
-// are taken from 0.6 to 0.2 of the distance between the end and the mean, since cells next to the
-// end miss part of their mass. Under noise the missing mass counts twice. A path that impulses
-// would have taken beyond the end is also missing on its whole way back, with a density of p V / v.
+// Moments n = 0 .. 4 of the missing mass beyond the end x of an axis: int_0^inf |x + t|^n p e^(-s
+// t) dt. The slope and the curvature of the logarithm of the marginal density determine p and s.
+// Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end and the mean,
+// since cells next to the end miss part of their mass. Under noise the missing mass counts twice.
+// For impulses, a path that would have left the box is missing also on its whole way back, with a
+// density of p V / v.
 std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
                                                bool last, double x, bool of_impulses) {
   const double end = last ? axis.faces().back() : axis.faces().front();
@@ -113,7 +114,7 @@ std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::Ve
   const double steeper = std::max(0.0, steepness - fall(far, middle));
   const double p = std::exp(near.log - (steepness + steeper) * near.distance);
   const double rate = steepness + 1.5 * steeper;
-  // By parts, I_n = (|x|^n p + n I_(n-1)) / s.
+  // Integration by parts gives I_n = (|x|^n p + n I_(n-1)) / s.
   std::array<double, 5> tail{};
   for (std::size_t n = 0; n < tail.size(); ++n) {
     const double lower = n == 0 ? 0 : static_cast<double>(n) * tail[n - 1];
@@ -144,7 +145,7 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
     if ((last ? grid.x1.right() : grid.x1.left()) == EndCondition::boundary) continue;
     const double end = problem.frame.y(last ? grid.x1_max() : grid.x1_min());
     const auto of_y = missing_marginal_moments(grid.x1, y, last, end, false);
-    // Missing velocities imply missing displacements.
+    // If mass at large velocities is missing, mass at large displacements is missing too.
     const double second = beyond.v2 / moments_in_box.v2 / 2,
                  fourth = beyond.v4 / moments_in_box.v4 / 2;
     beyond.y1 += of_y[1] + second * std::abs(moments_in_box.y1);
@@ -179,7 +180,8 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order,
     return grid.x2.widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
   }
   const Eigen::VectorXd wall = p * first_face_value(grid.x1, order).transpose();
-  const auto speed = monomial(power, power % 2 == 0 ? 1 : -1);  // |v|^power for v < 0
+  // the polynomial that equals |v|^power for v < 0
+  const auto speed = monomial(power, power % 2 == 0 ? 1 : -1);
   const int half = grid.nv() / 2;
   const AxisOperator weighted = weighted_averages(grid.x2, weighting_points(order), speed, half);
   return grid.x2.widths().head(half).dot((weighted * wall).head(half));

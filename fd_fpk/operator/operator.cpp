@@ -31,21 +31,21 @@ AxisOperator identity(int n) {
   return matrix;
 }
 
-// The matrix with the single nonzero `value` at (row, column).
+// The matrix whose only nonzero entry is `value` at (row, column).
 AxisOperator entry(int rows, int columns, int row, int column, double value) {
   AxisOperator matrix(rows, columns);
   matrix.insert(row, column) = value;
   return matrix;
 }
 
-// Rows first .. first+count-1 of `matrix`; all other rows are empty.
+// The matrix with the rows first .. first+count-1 of `matrix` and zeros in all other rows.
 AxisOperator keep_rows(const AxisOperator& matrix, int first, int count) {
   AxisOperator mask(matrix.rows(), matrix.rows());
   for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
   return mask * matrix;
 }
 
-// -d/dx1 (x2 p) by fluxes through the inner faces of x1.
+// The matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
 SparseColumns streaming(const Grid& grid, int order, int weight_points) {
   const Axis& x1 = grid.x1;
   const AxisOperator minus_speed =
@@ -57,8 +57,8 @@ SparseColumns streaming(const Grid& grid, int order, int weight_points) {
          kronecker_product(leftwards, keep_rows(minus_speed, 0, half));
 }
 
-// The velocity cell of speed cell b for motion into the wall at an end, and for motion away from
-// it.
+// The index of the velocity cell for cell b of the speed axis: for motion into the wall at the
+// given end, and for motion away from this wall.
 int outgoing_cell(const Grid& grid, End end, int b) {
   const int half = grid.nv() / 2;
   return end == End::left ? half - 1 - b : half + b;
@@ -67,12 +67,13 @@ int returning_cell(const Grid& grid, End end, int b) {
   return outgoing_cell(grid, end == End::left ? End::right : End::left, b);
 }
 
-// The probability flux into the wall leaves the column of cells at the wall (x2 < 0 at the left
-// end) and re-enters the column with the other sign of x2.
+// The matrix of the impacts at a wall. The probability flux into the wall leaves the column of
+// cells at the wall (x2 < 0 at the left end) and enters the same column again with the other sign
+// of x2.
 SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const Grid& grid,
                                int order, End end) {
   const int half = grid.nv() / 2;
-  AxisOperator exchange(grid.nv(), half);  // from speed cells to velocity cells
+  AxisOperator exchange(grid.nv(), half);  // maps fluxes in speed cells to rates in velocity cells
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
@@ -89,14 +90,15 @@ SparseColumns exchange_at_wall(double restitution, problem::Impact impact, const
   return kronecker_product(into_column, exchange) * wall_flux(grid, order, end);
 }
 
-// d/dx2 [ x2^power p ] by fluxes through the inner faces of x2, from the face values `values` of p.
+// The matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. `values`
+// maps cell averages to values of p on the faces.
 AxisOperator divergence_of_power(const Axis& x2, int power, const AxisOperator& values) {
   AxisOperator factor(x2.cells() + 1, x2.cells() + 1);
   for (int f = 0; f <= x2.cells(); ++f) factor.insert(f, f) = std::pow(x2.face(f), power);
   return divergence(x2) * AxisOperator(factor * values);
 }
 
-// d/dx2 [ (c x2 + g(x1)) p ] by fluxes through the inner faces of x2.
+// The matrix of the term d/dx2 [ (c x2 + g(x1)) p ], by fluxes through the inner faces of x2.
 SparseColumns damping_and_restoring_force(const problem::System& system, const Grid& grid,
                                           int order, int weight_points) {
   const Axis& x2 = grid.x2;
@@ -159,7 +161,7 @@ SparseColumns scale_and_shift(double factor, const SparseColumns& a, double shif
 SparseColumns wall_flux(const Grid& grid, int order, End end) {
   const int half = grid.nv() / 2;
   const bool left = end == End::left;
-  // The density on the wall jumps at x2 = 0: stencils contain one sign of x2 only.
+  // The density on the wall jumps at x2 = 0, so a stencil contains only cells with one sign of x2.
   const AxisOperator speed = weighted_averages(grid.x2, weighting_points(order),
                                                numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
   AxisOperator in_order(half, grid.nv());
@@ -201,7 +203,7 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
 
 SparseColumns FokkerPlanckOperator::assembled() const {
   if (exchange.size() == 0) return local;
-  // Jumps by whole cells produce rounding errors in entries that are zero exactly.
+  // Jumps by a whole number of cells cause rounding errors in entries whose exact value is zero.
   constexpr double kRounding = 1e-14;
   const int nx = static_cast<int>(areas.size() / exchange.rows());
   return local + kronecker_product(identity(nx),

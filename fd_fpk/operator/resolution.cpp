@@ -8,7 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The sides without impact walls: "-2 <= y <= 3, ", "y <= 3, ", "y >= -2, ", or nothing.
+// Text of the ends of y that are not impact walls: "-2 <= y <= 3, ", "y <= 3, " or "y >= -2, ";
+// empty if both ends are impact walls.
 std::string free_sides(const problem::Frame& frame, const Axis& x1) {
   bool low = x1.left() == EndCondition::vacuum, high = x1.right() == EndCondition::vacuum;
   double from = frame.y(x1.faces().front()), to = frame.y(x1.faces().back());

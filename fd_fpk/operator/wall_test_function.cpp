@@ -11,8 +11,8 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Table of phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, with cubic Hermite
-// interpolation: the equations give the derivatives. The interpolation error is step^4 / 384 times
-// a fourth derivative, below 1e-10.
+// interpolation. The differential equations give the derivatives that this interpolation requires.
+// The interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
 class Profiles {
  public:
   static const Profiles& table() {
@@ -133,7 +133,7 @@ class Profiles {
 
   AsymptoticSeries asymptotics_;
   std::vector<Node> nodes_;
-  Node limit_below_;  ///< constants for s -> -inf
+  Node limit_below_;  ///< limits of the functions for s -> -inf
 };
 
 }  // namespace

@@ -8,20 +8,21 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Rounded up to three digits, so that the printed length is sufficient.
+// The length rounded up to three digits, so that the printed length is long enough.
 double round_up(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
 }
 
-// Maximum over all cell widths: the excitation may be unstable on wide cells and stable on narrow
-// ones.
+// The fastest growing wave over all cell widths of the axis. All widths are checked, since the
+// excitation may be unstable on wide cells and stable on narrow cells.
 Growth largest_growth(const problem::Problem& problem, const Options& options,
                       const Discretisation& on) {
   const Axis& x2 = on.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
-  if (options.equation == Equation::km4) {  // the Pade approximant is always stable
+  // the only excitation that may be unstable; the Pade approximant is always stable
+  if (options.equation == Equation::km4) {
     as_used.regularisation_length = on.regularisation_length;
     widths = critical_widths(x2, problem.impulses.law(), on.regularisation_length);
   }
@@ -33,7 +34,7 @@ Growth largest_growth(const problem::Problem& problem, const Options& options,
   return largest;
 }
 
-// Advice on the regularisation length for the cells of an axis.
+// Text that advises a regularisation length for the cells of an axis.
 std::string advice(const problem::ImpulseTrain& impulses, const Axis& axis, int points) {
   constexpr double kNearly = 0.99;
   const auto& law = impulses.law();
