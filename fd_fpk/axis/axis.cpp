@@ -58,7 +58,7 @@ std::vector<double> graded_faces(double length, int cells, const Grading& gradin
 
 std::vector<double> faces_graded_to(double from, double to, double step,
                                     std::span<const RefinementPoint> refinement_points) {
-  // The number of cells up to x, except for a constant.
+  // The number of cells up to x, apart from an additive constant.
   const auto cells_to = [&](double x) {
     double cells = x;
     for (const auto& [centre, grading] : refinement_points) {

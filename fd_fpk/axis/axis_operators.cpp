@@ -12,7 +12,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// Average of xi^power over [a, b].
+// The average of xi^power over [a, b].
 double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
@@ -38,7 +38,7 @@ AxisOperator assemble(int rows, int columns, const Triplets& entries) {
   return matrix;
 }
 
-// Cells outside the axis have p = 0.
+// Appends the entries of a stencil. Cells outside the axis have p = 0 and no entry.
 void append(Triplets& entries, const Axis& axis, int row, int first_cell,
             const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
@@ -49,18 +49,20 @@ void append(Triplets& entries, const Axis& axis, int row, int first_cell,
   }
 }
 
-// Moves a stencil inwards of a boundary at the last face.
+// First cell of a stencil, moved so that the stencil ends at the boundary at the last face or left
+// of it.
 int clamp_at_right_boundary(const Axis& axis, int first, int points) {
   return axis.right() == EndCondition::boundary ? std::min(first, axis.cells() - points) : first;
 }
 
-// Moves a stencil to the right of a boundary at face `limit`.
+// First cell of a stencil, moved so that the stencil begins at the boundary at face `limit` or
+// right of it.
 int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
   return limit > 0 || axis.left() == EndCondition::boundary ? std::max(first, limit) : first;
 }
 
-// A functional of the local coordinate xi = (x - x_face)/width on every inner face, divided by
-// width^derivative.
+// The matrix that applies a functional (value or derivative at xi = 0) on every inner face, with
+// the local coordinate xi = (x - x_face)/width; the result is divided by width^derivative.
 AxisOperator inner_face_operator(const Axis& axis, int points, Bias bias, int derivative,
                                  const std::function<double(int)>& functional) {
   Triplets entries;
@@ -76,7 +78,7 @@ AxisOperator inner_face_operator(const Axis& axis, int points, Bias bias, int de
   return assemble(axis.cells() + 1, axis.cells(), entries);
 }
 
-// The first cell of a stencil around cell i that does not cross the barrier.
+// The first cell of the stencil for cell i, moved so that the stencil does not cross the barrier.
 int first_stencil_cell(const Axis& axis, int i, int points, std::optional<int> barrier) {
   const bool beyond = barrier && i >= *barrier;
   int first = clamp_at_left_boundary(axis, i - points / 2, beyond ? *barrier : 0);

@@ -20,12 +20,12 @@ constexpr std::array kNodes{Node{-0.43056815579702629, 0.17392742256872693},
                             Node{0.16999052179242813, 0.32607257743127307},
                             Node{0.43056815579702629, 0.17392742256872693}};
 
-// The upper end of a cell; the last cell extends to infinity.
+// The upper end of a cell; infinity for the last cell, which receives all mass above the axis.
 double upper_end(const Axis& axis, int cell) {
   return cell + 1 < axis.cells() ? axis.face(cell + 1) : std::numeric_limits<double>::infinity();
 }
 
-// For a law with a density: quadrature over four points of the source cell.
+// Adds the jumps by a law with a density, by quadrature over four points of the source cell.
 void add_continuous(const Axis& axis, const problem::ImpulseLaw& law, int from, CellJumps& jumps) {
   for (const auto& [at, weight] : kNodes) {
     const double offset = at * axis.width(from);
@@ -41,7 +41,8 @@ void add_continuous(const Axis& axis, const problem::ImpulseLaw& law, int from, 
   }
 }
 
-// An atom shifts the whole cell; the target cells receive the fractions that overlap.
+// Adds the jumps by an atom of the law. The atom shifts the mass of the whole source cell; each
+// target cell receives the fraction that overlaps with the target cell.
 void add_atom(const Axis& axis, const problem::Atom& atom, int from, CellJumps& jumps) {
   const double left = axis.face(from) + atom.amplitude;
   const double right = axis.face(from + 1) + atom.amplitude;

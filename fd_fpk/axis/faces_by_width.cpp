@@ -10,13 +10,14 @@ std::vector<double> faces_by_width(std::span<const double> anchors,
   constexpr double kStepFraction =
       0.05;  // fraction of a cell over which the width is nearly constant
   std::vector<double> faces{anchors.front()};
-  std::vector<double> x, cells;  // number of cells up to x
+  std::vector<double> x, cells;  // cells[k]: number of cells up to x[k]
   for (std::size_t n = 0; n + 1 < anchors.size(); ++n) {
     const double from = anchors[n], to = anchors[n + 1];
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // Next to a narrow anchor the width decreases over the step: the smaller width counts.
+      // Next to an anchor with narrow cells the cell width decreases over the step. The step then
+      // uses the smaller width.
       double step = kStepFraction * width(x.back());
       step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;

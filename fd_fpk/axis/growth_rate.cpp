@@ -10,7 +10,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Maximum growth rate of kramers_moyal on cells of this width.
+// The fastest growing wave of kramers_moyal on cells of this width.
 Growth kramers_moyal_growth(const problem::ImpulseTrain& impulses, double width, int points,
                             double length) {
   const int reach = stencil_half_width(length, width, points);
@@ -81,8 +81,8 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
     });
   };
   if (!too_short(from)) return from;
-  // The loop terminates: for a length of many cells the fourth difference is negligible beside the
-  // second.
+  // The loop terminates, because the fourth difference over a length of many cells is negligible
+  // compared with the second difference.
   double shorter = from, longer = kStep * from;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {

@@ -15,7 +15,8 @@ AxisOperator exact_map(const Axis& speeds, double restitution, int order) {
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
-    // The last cell takes the flux of all higher speeds, so that the differences telescope.
+    // The last cell receives the flux of all higher speeds, so that the sum of the differences is
+    // the total flux.
     const double face = a + 1 == cells ? speeds.face(cells) : speeds.face(a + 1) / restitution;
     cumulative.add(face, 1.0, above);
     const Eigen::VectorXd row = cumulative.to_average_weights(above - below) / speeds.width(a);

@@ -12,7 +12,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr int kFaces = 8;  // faces in an interpolation stencil: degree 7
+constexpr int kFaces = 8;  // number of faces in an interpolation stencil, for degree 7
 
 constexpr int kMoments = 8;  // degree of the polynomial through a face and its neighbours
 
@@ -31,8 +31,8 @@ void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
   }
 }
 
-// The generator from the change of the cumulative: column f of `change` holds the weights of C_0 ..
-// C_cells in the change of the cumulative at face f.
+// The generator matrix, from the change of the cumulative distribution C. Column f of `change`
+// contains the weights of C_0 .. C_cells in the change of C at face f.
 Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cells();
@@ -46,7 +46,7 @@ Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation
   return axis.widths().cwiseInverse().asDiagonal() * generator;
 }
 
-// True if E[Y^8]^(1/8) is below the width of each cell around the face.
+// Whether E[Y^8]^(1/8) is below the width of each of the two cells at the face.
 bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= axis.width(cell)) return false;
@@ -54,8 +54,9 @@ bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   return true;
 }
 
-// Adds E[C(face - Y)] - C(face) by the polynomial through this face and its neighbours: the sum of
-// (-1)^k E[Y^k]/k! times the derivatives at the face, k = 1 .. kMoments.
+// Adds the weights of E[C(face - Y)] - C(face), with C approximated by the polynomial through this
+// face and its neighbours. The result is the sum of (-1)^k E[Y^k]/k! times the derivatives at the
+// face, k = 1 .. kMoments.
 void add_moments(const Axis& axis, int face, const problem::ImpulseLaw& law,
                  Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
@@ -82,12 +83,13 @@ void add_moments(const Axis& axis, int face, const problem::ImpulseLaw& law,
   }
 }
 
-// Adds E[C(face - Y); Y in [from, to]] for the continuous part of a law with density f.
+// Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law, with
+// density f.
 void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumulative, double face,
                           const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
-  // In u = face - y the interpolating polynomial changes at the faces of the axis.
+  // As a function of u = face - y, the interpolating polynomial changes at the faces of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
   const auto visit = [&](double u, double weight) {
@@ -100,7 +102,7 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
     gauss_legendre(u, end, longest, visit);
     u = end;
   }
-  // Right of the axis the cumulative is constant.
+  // Right of the axis the cumulative distribution is constant.
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
     gauss_legendre(from, std::min(to, farthest), longest, [&](double y, double weight) {

@@ -6,7 +6,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Every `stride`-th face, starting with the first, and the last face.
+// The faces of a coarser axis: every `stride`-th face, beginning with the first, and the last face.
 std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
   std::vector<double> kept;
   for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
@@ -57,7 +57,8 @@ void Aggregation::set_block_chain(
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // 1 - A is singular. Adding any mass in proportion to the areas makes the matrix regular.
+  // 1 - A is singular. The matrix becomes regular by adding the term start 1^T, here with a start
+  // proportional to the areas of the blocks.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.areas() / blocks_.areas().sum();
   system.colwise() += added;
@@ -65,7 +66,7 @@ void Aggregation::set_block_chain(
 }
 
 void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
-  constexpr double kEven = 1e-6;  // relative to the total mass
+  constexpr double kEven = 1e-6;  // mass, relative to the total mass, that is distributed evenly
   const Eigen::VectorXd areas = grid_.areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;

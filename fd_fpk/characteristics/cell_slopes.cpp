@@ -5,8 +5,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-// With densities m_i / h_i at the centres: the slope at a cell's centre of the parabola through
-// three of them, times h, in terms of masses.
+// Weights of the masses m_i in the slope of each cell. The slope is that of the parabola through
+// the densities m_i / h_i at the centres of three cells, at the centre of the middle cell, times h.
 std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axis& axis) {
   std::vector<Weights> weights(axis.cells(), Weights{0, 0, 0});
   for (int i = 0; i < axis.cells(); ++i) {
@@ -79,7 +79,8 @@ void SlopeReconstruction::set_limiter(const Eigen::VectorXd& masses) {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       const int cell = i * grid_.nv() + j;
-      // Largest decrease of the density in a corner of the cell, relative to its mean.
+      // Largest decrease of the density from the centre to a corner of the cell, relative to the
+      // mean density of the cell.
       const double dip =
           (std::abs(y(cell)) * grid_.x1.width(i) + std::abs(v(cell)) * grid_.x2.width(j)) / 2;
       const double mass = std::max(masses(cell), 0.0);

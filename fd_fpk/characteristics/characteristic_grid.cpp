@@ -11,19 +11,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kWidth = 0.2;  // width of cells far out, in typical amplitudes
-// Grading towards other singularities, over shorter distances.
+constexpr double kWidth = 0.2;  // cell width far from the origin, in typical amplitudes
+// Parameters of the grading towards singularities other than the origin: over shorter distances
+// than towards the origin.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
 
-// Acceleration towards the wall due to the mean of the impulses.
+// Mean acceleration towards the wall due to impulses of nonzero mean.
 double mean_acceleration_to_wall(const problem::Problem& problem) {
   return std::max(0.0, -problem.impulses.rate_moment(1));
 }
 
 // With a mean acceleration G towards the wall the oscillator makes short flights between impacts.
-// It meets the wall G / 2 v times per unit time, and the input power D2 of the impulses equals c
-// v^2 + (1 - r^2) G v / 4.
+// The oscillator meets the wall G / (2 v) times per unit time, and the input power D2 of the
+// impulses equals the dissipated power c v^2 + (1 - r^2) G v / 4.
 double speed_deviation(const problem::Problem& problem) {
   const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
   const double r = problem.system.restitution(), c = problem.system.damping();
@@ -44,7 +45,7 @@ double typical_height(const problem::Problem& problem, const Flow& flow, double 
   return std::min(flow.half_cycle(speed).height, bounce);
 }
 
-// The amplitude that |Y| exceeds with this probability.
+// The amplitude that the impulse |Y| exceeds with this probability.
 double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
   while (1 - law.cumulative(amplitude) + law.cumulative(-amplitude) > probability) {
@@ -53,14 +54,14 @@ double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   return amplitude;
 }
 
-// Amplitudes and speeds at which the density is as singular as at rest, or discontinuous.
+// Amplitudes and speeds at which the density has a spike, as at the rest point, or a discontinuity.
 struct Singularities {
   std::vector<double> y, v;
 };
 
-// An atom of the law takes mass at rest to a known speed. Its characteristic has turning points at
-// known heights and impacts at known speeds. A law that begins with a step causes a discontinuity
-// at the speed of that step.
+// An atom of the impulse law moves mass at rest to a single speed. The characteristic from this
+// speed has turning points and impacts, at whose heights and speeds the density has spikes. A law
+// whose density begins with a step causes a discontinuity of the density at the speed of that step.
 Singularities singularities(const problem::Problem& problem, const Flow& flow,
                             double typical_speed) {
   constexpr int kHalfCycles = 6;
@@ -76,7 +77,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow,
       found.y.push_back(half_cycle.height);
       found.v.push_back(speed);
       found.v.push_back(half_cycle.impact_speed);
-      // Half-cycles with nearly equal amplitudes cause no separate spikes.
+      // The spikes of half-cycles with nearly equal amplitudes are not separate.
       const double next = problem.system.restitution() * half_cycle.impact_speed;
       if (next > kApart * speed) break;
       speed = next;
@@ -91,7 +92,8 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow,
   return found;
 }
 
-// Refinement points at the origin and at the other singularities, without near duplicates.
+// Refinement points at the origin and at the other singularities. Of points that nearly coincide
+// only one is returned.
 std::vector<RefinementPoint> refinement_points(double typical, double core,
                                                std::vector<double> singular) {
   const Grading to_spike{.reach = kSpikeReach * typical, .core = kSpikeCore * typical};
@@ -111,7 +113,7 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
   const double v = typical_speed(problem), y = typical_height(problem, flow, v);
   const double width = kWidth / options.refinement;
   const double core = relative_core_width(speed_deviation(problem), v);
-  // The spike at rest is equally sharp after an impulse.
+  // An impulse displaces the spike of mass at rest without making it wider.
   const Singularities singular =
       is_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(
@@ -121,8 +123,8 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
 
 Box initial_characteristic_box(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
-  // In a constant field the height of the box is proportional to the square of the speed, as is the
-  // number of cells.
+  // With a constant force the height of the box, and so the number of cells, is proportional to the
+  // square of the speed.
   constexpr double kTimesPressed = 5;
   const double times = mean_acceleration_to_wall(problem) > 0 ? kTimesPressed : kTimes;
   const double v_max = options.x2_max.value_or(

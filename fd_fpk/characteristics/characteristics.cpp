@@ -12,14 +12,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Chords that represent one step of the motion.
+// Number of chords that represent the path of one time step.
 constexpr int kChords = 10;
-// Time limit of a characteristic, in mean times between impulses: the remaining probability is then
-// negligible.
+// Duration after which a characteristic ends, in mean times between impulses. The probability that
+// no impulse has occurred is then negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// Overdamped motion that approaches rest for a long time has a vanishing area, and still needs a
-// cell.
+// Lower limit of the flux of area along a characteristic. For overdamped motion that approaches
+// rest for a long time the flux decays to zero, but a positive area must remain for each visit.
 constexpr double kLeastFlux = 1e-200;
 
 int cell_of(const Axis& axis, double x) {
@@ -28,7 +28,7 @@ int cell_of(const Axis& axis, double x) {
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cells() - 1);
 }
 
-// Cubic Hermite interpolation over a step.
+// Cubic Hermite interpolation of a coordinate over a time step.
 class Cubic {
  public:
   Cubic(const Flow& flow, const State& from, const State& to, double time)
@@ -52,9 +52,9 @@ class Cubic {
 
 struct Characteristics::Position {
   State state;
-  int i, j;           // indices of its cell
+  int i, j;           // indices of the cell that contains the state
   double flux;        // current flux of area
-  std::size_t first;  // first visit of the track
+  std::size_t first;  // index of the first visit of the track
 };
 
 Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
@@ -86,8 +86,9 @@ std::string Characteristics::failure() const {
   return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMostVisits);
 }
 
-// Characteristics through the outer sides of the box, where the flow enters it. Every state inside
-// comes from there, from a wall, or from the neighbourhood of an unstable equilibrium.
+// Traces characteristics from those parts of the outer sides of the box where the flow enters the
+// box. Every state inside the box comes from these parts, from a wall, or from the neighbourhood of
+// an unstable equilibrium.
 void Characteristics::trace_from_box(int per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
@@ -118,8 +119,10 @@ void Characteristics::trace_from_box(int per_cell) {
   }
 }
 
-// The innermost cell gets no characteristic at a wall with rest: in contact its motion is a cascade
-// of impacts, and about an equilibrium at the wall it is at rest.
+// Traces characteristics from a wall. At a wall with a rest point no characteristic starts in the
+// innermost cell: if the rest point is a contact, the motion from this cell is a cascade of
+// impacts; if the rest point is an equilibrium at the wall, the mass of this cell counts as at
+// rest.
 void Characteristics::trace_from_wall(Side side, int per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
@@ -155,8 +158,9 @@ void Characteristics::sort_from_walls() {
   }
 }
 
-// A cell without a characteristic (strong convergence of the flow) gets its own. Its strip is so
-// narrow that it takes a negligible area from cells with other characteristics.
+// Traces a characteristic from each cell that no other characteristic crosses, as happens where the
+// flow converges strongly. The strip of such a characteristic is so narrow that the strip covers a
+// negligible area of the other cells.
 void Characteristics::trace_through_gaps() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
@@ -175,7 +179,8 @@ void Characteristics::trace_through_gaps() {
   }
 }
 
-// The equilibrium whose cells no motion from this state leaves.
+// Index of the equilibrium whose innermost cells contain this state and the whole motion from this
+// state.
 std::optional<int> Characteristics::equilibrium_containing(const State& at) const {
   const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
@@ -197,7 +202,9 @@ Track Characteristics::follow(const State& from, double flux) {
               .first = visits_.size()};
   if (deadline_.has_passed()) out_of_time_ = true;
   constexpr double kReuseRatio =
-      0.7;  // ratio of energies above which the accessible interval is reused
+      // ratio of the current and the earlier energy above which the earlier accessible interval is
+      // reused
+      0.7;
   Track track{.first = at.first, .last = 0, .energy = flow_.energy(from)};
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
   double energy = track.energy - accessible_interval.least_potential, time = 0;
@@ -214,7 +221,7 @@ Track Characteristics::follow(const State& from, double flux) {
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
       end = {flow_.wall(*hit)->position, flow_.advance(at.state, span).v};
-      // Rounding errors may give the impact velocity the wrong sign.
+      // Rounding errors may cause a wrong sign of the impact velocity.
       end.v = *hit == Side::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
     const Cubic path(flow_, at.state, end, span);
@@ -232,7 +239,8 @@ Track Characteristics::follow(const State& from, double flux) {
   return track;
 }
 
-// Motion that leaves the wall slower than the innermost cells comes to rest there.
+// Sets the end of a characteristic at a wall. Motion that leaves the wall at a speed inside the
+// innermost cells comes to rest in contact.
 void Characteristics::land(Side side, double speed, Landing& landing) const {
   landing.wall = side;
   landing.speed = speed;
@@ -247,11 +255,12 @@ void Characteristics::land(Side side, double speed, Landing& landing) const {
   }
 }
 
-// Traverses a straight chord from face to face.
+// Records the visits of a straight chord of the path, from cell face to cell face.
 void Characteristics::cross(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // Areas shrink (Liouville): by exp(-x), on average by (1 - exp(-x)) / x.
+  // The flow contracts areas (Liouville) by the factor exp(-x), on average over the chord by (1 -
+  // exp(-x)) / x.
   const double x = flow_.contraction({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   constexpr double kSmall = 1e-4;
   const double mean = x > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
@@ -260,7 +269,8 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   at.state = to;
   double done = 0;
   while (true) {
-    double y_face = 2, v_face = 2;  // fractions of the chord; above 1: not on the chord
+    // fractions of the chord at which the next faces are; above 1 if a face is not on the chord
+    double y_face = 2, v_face = 2;
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
     if (dv > 0 && at.j + 1 < grid_.nv()) v_face = (grid_.x2.faces()[at.j + 1] - from.v) / dv;
@@ -295,8 +305,8 @@ void Characteristics::cross(Position& at, const State& to, double time) {
   }
 }
 
-// Converts areas to fractions of the cell, and positions from the cell's centre to positions from
-// the mean of all visits.
+// Converts the areas of visits to fractions of the area of the cell, and positions relative to the
+// centre of the cell to positions relative to the mean of all visits.
 void Characteristics::normalise_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
@@ -311,12 +321,12 @@ void Characteristics::normalise_areas() {
   for (std::size_t n = 0; n < visits_.size(); ++n) {
     Visit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
-    const double expected = rate_ * durations_[n];  // expected number of impulses
+    const double expected = rate_ * durations_[n];  // expected number of impulses during the visit
     const double ended = -std::expm1(-expected);
     visit.ended = static_cast<float>(ended);
     visit.mean_end_probability =
         static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
-    // Mass that starts at rest remains there.
+    // Mass that starts in the cells of a rest point remains at rest.
     visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
@@ -351,15 +361,15 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
   for (const int contact : contacts_) {
     const Side side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Probabilities that an impulse off the wall is slower than u, and that one into the wall is
-    // faster.
+    // Probabilities that an impulse off the wall causes a speed below u, and that an impulse into
+    // the wall causes a speed above u.
     const auto slower_off = [&](double u) {
       return side == Side::left ? law.cumulative(u) : 1 - law.cumulative(-u);
     };
     const auto faster_into = [&](double u) {
       return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
     };
-    // P(0 < post-impulse speed < u)
+    // P(0 < speed after the impulse < u)
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -370,7 +380,8 @@ std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law)
       emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
     }
     emission.rest_fraction = slower(fan.below.back());
-    // E[Y^-] and E[(Y^-)^2], by parts between the breakpoints of the law; for atoms they are sums.
+    // E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0): integrated by parts between the breakpoints of
+    // the law; for atoms as sums.
     const double into = side == Side::left ? -1 : 1;
     std::vector<double> ends{0};
     for (const double end : law.density_breakpoints()) {

@@ -10,21 +10,23 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kCellWidth = 0.2;  // in typical amplitudes
-// In units of the typical speed: at lower speeds the impacts in contact form a cascade.
+constexpr double kCellWidth = 0.2;  // cell width far from rest points, in typical amplitudes
+// Speed, in units of the typical speed, below which the impacts at a contact are treated as a
+// cascade.
 constexpr double kContactCore = 0.02;
-// Lower limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
-// constant width: for rare impulses, and for frequent impulses, which leave no motion at smaller
-// distances. Cells on both sides of a well do not bias its mean; cells towards an equilibrium at a
-// wall decrease further, to relative_core_width().
+// Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
+// constant width: for rare impulses, and for frequent impulses, under which the motion hardly ever
+// has smaller amplitudes. Around an equilibrium between walls the errors of the cells on both sides
+// cancel in the mean. Towards an equilibrium at a wall the cell widths decrease further, to
+// relative_core_width().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
-// The typical speed is at least half an impulse, even for rare impulses.
+// The typical speed, which is at least the speed due to half an impulse, even if impulses are rare.
 double typical_contact_speed(const problem::Problem& problem, const problem::Scales& scales) {
   return std::max(scales.velocity_deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
 
-// Distance to the equilibrium to which the motion decays between impulses.
+// Typical distance to an equilibrium to which the motion decays between two impulses.
 double equilibrium_core(const problem::Problem& problem, const problem::Scales& scales,
                         bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -44,8 +46,9 @@ bool is_at_wall(const Flow& flow, const RestPoint& point) {
 struct TypicalScales {
   double speed, core_v;
   std::vector<RestPoint> points;
-  std::vector<double> core_y = {};  // for each rest point
-  double widest = 0;  // largest distance from a rest point that the typical speed attains
+  std::vector<double> core_y = {};  // core of the grading in y, for each rest point
+  // largest distance from a rest point that motion with the typical speed attains
+  double widest = 0;
 };
 
 TypicalScales typical_scales(const problem::Problem& problem, const problem::Scales& scales,
@@ -59,7 +62,8 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Sca
         std::max(point.y - accessible_interval.low, accessible_interval.high - point.y);
     found.widest = std::max(found.widest, length);
     if (point.contact) {
-      // The height of the first cell is that of a flight with the speed of the first cell.
+      // The first cell in y has the height of a flight whose speed is the width of the first cell
+      // in v.
       const double slow = kCellWidth * kContactCore * found.speed;
       const double height = slow * slow / (2 * std::abs(flow.force(point.y)));
       found.core_y.push_back(height / kCellWidth);
@@ -88,7 +92,7 @@ Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales
   anchors.push_back(box.x1_max);
   const auto width_in_y = [&](double y) {
     const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - least));
-    // Near a saddle the force is not a measure of the density's length scale.
+    // Near a saddle the force does not determine the length scale of the density.
     double nearest = scale.widest;
     for (const RestPoint& point : scale.points) {
       nearest = std::max(nearest, std::abs(y - point.y) / 4);

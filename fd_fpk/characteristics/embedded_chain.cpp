@@ -23,12 +23,13 @@ class Chain {
 
   const Characteristics& characteristics() const { return characteristics_; }
 
-  // p = T q.
+  // Applies the transport operator: p = T q.
   Eigen::VectorXd apply_flow(const Eigen::VectorXd& after, WallImpacts* impacts = nullptr) const {
     return transport_(after, has_slopes_ ? slopes_after_(after) : zero_slopes(), impacts);
   }
 
-  // q = J p. The transport operator sets mass at rest in contact in motion.
+  // Applies the velocity jumps: q = J p. The masses in contact are not changed, because the
+  // transport operator treats the impulses on mass at rest in contact.
   Eigen::VectorXd apply_jump(const Eigen::VectorXd& before) const {
     Eigen::VectorXd after = before;
     columns(after).noalias() = jumps_.uniform * columns(before);
@@ -53,7 +54,7 @@ class Chain {
   Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& after) const {
     return transport_(after, zero_slopes());
   }
-  // The masses of each x1 cell as a column.
+  // The masses as a matrix, with one column for each cell of x1.
   Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
@@ -69,11 +70,12 @@ class Chain {
   bool has_slopes_ = false;
 };
 
-// Tolerances of the residual. The solution without slopes serves only as the slope limiter, so its
-// tolerance is larger.
+// Tolerances of the residual. The solution without slopes has a larger tolerance, since it only
+// determines the slope limiter.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Corrects q, of mass 1, by GMRES: (1 - J T) d + q (1, d) = J T q - q, where d has mass 0.
+// Corrects q, of mass 1, by the solution d of (1 - J T) d + q (1, d) = J T q - q by GMRES, where d
+// has mass 0.
 void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double tolerance,
                       const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
@@ -94,7 +96,8 @@ void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double
   after /= after.sum();
 }
 
-// Slow convergence of the chain (many impulses per decay time) requires more blocks.
+// Number of blocks of the aggregation. If there are many impulses per decay time, the chain
+// converges slowly, and more blocks are required.
 int block_count(const problem::Problem& problem, const problem::Scales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);

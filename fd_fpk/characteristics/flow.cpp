@@ -51,9 +51,9 @@ double Flow::contraction(const State& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
-// Exact solution for forces linearised about the state: exponentials of the roots s of s^2 + f_v s
-// + (f_y + g') = 0. The roots are real where a step exceeds the stability limit of explicit
-// methods.
+// The exact solution after a time step for forces linearised about the state: exponentials of the
+// roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real whenever a step exceeds the stability
+// limit of explicit methods.
 State Flow::advance_overdamped(const State& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = modes(from);
   return {from.y + v_slow * integrated_exponential(slow, time) +
@@ -90,7 +90,8 @@ State Flow::advance(const State& from, double time) const {
 
 double Flow::max_step(const State& from, const AccessibleInterval& accessible_interval) const {
   constexpr double kChange = 0.1;  // relative change of the state, in the energy norm
-  // Near a saddle, and where no force acts, the state changes slowly although fast changes follow.
+  // Near a saddle, and where no force acts, the rate of change of the state is small but increases
+  // quickly, and is therefore no measure for the step.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
   const double size =
       std::sqrt(2 * std::max(0.0, energy(from) - accessible_interval.least_potential));
@@ -104,7 +105,7 @@ double Flow::max_step(const State& from, const AccessibleInterval& accessible_in
   const double span = std::min({free, kLongest / accessible_interval.frequency, across});
   const double damping = contraction(from);
   if (damping * span <= kStability) return span;
-  // The fast mode changes the sign of v, and bends the path at the beginning of a step.
+  // The fast mode may change the sign of v and curves the path at the beginning of a step.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const Modes modes = this->modes(from);
   const double smooth =
@@ -112,7 +113,7 @@ double Flow::max_step(const State& from, const AccessibleInterval& accessible_in
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// U is monotone between neighbouring extrema and increases outside them.
+// U is monotone between neighbouring extrema, and increases outwards beyond the outermost extrema.
 double Flow::end_of_accessible_interval(double y, double energy, Side side) const {
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
@@ -181,7 +182,7 @@ HalfCycle Flow::half_cycle(double speed) const {
     const double span = max_step(state, accessible_interval);
     const State end = advance(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The apex of the parabola.
+      // The turning point, at the apex of the parabola.
       const double until = span * state.v / (state.v - end.v);
       half_cycle.height = std::max(half_cycle.height, advance(state, until).y - wall);
     }
@@ -192,7 +193,7 @@ HalfCycle Flow::half_cycle(double speed) const {
       half_cycle.duration = time + until;
       break;
     }
-    if (hit) {  // the right wall
+    if (hit) {  // the motion meets the right wall
       half_cycle.height = system_.right()->position - wall;
       break;
     }
@@ -205,8 +206,8 @@ HalfCycle Flow::half_cycle(double speed) const {
 double Flow::impact_time(const State& from, double time, Side side) const {
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
-  // Intersection of the chord with the wall; for a flight that starts at the wall, half of the
-  // time.
+  // Initial guess: the time at which the chord of the path meets the wall; half of the time step
+  // for a flight that starts at the wall.
   double guess = distance_now > 0
                      ? time * distance_now / (distance_now - distance(advance(from, time).y, side))
                      : time / 2;

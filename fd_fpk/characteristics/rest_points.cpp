@@ -7,13 +7,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The force on the mass towards the wall.
+// The force on the mass at rest, positive towards the wall.
 double force_towards_wall(const Flow& flow, Side side) {
   return inward_sign(side) * flow.force(flow.wall(side)->position);
 }
 
-// One small half-cycle from the wall, up to the next impact or until the motion is overdamped: the
-// fraction of the time with v < 0, weighted by exp(-rate t), and the impact rate.
+// A half-cycle of small amplitude from the wall, up to the next impact or until the motion is
+// overdamped. The data are the fraction of the time with v < 0, weighted by exp(-rate t), and the
+// impact rate.
 struct SmallMotion {
   double fraction_below;
   double impact_rate;
@@ -49,7 +50,8 @@ SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate)
   return creeping;
 }
 
-// The columns of cells next to y: one where y is a wall, two where y is a face between cells.
+// Indices of the columns of cells next to y: one column if y is a wall, two columns if y is a face
+// between cells.
 std::vector<int> columns_at(const Axis& axis, double y) {
   std::vector<int> columns;
   for (int i = 0; i < axis.cells(); ++i) {
@@ -64,7 +66,8 @@ void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& po
   const auto columns = columns_at(grid.x1, point.y);
   const double low = grid.x1.face(columns.front()), high = grid.x1.face(columns.back() + 1);
   const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
-  // The least energy on the boundary of the cells, except for walls.
+  // The escape energy: the smallest energy on the boundary of the innermost cells, without the
+  // parts on walls.
   point.escape_energy = flow.potential(point.y) + v * v / 2;
   for (const double end : {low, high}) {
     if (end != point.y) point.escape_energy = std::min(point.escape_energy, flow.potential(end));
@@ -97,8 +100,8 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
   const auto at_wall = [&](Side side) {
     if (!flow.wall(side)) return;
     const double wall = flow.wall(side)->position, g = force_towards_wall(flow, side);
-    // For a wall at an equilibrium the potential half way to the next extremum determines
-    // stability.
+    // For an equilibrium at a wall, the potential half way to the next extremum determines whether
+    // the equilibrium is stable.
     const double beside = side == Side::left
                               ? (potential_extrema.empty() ? wall + 1 : potential_extrema.front())
                               : (potential_extrema.empty() ? wall - 1 : potential_extrema.back());
@@ -111,7 +114,7 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
   };
   at_wall(Side::left);
   for (const double turn : potential_extrema) {
-    // A minimum of U: g changes sign from - to +.
+    // At a minimum of U the force g changes sign from - to +.
     const double next = [&] {
       for (const double other : potential_extrema) {
         if (other > turn) return other;

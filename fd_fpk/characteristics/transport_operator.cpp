@@ -8,7 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The data of a cell that a visit uses, contiguous in memory: visits access cells in random order.
+// The data of a cell that a visit uses. The data are contiguous in memory, since visits access the
+// cells in no regular order.
 struct CellMass {
   double mass, slope_y, slope_v;
   double ended = 0;
@@ -54,14 +55,16 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     const CellMass& cell = cells[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   };
-  // Mass that remains at the end of a track.
+  // Mass that arrives at the end of a track.
   constexpr std::true_type kIncludeSources;
-  constexpr std::false_type kExcludeSources;  // sources are already included
+  // tag: the masses that start in the cells were added in an earlier pass
+  constexpr std::false_type kExcludeSources;
   const auto follow = [&](const Track& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const Visit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
-      // Two independent updates: the recurrence of `mass` depends on its previous value alone.
+      // The two updates are independent, so that the recurrence of `mass` depends only on the
+      // previous value of `mass`.
       cells[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
     }
@@ -73,7 +76,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       at_rest[point] += mass;
       return;
     }
-    // Mass whose cascade an impulse ends lies on both sides of v = 0.
+    // If an impulse occurs during the cascade, the mass is distributed on both sides of v = 0.
     const Cascade& cascade = *landing.cascade;
     at_rest[point] += cascade.rest_probability * mass;
     for (const auto& [cell, share] : rest[point].cells) {
@@ -104,7 +107,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       const Landing& landing = track.landing;
       double mass = std::exchange(entering[n], 0.0);
       if (!with_sources && mass == 0) continue;
-      // Part of the mass may return to this characteristic: sum over all rounds.
+      // Part of the mass may return to the same characteristic after its impact: the masses of all
+      // returns are added as a geometric series.
       double again = 0;
       if (landing.wall && !landing.rest) {
         if (landing.faster == static_cast<int>(n)) again += landing.faster_fraction;
@@ -122,12 +126,12 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       }
       const double left = follow(track, mass, with_sources);
       land(track, left);
-      // `left` already includes all rounds.
+      // The variable `left` already includes the mass of all returns.
       entering[n] -= again * left;
     }
   };
   leave_walls(kIncludeSources);
-  // With two walls, mass may continue on a characteristic that has been processed already.
+  // With two walls, mass may continue on a characteristic that was processed earlier in this pass.
   constexpr int kMostRounds = 1000;
   constexpr double kNothing = 1e-15;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -9,8 +9,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The three arrays of a matrix. The interface of KLU is not const-correct, but KLU does not modify
-// them.
+// The three arrays of a sparse matrix, as arguments for KLU. The interface of KLU is not
+// const-correct, but KLU does not modify them.
 struct Arrays {
   SparseColumns::StorageIndex* columns;
   SparseColumns::StorageIndex* rows;
@@ -63,8 +63,8 @@ bool KluFactorisation::factor(const SparseColumns& matrix) {
   return numeric != nullptr && common.status == KLU_OK;
 }
 
-// Factors with the pivots of the last factorisation. Returns false without such pivots, or when the
-// pivot growth makes the factors inaccurate.
+// Factors the matrix with the pivots of the last factorisation. Returns false if there was no
+// factorisation, or if the pivot growth makes the factors inaccurate.
 bool KluFactorisation::refactor(const SparseColumns& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;

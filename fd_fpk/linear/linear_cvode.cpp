@@ -7,7 +7,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-// Part of Handles, which is declared in the header.
+// Data that the callbacks of CVODE use; a member of LinearCvode::Handles.
 struct Callbacks {
   LinearSystem system;
   std::string message = {};

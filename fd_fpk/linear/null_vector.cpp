@@ -28,7 +28,7 @@ NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& precondit
 
 NullVector null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
                                             const Eigen::VectorXd& start, double frequency) {
-  constexpr double kShift = 1e-7;  // shift off the singular matrix, in units of frequency
+  constexpr double kShift = 1e-7;  // shift that makes the matrix regular, in units of the frequency
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
   KluFactorisation klu;

@@ -12,9 +12,10 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// METIS uses the random numbers of the C library, one sequence for the whole process. It seeds them
-// for each dissection, but concurrent dissections would share the sequence. Their orderings, and
-// the last digits of all solutions, would then depend on the timing of threads.
+// METIS uses the random numbers of the C library, one sequence for the whole process. METIS seeds
+// the sequence for each dissection, but concurrent dissections would share the sequence. Then the
+// orderings, and with these the last digits of all solutions, would depend on the timing of the
+// threads.
 std::mutex dissection_mutex;
 
 std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
@@ -26,7 +27,7 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   // CHOLMOD does not modify these arrays.
   graph.p = const_cast<SparseColumns::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumns::StorageIndex*>(symmetric.innerIndexPtr());
-  graph.stype = 1;  // symmetric: the upper triangle is read
+  graph.stype = 1;  // a symmetric matrix, of which CHOLMOD reads the upper triangle
   graph.itype = CHOLMOD_LONG;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
@@ -45,8 +46,8 @@ std::vector<std::int64_t> nested_dissection(const SparseColumns& matrix) {
   return order;
 }
 
-/// Key of a sparsity pattern. A hash collision of two patterns with equal sizes would cause a less
-/// efficient ordering, and no error.
+/// Key of a sparsity pattern. If two patterns of equal size had the same hash, one of them would
+/// get a less efficient but still valid ordering.
 struct SparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
@@ -59,7 +60,7 @@ struct SparsityPattern {
   bool operator==(const SparsityPattern&) const = default;
 };
 
-/// Cache of the most recent orderings.
+/// Thread-safe cache of the most recently used orderings.
 class OrderingCache {
  public:
   std::vector<std::int64_t> find(const SparsityPattern& pattern) {

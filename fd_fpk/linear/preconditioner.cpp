@@ -10,18 +10,21 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Order 3: with lumped weights each row couples one row and one column of cells only. It has the
-// fewest entries of all orders for which GMRES converges well.
+// Order of the matrix M if the order of L is odd. With lumped weights, each equation of order 3
+// contains only cells of the same row and the same column of the grid. Of all orders with which
+// GMRES converges well, order 3 has the smallest number of nonzeros.
 constexpr int kOrder = 3;
 
-// The exchange acts as -i a q - D q^2 on long waves and saturates at its rate on short waves. A
-// diffusion of full strength would be far too strong for the shortest waves of a fine grid, q =
-// pi/h. It is limited to the size of the saturated rate there. The drift, by which a mean of the
-// impulses holds the oscillator off the wall, is limited only where it is many times that rate.
+// Drift and diffusion that approximate the exchange matrix. On waves of wavenumber q the exchange
+// has the symbol -i a q - D q^2 for long waves, and the constant symbol -exchange_rate for short
+// waves. The diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too strongly;
+// the diffusion coefficient is therefore limited such that these waves decay at about
+// exchange_rate. The drift, with which impulses of nonzero mean keep the oscillator off the wall,
+// is limited only if the rate of the drift for these waves is many times exchange_rate.
 Excitation local_approximation(const Excitation& excitation, const Axis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_width();
-  // Empirical: on graded axes with narrow cells GMRES does not converge for larger values.
+  // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger values.
   const double overshoot_of_drift = x2.widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
   const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;

@@ -14,16 +14,18 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kTolerance = 1e-9;  // relative residual of a Ritz value
+constexpr double kTolerance = 1e-9;  // tolerance of the relative residual of a Ritz value
 constexpr long kRestarts = 20;
 constexpr long kTestRestarts = 6;
 constexpr int kNearest = 20;
-constexpr int kSpare = 3;  // eigenvalues requested by a test in addition to the known ones
+// number of eigenvalues that a check requests in addition to the known eigenvalues
+constexpr int kSpare = 3;
 constexpr int kBasis = 60;
-// Two Ritz values closer than this, in units of the relevant rate, are one eigenvalue.
+// Distance, in units of the relevant rate, below which two Ritz values count as the same
+// eigenvalue.
 constexpr double kSame = 1e-7;
 
-// The operator (L - sigma)^-1.
+// The linear operator (L - sigma)^-1, by KLU factors of L - sigma.
 class ShiftedInverse {
  public:
   explicit ShiftedInverse(SparseColumns matrix) : matrix_(std::move(matrix)) {}
@@ -54,14 +56,14 @@ class ShiftedInverse {
   mutable long solves_ = 0;
 };
 
-// T = constant + factor (L - sigma)^-1, in the interface of Spectra.
+// The spectral transform T = constant + factor (L - sigma)^-1, in the interface of Spectra.
 class Transform {
  public:
   using Scalar = double;
 
-  /// The operator (L - sigma)^-1 itself.
+  /// Constructs the transform T = (L - sigma)^-1.
   explicit Transform(const ShiftedInverse& inverse) : Transform(inverse, 0, 1) {}
-  /// The Cayley transform C = 1 + 2 (sigma - m) (L - sigma)^-1.
+  /// Returns the Cayley transform T = C = 1 + 2 (sigma - m) (L - sigma)^-1.
   static Transform cayley(const ShiftedInverse& inverse, double m) {
     return {inverse, 1, 2 * (inverse.shift() - m)};
   }
@@ -95,7 +97,8 @@ struct EigenPairs {
   Eigen::MatrixXcd vectors;  // shape (size, values)
 };
 
-// The converged ones among the `count` eigenvalues of L that are dominant under the transform.
+// Those of the `count` eigenpairs of L with the largest eigenvalues of the transform that have
+// converged.
 EigenPairs largest_eigenpairs(Transform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
   solver.init();
@@ -107,8 +110,8 @@ EigenPairs largest_eigenpairs(Transform& transform, int count, long restarts) {
   return pairs;
 }
 
-// Union of both lists without duplicates, by decreasing real part; of each conjugate pair the value
-// in the upper half-plane.
+// Union of both lists of eigenpairs without duplicates, by decreasing real part. A conjugate pair
+// has one entry, the eigenvalue in the upper half-plane.
 EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double unit) {
   struct Pair {
     Complex value;
@@ -138,7 +141,8 @@ EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double u
   return sorted;
 }
 
-// Number of eigenvalues of L, with conjugates, among the first `count` of a list.
+// Number of eigenvalues of L, including conjugates, that the first `count` entries of a list
+// represent.
 int count_with_conjugates(const EigenPairs& pairs, int count) {
   int all = 0;
   for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
@@ -157,7 +161,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   RightmostEigenvalues result;
   try {
     const double unit = std::max(growth, frequency);
-    // A transform as wide as the modes' frequencies orders them by their real parts.
+    // If sigma - m is as large as the frequencies of the modes, the moduli of the transformed
+    // eigenvalues have the order of the real parts.
     const double width = std::max(growth, kFastest * frequency);
     inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
     Transform nearest(inverse);

@@ -53,8 +53,8 @@ bool are_impulses_short(const problem::Problem& problem) {
          kShort * problem::scales(problem).velocity_deviation;
 }
 
-// Whether the excitation has a diffusion term, which acts on the shortest lengths as white noise
-// does.
+// Whether the excitation acts as white noise down to lengths that cells resolve: because the
+// equation replaces the impulses by white noise, or because the impulses are small.
 bool is_noise_like(const problem::Problem& problem, Equation equation) {
   return equation == Equation::white || are_impulses_short(problem);
 }

@@ -21,7 +21,8 @@ namespace {
 
 using transform::Status;
 
-// The transport has no order. Functionals of cell averages use parabolas.
+// Order of accuracy with which functionals of cell averages are computed: by parabolas. The
+// transport along characteristics itself has no order.
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
@@ -39,7 +40,7 @@ GridSolution solve_in_box(const problem::Problem& problem, const problem::Scales
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
-// Masses by displacement and by speed.
+// Masses of the marginal densities: on the cells of y, and on the cells of speed.
 struct MarginalMasses {
   Eigen::VectorXd of_y, of_speed;
 };
@@ -51,7 +52,8 @@ MarginalMasses marginal_masses(const GridSolution& on) {
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
-// Limit for the mass in the cells at the ends of a box: mass that leaves the box accumulates there.
+// Largest accepted mass in the cells at the ends of a box. Mass that would leave the box
+// accumulates in these cells.
 constexpr double kMaxMassAtEnd = 1e-6;
 double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
   const double in_y = on.grid.x1.right() == EndCondition::vacuum
@@ -60,8 +62,9 @@ double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses
   return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
 }
 
-// The first face outside which the mass is at most `negligible`; in absolute value, since wide
-// cells oscillate about a steep tail. The last face where the cells at the end hold more.
+// The smallest face position beyond which the mass is at most `negligible`. The absolute values of
+// the masses are added, since the masses of wide cells oscillate in a steep tail. The last face if
+// the cells at the end contain more than `negligible`.
 double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = axis.cells();
@@ -73,14 +76,16 @@ double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double ne
   return axis.face(last);
 }
 
-// A box with all but a negligible part of the mass, determined on wide cells. At the deadline a box
-// with all but kMaxMassAtEnd suffices, above which there would be no solution.
+// A box that contains all but a negligible part of the mass, determined on wide cells. After the
+// deadline, a box that contains all but kMaxMassAtEnd suffices; with more mass at its ends a box
+// would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::Scales& scales,
                         const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
-  // Faster widening where the mass at the end of the box is large.
+  // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
-  constexpr double kTimeRatio = 1.5;  // time ratio for the wider box, about
+  // approximate ratio of the times in the wider and the narrower box
+  constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
   Box box = problem::is_paper_oscillator(problem) ? initial_characteristic_box(problem, options)
                                                   : initial_contact_box(problem, scales, options);
@@ -112,7 +117,8 @@ Box characteristics_box(const problem::Problem& problem, const problem::Scales& 
   return box;
 }
 
-// Adds the atoms in contact to the solution; moments are those of the physical displacement.
+// Adds the atoms in contact to the solution, with their contributions to the moments of the
+// physical displacement.
 void add_atoms(const problem::Problem& problem, const GridSolution& on,
                transform::Solution& solution) {
   auto& moments = solution.moments;
@@ -150,7 +156,7 @@ void fill_in_results(const problem::Problem& problem, const problem::Scales& sca
       displacement_at_rest += mass * point.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
     } else {
-      // In an equilibrium small oscillations continue, with impacts of negligible speed.
+      // At an equilibrium small oscillations continue, with impacts of negligible speed.
       summary.rest_mass += mass;
       summary.impact_rate += mass * point.impact_rate;
     }

@@ -11,7 +11,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Required reduction of the residual by GMRES.
+// Factor by which GMRES must reduce the residual.
 constexpr double kLeastReduction = 1e-4;
 
 DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Scales& scales,
@@ -44,14 +44,15 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Sca
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box` and moves the walls that the options leave free until the density on them is
-// negligible, or, at the deadline, until the box is acceptable.
+// Solves in `box`, and moves the ends of the box that the options leave free outwards until the
+// density at these ends is negligible. After the deadline, an acceptable density suffices.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::Scales& scales, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  constexpr double kTimeRatio = 1.5;  // time ratio for the wider box, about
+  // approximate ratio of the times in the wider and the narrower box
+  constexpr double kTimeRatio = 1.5;
   WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const Stopwatch stopwatch;
@@ -59,7 +60,8 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
-    // A wall density that does not fall when the wall moves is a discretisation error, not a tail.
+    // If the density at an end does not decrease when the end moves outwards, the density is a
+    // discretisation error and no tail.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
     const bool widen_x2 =
@@ -72,7 +74,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
     if (problem.system.left()) {
       if (widen_x1) box.x1_max *= kWidening;
-    } else {  // without an impact wall: about the middle
+    } else {  // without an impact wall the box widens about its middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
       if (widen_x1) box.x1_max += by;
       if (widen_x1_low) box.x1_min -= by;
@@ -82,9 +84,11 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Outside the paper's class standard deviations overestimate the length scales of a density. In
-// several wells and on rings a grid based on them smears the density and causes ripples at the
-// walls of the box. Grids based on the computed length scales follow, until these converge.
+// Finds the box and the length scales for problems outside the paper's class. For a density of
+// several wells or of a ring, standard deviations overestimate the length scales. A grid based on
+// standard deviations then smooths the density and causes ripples at the ends of the box. The
+// function therefore solves again on grids based on the computed length scales, until these
+// converge.
 void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
@@ -127,7 +131,7 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
     coarse.refinement = are_lengths_needed ? kCoarse * kHighOrderWidthFactor : kCoarse;
-    coarse.order = kHighOrder;  // lower orders smear tails on such a grid
+    coarse.order = kHighOrder;  // schemes of lower order smooth the tails on such a coarse grid
     coarse.origin_refinement = 1;
     if (are_lengths_needed) {
       find_box_and_lengths(problem, scales, coarse, deadline, box);
@@ -141,9 +145,11 @@ Box stationary_box(const problem::Problem& problem, const problem::Scales& scale
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                               const Options& options, const Deadline& deadline) {
   constexpr int kRefinements = 2;
-  constexpr int kMostCellsRefined = 8000;  // limit for the first grid; finer grids take minutes
+  // largest number of cells of a grid that is refined; refining a larger grid takes minutes
+  constexpr int kMostCellsRefined = 8000;
   constexpr double kRefinement = 1.5;
-  constexpr double kTimeRatio = 5;  // time ratio for the refined grid, about
+  // approximate ratio of the times on the refined and the previous grid
+  constexpr double kTimeRatio = 5;
   const problem::Scales& scales = scales_and_box.scales;
   Box box =
       scales_and_box.box ? *scales_and_box.box : stationary_box(problem, scales, options, deadline);
@@ -160,7 +166,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
         is_resolved(problem, options, direct)) {
       return direct;
     }
-    // If the grid does not resolve the density, refine the spike first.
+    // The first refinement refines the cells at a spike at the origin, if there is a spike.
     if (is_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
       on_grid.origin_refinement = kOriginRefinement;
     } else {

@@ -38,13 +38,14 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
   return kept;
 }
 
-// Difference of the marginals on the cells of the finer grid, merged up to a practical resolution: in
-// the cells of a spike no two grids agree.
+// The differences of moments and marginal densities between two solutions, on the cells of the
+// finer grid. Cells narrower than kNarrowest are merged, because in the narrow cells of a spike the
+// densities of two grids never agree.
 transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
   constexpr double kNarrowest = 0.02;  // in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_of(finer.solution);
   const auto& moments = finer.solution.moments;
-  // E[y^2] may be large because the motion is far from y = 0.
+  // The root mean square of y may exceed the extent of the grid, if the motion is far from y = 0.
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
@@ -56,7 +57,8 @@ transform::LevelDifference level_difference(const Result& coarser, const Result&
   return transform::level_difference(of(coarser), of(finer));
 }
 
-// The options of a grid with cells narrower by `factor`, without automatic changes.
+// The options for a grid whose cells are narrower by `factor`. The solver does not refine this grid
+// automatically.
 Options with_refined_cells(Options options, double factor) {
   options.refine_unresolved = false;
   options.refinement *= factor;
@@ -76,9 +78,9 @@ Options with_box_of(Options options, const Summary& summary) {
   return options;
 }
 
-// The grid and box may differ from the options by automatic changes: all levels of an estimate use
-// the final values. In separate boxes their difference would include more than the discretisation
-// error.
+// The options with the box and the refinement that the solution used after automatic changes. All
+// grids of an error estimate use these values. If the grids had different boxes, the differences of
+// their solutions would include more than the discretisation error.
 Options with_used_grid(Options options, const Summary& summary) {
   options.refinement = summary.refinement;
   if (options.transport != Transport::characteristics) {
@@ -87,14 +89,15 @@ Options with_used_grid(Options options, const Summary& summary) {
   return with_box_of(options, summary);
 }
 
-// Order of the scheme; along characteristics the mass in a cell is piecewise linear.
+// Order of convergence that is expected of the scheme. Along characteristics the order is 2, since
+// the density is linear inside each cell.
 int order_of_convergence(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
   return options.transport == Transport::characteristics ? kAlongCharacteristics
                                                          : order_of(options);
 }
 
-// Relative error of the second moments.
+// Largest relative error of the second moments.
 double second_moment_error(const Moments& error, const Moments& moments) {
   return std::max(error.y2 / moments.y2, error.v2 / moments.v2);
 }
@@ -115,8 +118,9 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   }
 }
 
-// Truncation error of the box: the change of the moments on the same cells in a larger box. A
-// refinement of the cells does not show this error. Zero if the larger box gives no density.
+// Truncation error of the moments due to the finite box: the differences from the moments in a
+// larger box with the same cells. A refinement of the cells does not reveal this error. Zero if
+// there is no density in the larger box.
 Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cells,
                              const Result& in_box) {
   Moments moved;
@@ -136,9 +140,11 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
   return moved;
 }
 
-// Along characteristics the order is unknown, and two levels may overestimate the order of the
-// next. An error estimate below the residual of a balance would contradict the balance: the
-// dissipated power is proportional to E[v^2], and so to E[y^2], the mean force to E[y].
+// Raises the error estimates of the moments to the residuals of the balances, for solutions along
+// characteristics. Along characteristics the order of convergence is unknown, and the order
+// observed on three grids may be too high for the next grid. A relative error estimate below the
+// residual of a balance would contradict the balance, because the dissipated power is proportional
+// to E[v^2], and so to E[y^2], and the mean force to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
   if (summary.transport != Transport::characteristics) return error;
@@ -155,7 +161,7 @@ Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   return error;
 }
 
-// The estimate from three levels, plus the truncation error of the box.
+// The error estimate from solutions on three grids, plus the truncation error of the box.
 ErrorEstimate estimate(const Options& options, const Result& coarse, const Result& middle,
                        const Result& fine, const Moments& box_truncation) {
   ErrorEstimate error = estimate_error(coarse, middle, fine, order_of_convergence(options));
@@ -168,7 +174,8 @@ ErrorEstimate estimate(const Options& options, const Result& coarse, const Resul
   return error;
 }
 
-// The most accurate result so far, as `not_converged`, when a finer grid gave none.
+// The most accurate result so far with the status `not_converged`, for the case that there is no
+// solution on the next finer grid.
 Result not_converged_result(Result best, const Options& options, const std::string& reason) {
   best.solution.status = Status::not_converged;
   const std::string reached =
@@ -181,24 +188,27 @@ Result not_converged_result(Result best, const Options& options, const std::stri
   return best;
 }
 
-// Least ratio of the times of successive levels; the observed ratio counts where it is larger.
+// Minimum ratio of the times on successive grids. If the observed ratio is larger, the observed
+// ratio is used.
 constexpr double kTimeRatio = 2.5;
 
-// True if two levels have the same grid (the minimum number of cells): they show no error.
+// Whether two solutions have grids with equal numbers of cells, as for the minimum number of cells.
+// The difference of two such solutions does not measure an error.
 bool have_same_cells(const Summary& first, const Summary& second) {
   return first.nx > 0 && first.nx == second.nx && first.nv == second.nv;
 }
 
-// Expected time of a grid from its number of cells: the same on any machine and at any load, so
-// that the choice of the grid is reproducible.
+// Expected time of a solution in seconds, from the number of cells alone. The expected time does
+// not depend on machine and load, so that the choice of the grid is reproducible.
 double expected_seconds(const Summary& on) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
   return on.nx * on.nv *
          (on.transport == Transport::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
-// True if the remaining levels, extrapolated from the last three, are expected to take at most an
-// eighth of the time limit.
+// Whether the solutions on all further grids up to the requested accuracy are expected to take at
+// most an eighth of the time limit. The number of further grids is extrapolated from the error
+// estimate of the last three grids.
 bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, const Options& options,
                             double accuracy, const Deadline& deadline) {
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
@@ -206,7 +216,7 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
   const double missing = std::max(
       1.0, std::ceil(std::log(l1(error) / accuracy) / (order * std::log(kRefinementRatio))));
-  // Sum of a geometric series.
+  // Time of all further grids in units of the time of the last grid: the sum of a geometric series.
   const double levels = kTimeRatio * (std::pow(kTimeRatio, missing) - 1) / (kTimeRatio - 1);
   return kTimeFraction * levels * expected_seconds(last) <= deadline.total_seconds();
 }
@@ -242,7 +252,8 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   Result fine = solve(options);
   if (!fine.solution.density) return fine;
   const Options used = with_used_grid(options, fine.summary);
-  // The coarser grids are faster, and a solution needs an error estimate.
+  // The solutions on the coarser grids are always computed: each takes less time than the first
+  // solution, and no solution may lack an error estimate.
   const Result middle = solve(direct(with_refined_cells(used, 1 / kRefinementRatio)));
   const Options coarsest =
       direct(with_refined_cells(used, 1 / (kRefinementRatio * kRefinementRatio)));
@@ -264,18 +275,19 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options);
   if (!best.summary.error) return best;
-  // The three grids together take about 1 + 1/2.5 + 1/6 times as long as the finest, and the larger
-  // box twice as long as the last.
+  // Solutions on the three grids together take about 1 + 1/2.5 + 1/6 times as long as that on the
+  // finest grid. A solution in the larger box takes twice as long as that on the finest grid.
   double seconds = stopwatch.seconds() / (best.summary.enlarged_box ? 1.9 : 1.6);
   Options level = direct(with_used_grid(options, best.summary));
-  // Of the last three levels the two coarser.
+  // The solutions on the two coarser of the last three grids.
   const Options before = with_refined_cells(level, 1 / kRefinementRatio);
   Result middle = best;
   std::optional<Result> coarse;
-  // Finer cells do not repair a box that is too small.
+  // If the box is too small, finer cells do not help.
   while (best.solution.status != Status::failed &&
          (l1(*best.summary.error) > goal.accuracy || (goal.until_ok && !best.solution.is_ok()))) {
-    // Where the accuracy is out of range, only a solution that is not yet ok is improved.
+    // If the requested accuracy is not attainable in time, the grid is refined only while the
+    // solution is not `ok`.
     if (best.solution.is_ok() && !is_accuracy_attainable(*best.summary.error, middle.summary,
                                                          options, goal.accuracy, deadline)) {
       break;
@@ -300,24 +312,27 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline) {
-  constexpr double kFirst = 0.5;  // refinement of the coarsest grid
-  // Deficit of the observed order above which the origin limits the order.
+  constexpr double kFirst = 0.5;  // Options::refinement of the coarsest grid
+  // Difference of expected and observed order above which the density at the origin is taken to
+  // limit the order.
   constexpr double kOrdersMissing = 1.5;
-  // Fraction of the tolerance allowed for the truncation by the box, which only a larger box
-  // reduces.
+  // Fraction of the tolerance that the truncation error of the box may take. Only a larger box
+  // reduces this error.
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
-  std::array<std::optional<Result>, 3> last;  // coarse, middle, fine
-  std::optional<Result> estimated;            // finest result before grading
+  std::array<std::optional<Result>, 3> last;  // results on the coarse, the middle and the fine grid
+  std::optional<Result> estimated;  // result on the finest grid before the cells were graded
   Moments box_truncation;
   bool box_found = false;
   const auto stop = [&](const std::string& reason) {
-    // A graded grid without an estimate does not replace a uniform grid that has an estimate.
+    // A result on a graded grid without an error estimate does not replace a result on a uniform
+    // grid with an estimate.
     const bool newer = last[2] && (last[2]->summary.error || !estimated);
     return not_converged_result(newer ? *last[2] : *estimated, options, reason);
   };
-  double seconds = 0, slower = kTimeRatio;  // time of the last level; time ratio of the next level
+  // time on the last grid; ratio of the times on the next and the last grid
+  double seconds = 0, slower = kTimeRatio;
   while (true) {
     if ((last[2] || estimated) && !deadline.has_time_for(slower * seconds)) {
       return stop(fmt::format("it needs about {:.2g} s, more than the rest of max_seconds",
@@ -339,7 +354,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       box_found = excess <= 1 || !free || level.wall_density <= kLeastOnWall;
       if (!box_found) {
         level.wall_density *= std::min(0.1, 1 / excess);
-        continue;  // repeat with the same cells in a larger box
+        continue;  // solve again with the same cells in a larger box
       }
       level = with_box_of(level, last[2]->summary);
     } else {
@@ -367,7 +382,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         level.origin_refinement = kOriginRefinement;
         estimated = std::move(last[2]);
         last = {};
-        continue;  // same width far out, three new levels
+        continue;  // the same cell widths far from the origin; three new grids
       }
     }
     level = with_refined_cells(level, kRefinementRatio);

@@ -19,7 +19,8 @@ namespace {
 
 using transform::Status;
 
-// The density by the stepper of the options; empty when there is none. Sets the status.
+// The stationary density by the method of Options::stepper; empty if there is no density. Sets the
+// status of the result.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
                                                   const problem::Problem& problem,
                                                   const Options& options, const Deadline& deadline,
@@ -31,8 +32,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // CVODE solves linear systems with the same solver; each step may take as long as the direct
-  // solve.
+  // Number of CVODE steps for which time must remain. CVODE solves linear systems with the same
+  // solver as the direct solution, so each step may take as long as the direct solution.
   constexpr double kStepsInFull = 20;
   std::optional<March> march;
   if (options.stepper == Stepper::cvode && direct.converged &&
@@ -91,9 +92,10 @@ void fill_in_results(const problem::Problem& problem, const problem::Scales& sca
                                        momentum_at_walls(problem.system, grid, averages, order));
 }
 
-// A box enlarged by half in each direction with a significant wall density; empty where both are
-// negligible. Rare impulses behind a wall with 1e-6 of the peak, 8 standard deviations out,
-// contribute 4e-4 of E[y^4].
+// A box enlarged by half in each direction in which the density at the end of the box is
+// significant; empty if the density is negligible in both directions. Example of a significant
+// density: for rare impulses, with 1e-6 of the peak at an end 8 standard deviations away, the mass
+// beyond this end contributes 4e-4 of E[y^4].
 std::optional<BoxExtension> make_enlarged_box(const problem::Problem& problem,
                                               const Options& options, const Grid& grid,
                                               const WallDensity& wall) {
@@ -119,7 +121,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
                          const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  // Growth rates depend on the velocity step alone, so they are checked before any solve.
+  // Growth rates depend only on the velocity step, so the stability check precedes the solution.
   const auto first =
       discretise(problem, options, initial_box(problem, scales_and_box.scales, options));
   fill_in_grid(first, summary);

@@ -13,15 +13,16 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
                             const Eigen::VectorXd& start, double tolerance, double decay_time,
                             const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
-  // In decay times. Rounding in (I - gamma L)^-1 moves mass by about 1e-15 gamma ||L||, hence the
-  // upper limit.
+  // Limits of the time step, in decay times. The upper limit is necessary because rounding errors
+  // in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
   constexpr double kFirstStep = 10, kLongestStep = 500;
-  // Local errors are not controlled here: a step may change the density by many times itself.
+  // Tolerances with which CVODE does not limit steps by local errors: a step may change the density
+  // by many times its own size.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
   const double absolute_tolerance = kPeakMultiple * start.maxCoeff();
-  // Tolerances are in terms of mass. Narrow cells at a singularity hold negligible mass, and would
-  // shorten the steps because their density varies: for white noise at r = 0.6 GMRES took 860
-  // iterations instead of 372.
+  // Tolerances refer to the mass of a cell. Tolerances for densities would shorten the steps,
+  // because the density varies strongly in the narrow cells at a singularity, whose mass is
+  // negligible: for white noise at r = 0.6 GMRES took 860 iterations instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times its contribution to L P.
@@ -75,7 +76,7 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   march.rhs_evaluations = cvode.rhs_evaluations();
   march.krylov_iterations = cvode.krylov_iterations();
   march.krylov_seconds = stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
-  // Normalised to mass 1: the residual of GMRES changes the mass.
+  // The density is normalised to mass 1 again, because the residual of GMRES changes the mass.
   march.averages = cvode.averages() / op.mass(cvode.averages());
   return march;
 }
