@@ -59,19 +59,22 @@ Description<Options> make_description() {
       .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"}, positive())
       .add("origin_refinement", &O::origin_refinement,
            {"F",
-            "cells at the origin are F times narrower than far from it (default: 16 for r < "
-            "0.95 and a density bounded at the origin, else 1)"},
+            "cells at the origin are F times narrower than cells far from the origin (default: "
+            "16 for r < 0.95 and a density bounded at the origin, else 1)"},
            between(1, kMostOriginRefinement))
-      .add("nx", &O::nx, {"N", "cells in y (default: from equivalent linearisation)"},
+      .add("nx", &O::nx, {"N", "number of cells in y (default: from equivalent linearisation)"},
            between(kFewestAxisCells, kMostAxisCells))
-      .add("nv", &O::nv, {"N", "cells in y', even (default: likewise)"},
+      .add("nv", &O::nv,
+           {"N", "even number of cells in y' (default: from equivalent linearisation)"},
            even_between(kFewestAxisCells, kMostAxisCells)
                .with_reason("y' = 0 lies between two cells"))
       .add("x1_max", &O::x1_max,
-           {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its wall)"},
+           {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its end)"},
            positive())
       .with_flag("y-max")
-      .add("x2_max", &O::x2_max, {"V", "box |y'| <= V (default: likewise)"}, positive())
+      .add("x2_max", &O::x2_max,
+           {"V", "box |y'| <= V (default: wide enough for a negligible density at its ends)"},
+           positive())
       .with_flag("v-max")
       .add(
           "regularisation_length", &O::regularisation_length,
@@ -80,7 +83,8 @@ Description<Options> make_description() {
            "cells are wider than l); 0: the literal scheme"},
           non_negative())
       .add("wall_density", &O::wall_density,
-           {"D", "density on a wall, relative to the peak, above which the box is widened"},
+           {"D",
+            "density at an end of the box, relative to the peak, above which the box is widened"},
            strictly_between(0, 1))
       .add("refine_unresolved", &O::refine_unresolved,
            {"", "refine an automatic grid that does not resolve its density"})
@@ -91,16 +95,17 @@ Description<Options> make_description() {
       .add("accuracy", &O::accuracy,
            {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"}, positive())
       .with_default(Options{}.accuracy)
-      .add("max_seconds", &O::max_seconds,
-           {"S",
-            "time limit: finer grids are neither started nor continued after it; the most accurate "
-            "solution so far is returned (in a run 20)"},
-           positive())
+      .add(
+          "max_seconds", &O::max_seconds,
+          {"S",
+           "time limit in seconds: after the limit no finer grid is started or continued; the most "
+           "accurate solution so far is returned (in a run 20)"},
+          positive())
       .with_default(Options{}.max_seconds)
       .add("tolerance", &O::tolerance,
            {"T",
-            "choose the grid: error estimate (L1 of p(y) and p(y'), relative second moments) "
-            "below T"},
+            "choose the first grid with an error estimate below T (L1 errors of p(y) and p(y'), "
+            "relative errors of the second moments)"},
            tolerance_range())
       .add("residual_tolerance", &O::residual_tolerance,
            {"R", "threshold of the stationarity residual ||L p||_1 / ||p||_1"}, positive())
@@ -125,11 +130,14 @@ void validate(const Options& options) {
           fmt::format("transport characteristics with equation {} and impact {}: requires kf and "
                       "map; use upwind",
                       problem::name(options.equation), problem::name(options.impact)));
-  require(!along || (!options.nx && !options.nv),
-          "nx or nv with transport characteristics: its cells follow the problem; use refinement");
-  require(!options.regularisation_length || options.equation == Equation::km4,
-          fmt::format("regularisation length with equation {}: only km4 has one; leave it out",
-                      problem::name(options.equation)));
+  require(
+      !along || (!options.nx && !options.nv),
+      "nx or nv with transport characteristics: this transport chooses its cells; use refinement");
+  require(
+      !options.regularisation_length || options.equation == Equation::km4,
+      fmt::format(
+          "regularisation length with equation {}: only km4 has this length; leave out the length",
+          problem::name(options.equation)));
   require(!options.tolerance || (!options.nx && !options.nv),
           "tolerance with nx or nv: the tolerance selects the grid; leave out nx and nv");
 }

@@ -43,13 +43,17 @@ Description<TransientOptions> make_transient_description() {
             "with --until: standard deviation of y at t = 0 (default: about half of the stationary "
             "deviation)"},
            positive())
-      .add("start_v", &T::start_velocity,
-           {"S", "with --until: standard deviation of y' at t = 0 (default: likewise)"}, positive())
+      .add(
+          "start_v", &T::start_velocity,
+          {"S",
+           "with --until: standard deviation of y' at t = 0 (default: about half of the stationary "
+           "deviation)"},
+          positive())
       .add(
           "start_mean_y", &T::start_mean_displacement,
           {"M",
            "with --until: mean of y at t = 0, before truncation at the walls (default: about E[y]; "
-           "the wall, if there is just one wall, at the equilibrium)"},
+           "the position of the wall, if there is only one wall, at the equilibrium)"},
           finite_number())
       .add("start_mean_v", &T::start_mean_velocity,
            {"M", "with --until: mean of y' at t = 0 (default: 0)"}, finite_number())

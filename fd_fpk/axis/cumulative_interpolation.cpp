@@ -37,8 +37,8 @@ void CumulativeInterpolation::add(double x, double factor,
   }
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
   const Stencil& stencil = stencils_[above - faces.begin() - 1];
-  // Lagrange weights: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), computed as the product over b < a
-  // times the product over b > a.
+  // Lagrange weights: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), computed as the product
+  // over b < a times that over b > a.
   std::array<double, kMostPoints> before;
   double product = factor;
   for (int a = 0; a < points_; ++a) {

@@ -176,8 +176,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
     for (int test = 0, confirmed = 0; confirmed < count; ++test) {
       if (test == kMostTests) {
         throw std::runtime_error(
-            "the rightmost eigenvalues did not converge: every test found new "
-            "ones; use another grid");
+            "the rightmost eigenvalues did not converge: every check found new "
+            "eigenvalues; use another grid");
       }
       const double last = found.values[count - 1].real();
       const double next = found.values[count].real();

@@ -106,8 +106,9 @@ TEST(Options, InvalidValuesAreRefusedByName) {
 }
 
 TEST(Options, ContradictoryOptionsAreRefused) {
-  EXPECT_EQ(refusal({.regularisation_length = 0.3}),
-            "regularisation length with equation kf: only km4 has one; leave it out");
+  EXPECT_EQ(
+      refusal({.regularisation_length = 0.3}),
+      "regularisation length with equation kf: only km4 has this length; leave out the length");
   EXPECT_EQ(refusal({.equation = Equation::km4, .regularisation_length = 0.0}), "");
   EXPECT_NE(refusal({.equation = Equation::km4, .regularisation_length = -0.3}), "");
   EXPECT_NE(refusal({.nx = 40, .tolerance = 1e-4}), "");
