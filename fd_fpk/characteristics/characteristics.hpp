@@ -56,7 +56,7 @@ struct Emission {
   std::vector<double> shares;  ///< fraction of the mass on each characteristic of from_walls()
   /// fraction of the mass with a speed below that of every characteristic
   double rest_fraction = 0;
-  /// Momentum and energy of the impacts that follow impulses into the wall, per impulse.
+  /// Momentum and energy of the impacts due to impulses into the wall, per impulse.
   double momentum = 0, energy = 0;
 };
 
