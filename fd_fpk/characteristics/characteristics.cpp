@@ -28,7 +28,7 @@ int cell_of(const Axis& axis, double x) {
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cells() - 1);
 }
 
-// Cubic Hermite interpolation of a coordinate over a time step.
+// Interpolates a coordinate over a time step by a cubic Hermite polynomial.
 class Cubic {
  public:
   Cubic(const Flow& flow, const State& from, const State& to, double time)
