@@ -15,8 +15,8 @@ using problem::Impact;
 
 /// Method that computes the stationary density of the discrete operator.
 enum class Stepper {
-  cvode,  ///< pseudo-transient steps of CVODE, compared with the null vector
-  direct  ///< the null vector of the operator alone, by a preconditioned GMRES solve
+  cvode,  ///< pseudo-transient time steps of CVODE; the result is compared with the null vector
+  direct  ///< only the null vector of the operator, by preconditioned GMRES
 };
 inline constexpr base::EnumEntry<Stepper> kStepperNames[] = {
     {Stepper::cvode, "cvode", "pseudo-transient steps to stationarity"},
@@ -41,9 +41,10 @@ struct Options {
   Stepper stepper = Stepper::cvode;
   /// Automatic: characteristics if impulses are rare or losses are strong, see solve().
   std::optional<Transport> transport{};
-  /// Order of the transport terms, 2 .. 8. Odd orders are upwind-biased and keep the tails free of
-  /// oscillations; even orders are centred and leave grid-scale ripples of about 1e-4 of the peak.
-  /// Automatic: automatic_order() for the stationary density, else kDefaultOrder; see order_of().
+  /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
+  /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
+  /// about 1e-4 of the peak. Automatic: automatic_order() for the stationary density, else
+  /// kDefaultOrder; see order_of().
   std::optional<int> order{};
   /// Factor by which the number of cells in each direction exceeds the automatic number: 2 halves
   /// the cell widths.
@@ -75,8 +76,9 @@ struct Options {
   bool error_estimate = true;
   /// Largest estimated L1 error of a marginal density with which the status is `ok`.
   double accuracy = 1e-2;
-  /// Time limit in seconds. A finer grid starts only if it is expected to end before the limit. A
-  /// solve that exceeds the limit is aborted, and the most accurate solution so far is returned.
+  /// Time limit in seconds. A solution on a finer grid is started only if it is expected to end
+  /// before the limit. A solution that exceeds the limit is aborted, and the most accurate solution
+  /// so far is returned.
   double max_seconds = 20;
   /// Tolerance that selects the grid: the first grid whose error estimate is below the tolerance.
   /// The estimate comprises the L1 errors of both marginal densities and the relative errors of the

@@ -15,8 +15,8 @@ namespace fpkcheck::fd_fpk {
 /// one width of the velocity cells.
 struct RegularisationRow {
   std::string scheme;  ///< "literal", "regularised", "0.9 l*", "1.1 l*", "pade"
-  double step;         ///< h, width of the velocity cells
-  double length;       ///< l, step of the fourth difference; 0 for pade
+  double step;         ///< width h of the velocity cells
+  double length;       ///< step l of the fourth difference; 0 for pade
   int nx = 0;          ///< number of cells in y and y'
   int nv = 0;
   /// growth rate by the symbol of the excitation, for waves that depend on x2 alone
@@ -58,7 +58,8 @@ struct RegularisationStudyOptions {
 
 /// Study of the literal and the regularised fourth difference of km4, and of its Pade approximant,
 /// for decreasing velocity steps: growth rates, eigenvalues and null vectors, for well-posed and
-/// ill-posed schemes alike. Ill-posed steps are included here; fd_fpk::solve refuses them.
+/// ill-posed schemes alike. The study includes ill-posed velocity steps, which fd_fpk::solve
+/// refuses.
 /// @throws InputError outside the paper's class (problem::Features::original)
 /// @param progress called before the computation of each row, with the number of the row and the
 /// total number of rows

@@ -19,8 +19,9 @@ namespace {
 constexpr double kMostFrequent = 3000;
 
 // Mean acceleration towards the wall due to impulses of nonzero mean, relative to the acceleration
-// of the spring at one standard deviation. Above 1 the oscillator makes short flights between
-// impacts instead of half-cycles, and their height decreases with the energy loss of an impact.
+// of the spring at one standard deviation. If this ratio exceeds 1, the oscillator makes short
+// flights between impacts instead of half-cycles, and the height of the flights decreases with the
+// energy loss at an impact.
 double mean_force_ratio(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
   return -problem.impulses.rate_moment(1) / problem.system.force()(linear.displacement_deviation);

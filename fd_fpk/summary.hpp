@@ -25,9 +25,8 @@ struct ErrorEstimate {
   transform::Moments extrapolated = {};  ///< limits of the moments by Richardson extrapolation
   /// estimated error on the finest grid, divided by the difference of the two finest solutions
   double factor = 0;
-  std::vector<double> rest_probabilities =
-      {};                  ///< errors of the probabilities of rest, for each atom
-  double impact_rate = 0;  ///< error of Summary::impact_rate; not finite where the rate is infinite
+  std::vector<double> rest_probabilities = {};  ///< error of the probability of rest, for each atom
+  double impact_rate = 0;  ///< error of Summary::impact_rate; not finite if the rate is infinite
   /// Whether the observed order is consistent with the order of the scheme.
   bool has_limit = false;
 };
@@ -54,7 +53,7 @@ struct Summary {
   long factor_entries = 0;     ///< number of entries of both factors of the preconditioner
   double factor_seconds = 0;   ///< seconds that KLU took for factorisations on the final grid
   double krylov_seconds = 0;   ///< seconds that GMRES took on the final grid
-  double residual = 0;         ///< ||L P||_1 / ||P||_1 in units of sqrt(k_eq)
+  double residual = 0;  ///< stationarity residual ||L P||_1 / ||P||_1, in units of sqrt(k_eq)
   /// Largest |difference| of the pseudo-transient and the direct solution, relative to the
   /// largest density; 0 if there is only the direct solution.
   double stepped_against_direct = 0;

@@ -102,7 +102,7 @@ Box transient_box(const problem::Problem& problem, const problem::Scales& scales
 Options refine_for_start(const problem::Problem& problem, const problem::Scales& scales,
                          Options options, const LengthScales& of_stationary,
                          const Gaussian& start) {
-  constexpr double kCells = 6;  // cells of the automatic grid per length scale
+  constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const LengthScales lengths =
       problem::is_paper_oscillator(problem)
           ? LengthScales{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
@@ -135,7 +135,8 @@ Snapshot snapshot(const problem::Problem& problem, const Options& options, const
                                   averages, order_of(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  // The initial Gaussian is bounded at the walls.
+  // For a bounded density the impact rate is the flux into the walls, and the initial Gaussian is
+  // bounded.
   s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, order_of(options))
                             : impact_rate(system, on.excitation, options.impact, grid, averages,
                                           change, order_of(options));
@@ -175,9 +176,9 @@ void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapsho
 }
 
 // A discretisation that resolves the initial and the stationary density, with at most
-// kMaxTransientCells cells: time steps on more cells take minutes. Mass that concentrates in wells,
-// or at rest under rare impulses, is narrower than any cell; kTransientLimits then detect the
-// insufficient resolution.
+// kMaxTransientCells cells: time steps on more cells take minutes. A density that concentrates in
+// wells, or at rest under rare impulses, is narrower than the cells; the limits kTransientLimits
+// then detect the insufficient resolution.
 Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
                                        Options& options) {
   constexpr double kMaxTransientCells = 10000;
@@ -193,7 +194,8 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
                        Preconditioner& preconditioner, const Deadline& deadline,
                        TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
-  // Tolerance of GMRES as a fraction of the local error. The linear residual shows up as lost mass.
+  // Tolerance of GMRES as a fraction of the local error. The residual of GMRES causes a loss of
+  // mass.
   constexpr double kLinearTolerance = 1e-3;
   // L is constant, so CVODE factors again only for a new gamma.
   constexpr long kStepsPerFactorisation = 10000;

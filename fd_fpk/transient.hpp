@@ -15,7 +15,7 @@ struct Snapshot {
   double time = 0;
   transform::Moments moments{};
   double yv = 0;      ///< E[y y']
-  double energy = 0;  ///< E[v^2]/2 + E[U(y)], with the potential U of the spring
+  double energy = 0;  ///< mean energy E[v^2]/2 + E[U(y)], with the potential U of the spring
   /// Power input minus dissipation, problem::power; equal to dE/dt for the exact equation.
   double power = 0;
   /// Difference between `power` and the dE/dt of the discrete equation dp/dt = L p, relative to D +
@@ -23,7 +23,7 @@ struct Snapshot {
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
-  double min_density = 0;   ///< smallest density relative to the largest
+  double min_density = 0;   ///< smallest density, relative to the largest density
   WallDensity wall{0, 0};   ///< relative_wall_density, for the problem in wall coordinates
   std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
   std::vector<double> v{};  ///< p(y', t), averages over the cells between TransientResult::v_edges
@@ -32,8 +32,8 @@ struct Snapshot {
 /// A density over time and the numerical data of its computation.
 struct TransientResult {
   transform::Status status = transform::Status::failed;
-  std::string reason;             ///< one sentence; nonempty unless the status is ok
-  double seconds = 0;             ///< wall-clock time
+  std::string reason;  ///< reason for the status, one sentence; empty only for the status ok
+  double seconds = 0;  ///< wall-clock time
   double start_displacement = 0;  ///< standard deviation of y in the initial density that was used
   double start_velocity = 0;
   double start_mean_displacement = 0;  ///< mean of y in the initial density that was used
@@ -43,15 +43,15 @@ struct TransientResult {
   std::vector<Snapshot> snapshots;   ///< densities up to the time at which the integration ended
   long steps = 0;                    ///< number of steps of CVODE
   long factorisations = 0;           ///< number of factorisations by KLU
-  long rhs_evaluations = 0;          ///< products L P evaluated for CVODE
+  long rhs_evaluations = 0;          ///< number of products L P evaluated for CVODE
   long krylov_iterations = 0;        ///< total iterations of GMRES
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
 
 /// The density p(y, y', t) over time by the operator of solve(). The initial density is a Gaussian
-/// truncated at the walls and normalised to mass 1 between the walls. The initial Gaussian has mean
-/// zero in the (z, z') plane where the wall is at y = 0. CVODE integrates in time: BDF of variable
-/// step and order, GMRES preconditioned by KLU.
+/// truncated at the walls and normalised to mass 1 between the walls. In the paper's class the
+/// default initial Gaussian has mean zero in the (z, z') plane. CVODE integrates in time: BDF of
+/// variable step and order, GMRES preconditioned by KLU.
 ///
 /// An automatic box contains the stationary density, the initial density, and every state that the
 /// initial energy can reach. An automatic grid resolves both densities, as far as 10 000 cells

@@ -70,8 +70,8 @@ Description<TransientOptions> make_transient_description() {
 }  // namespace
 
 const Description<TransientOptions>& transient_description() {
-  // The construction is in a function of its own: Clang 14 destroys parts of the temporaries at
-  // every call when they are in this initialiser.
+  // The description is constructed in a function of its own, because Clang 14 would destroy
+  // temporaries of this initialiser at every call.
   static const auto description = make_transient_description();
   return description;
 }

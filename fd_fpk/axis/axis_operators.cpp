@@ -121,7 +121,7 @@ AxisOperator weighted_averages(const Axis& axis, int points, const numerics::Pol
   const std::size_t degree = weight.degree();
   for (int i = 0; i < axis.cells(); ++i) {
     const int first = first_stencil_cell(axis, i, points, barrier);
-    // weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division
+    // The expansion weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
       for (std::size_t s = degree; s-- > q;) local[s] += axis.centre(i) * local[s + 1];

@@ -7,13 +7,15 @@
 #include "fd_fpk/axis/axis.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 
-/// One-dimensional operators on cell averages of an axis. The operator of the plane is a sum of
-/// tensor products of these. Each is exact on polynomials up to a degree given by its order.
+/// One-dimensional operators on cell averages of an axis. The operator of the phase plane is a sum
+/// of tensor products of these one-dimensional operators. Each one-dimensional operator is exact on
+/// polynomials up to a degree that its order of accuracy determines.
 namespace fpkcheck::fd_fpk {
 
 using AxisOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The upstream side of a face: stencils of odd length have one cell more on this side.
+/// The upstream side of a face. Stencils with an odd number of cells have one cell more on this
+/// side.
 enum class Bias { left, right };
 
 /// The matrix that maps cell averages to point values on the inner faces 1 .. cells-1, shape (cells

@@ -48,7 +48,7 @@ void CumulativeInterpolation::add(double x, double factor,
   double after = 1;
   for (int a = points_ - 1; a >= 0; --a) {
     const int face = stencil.first + a;
-    if (face <= 0) break;  // C = 0 at the first face and left of it
+    if (face <= 0) break;  // C is 0 at the first face and left of the axis
     face_weights(std::min(face, last)) += before[a] * after * stencil.inverse_denominators[a];
     after *= x - stencil.faces[a];
   }

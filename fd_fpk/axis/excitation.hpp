@@ -30,10 +30,10 @@ struct Excitation {
   double exchange_rate = 0;
 };
 
-/// Parameter-free regularisation length of `km4`: l^2 = E[Y^6] / (5 E[Y^4]). With this l the
-/// leading error of the fourth difference equals the sixth Kramers-Moyal term. The scheme is
-/// well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz). For a zero-mean gaussian l is
-/// the standard deviation of Y.
+/// Parameter-free regularisation length of `km4`: l^2 = E[Y^6] / (5 E[Y^4]). With this length l the
+/// leading error of the fourth difference equals the sixth term of the Kramers-Moyal series. With
+/// this length the scheme is well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz). For
+/// a zero-mean gaussian l is the standard deviation of Y.
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
 /// The white-noise approximation of the impulses: -lambda E[Y] p' + lambda E[Y^2]/2 p''.
@@ -57,8 +57,7 @@ Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Axis& axis
 /// @param order order of accuracy of the differences, even
 Excitation kramers_moyal_pade(const problem::ImpulseTrain& impulses, const Axis& axis, int order);
 
-/// The coefficient b of kramers_moyal_pade: positive where the Pade approximant is a bounded
-/// operator.
+/// The coefficient b of kramers_moyal_pade; positive if the Pade approximant is a bounded operator.
 double pade_length_squared(const problem::ImpulseTrain& impulses);
 
 /// The excitation by the jump integral lambda (E[p(x2 - Y)] - p).

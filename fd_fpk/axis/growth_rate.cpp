@@ -28,7 +28,7 @@ Growth largest_growth(const Axis& axis, const Excitation& excitation, int points
   constexpr int kWaves = 2000;
   const Eigen::ArrayXd phases =
       Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);  // q step
-  // sum_j row(middle + j) cos(j phase), with the cosines by their recurrence
+  // Sums row(middle + j) cos(j phase) over j, with the cosines by their three-term recurrence.
   const Eigen::ArrayXd twice = 2 * phases.cos();
   Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
   Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;

@@ -51,7 +51,7 @@ std::vector<double> critical_widths(const Axis& axis, const problem::ImpulseLaw&
 /// length, or wider, the second difference damps short waves less than the exact derivative does,
 /// and the fourth difference interpolates between cells. Then a length for which the continuous
 /// symbol is stable may be too short.
-/// @param points stencil length of the centred differences, even
+/// @param points number of cells in a stencil of the centred differences, even
 double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
                                       std::span<const double> widths, int points, double from);
 

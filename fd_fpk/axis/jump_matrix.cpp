@@ -36,7 +36,8 @@ void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
 Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cells();
-  Eigen::MatrixXd masses(cells, cells);  // mass from cell j (average 1) to cell i
+  // rate at which mass moves from cell j (average 1) to cell i
+  Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
     masses.row(i) = cumulative.to_average_weights(change.col(i + 1) - change.col(i)).transpose();
   }
@@ -64,8 +65,8 @@ void add_moments(const Axis& axis, int face, const problem::ImpulseLaw& law,
   std::array<double, kMoments + 1> moments;  // moments of -Y / unit
   for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
   for (int a = -kAround; a <= kAround; ++a) {
-    if (face + a <= 0) continue;  // C = 0 at the first face and left of it
-    // coefficients of prod_{b != a} (z - z_b) / (z_a - z_b)
+    if (face + a <= 0) continue;  // C is 0 at the first face and left of the axis
+    // Coefficients of the Lagrange polynomial prod_{b != a} (z - z_b) / (z_a - z_b).
     const auto at = [&](int b) { return (axis.face(face + b) - axis.face(face)) / unit; };
     std::array<double, kMoments + 1> coefficients{1};
     int degree = 0;

@@ -38,7 +38,7 @@ struct Landing {
   int faster = 0, slower = 0;
   double faster_fraction = 0;
   std::optional<int> rest = {};    ///< index of the rest point
-  std::optional<Cascade> cascade;  ///< the impacts that lead to rest in contact
+  std::optional<Cascade> cascade;  ///< cascade of impacts that ends at rest in contact
 };
 
 /// A characteristic through the grid, from a wall or from the boundary of the box to the next
@@ -123,7 +123,7 @@ class Characteristics {
   std::vector<int> contacts_;
   std::vector<bool> at_rest_;  // for each cell
   std::vector<Visit> visits_;
-  std::vector<double> durations_;  // durations of the visits, during construction
+  std::vector<double> durations_;  // durations of the visits; used only during construction
   std::vector<Track> from_outside_, from_walls_;
   Fan from_left_, from_right_;
 };

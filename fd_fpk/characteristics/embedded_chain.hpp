@@ -19,10 +19,11 @@ struct StationaryMasses {
   /// equilibrium.
   std::vector<double> at_rest = {};
   WallImpacts impacts = {};
-  double residual = 0;  ///< ||J T q - q||_1 of the density q after impulses, normalised to mass 1
+  /// residual ||J T q - q||_1 of the density q after impulses, with q normalised to mass 1
+  double residual = 0;
   long iterations = 0;  ///< iterations of GMRES
   std::string failure = {};
-  std::vector<RestPoint> rest = {};  ///< rest points of the characteristics
+  std::vector<RestPoint> rest = {};  ///< rest points of the motion
   long visits = 0;                   ///< number of cell visits of all characteristics
 };
 

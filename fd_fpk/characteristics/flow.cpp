@@ -15,7 +15,7 @@ constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// int_0^t exp(s t') dt' = expm1(s t) / s.
+// The integral int_0^t exp(s t') dt' = expm1(s t) / s.
 double integrated_exponential(double s, double time) {
   return s == 0 ? time : std::expm1(s * time) / s;
 }
@@ -89,7 +89,8 @@ State Flow::advance(const State& from, double time) const {
 }
 
 double Flow::max_step(const State& from, const AccessibleInterval& accessible_interval) const {
-  constexpr double kChange = 0.1;  // relative change of the state, in the energy norm
+  // largest relative change of the state in a step, in the energy norm
+  constexpr double kChange = 0.1;
   // Near a saddle, and where no force acts, the rate of change of the state is small but increases
   // quickly, and is therefore no measure for the step.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;

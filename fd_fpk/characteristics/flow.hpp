@@ -22,14 +22,14 @@ constexpr double inward_sign(Side side) { return side == Side::left ? 1 : -1; }
 /// losses. Each end of the interval is a turning point or a wall.
 struct AccessibleInterval {
   double low, high;
-  double least_potential;  ///< least potential in the interval
+  double least_potential;  ///< smallest potential in the interval
   /// square root of the largest |g'(y)| in the interval, in radians per unit time
   double frequency;
 };
 
 /// The half-cycle: the motion from the left wall to the next impact on the same wall.
 struct HalfCycle {
-  double height;            ///< largest distance from the wall
+  double height;            ///< largest distance from the wall during the half-cycle
   double duration = 0;      ///< infinite if the motion does not return
   double impact_speed = 0;  ///< impact speed at the end
 };
@@ -46,7 +46,7 @@ class Flow {
   }
   /// Distance of the displacement y from the wall; negative behind the wall. @pre the wall exists
   double distance(double y, Side side) const;
-  /// The wall behind which the displacement lies, if any.
+  /// The wall behind which the displacement y is; empty if y is between the walls.
   std::optional<Side> beyond(double y) const;
 
   double acceleration(const State& at) const;
@@ -64,8 +64,9 @@ class Flow {
   State advance(const State& from, double time) const;
 
   /// The largest time step with which advance() is accurate. The relative error of the state is of
-  /// the order 1e-7 in one step and 1e-6 to 1e-5 in a half-cycle. Where overdamped motion
-  /// approaches rest, the steps grow with its time scale, and the error is 1e-4.
+  /// the magnitude 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. When overdamped motion
+  /// approaches a rest point, the steps increase with the time scale of the motion, and the
+  /// relative error is 1e-4.
   /// @param accessible_interval accessible interval of this state, or of an earlier state with more
   /// energy
   double max_step(const State& from, const AccessibleInterval& accessible_interval) const;
@@ -74,7 +75,7 @@ class Flow {
   /// The half-cycle from the left wall with an initial speed > 0.
   HalfCycle half_cycle(double speed) const;
 
-  /// The time at which a flight meets the wall.
+  /// The time after which a flight from the state `from` meets the wall.
   /// @pre the state is behind the wall at the end of `time`
   double impact_time(const State& from, double time, Side side) const;
 

@@ -27,7 +27,7 @@ struct RestPoint {
   std::vector<CellFraction> cells = {};
   /// Energy below which motion does not leave the cells of an equilibrium; unused for contact.
   double escape_energy = 0;
-  /// Impacts per unit time of mass at rest in an equilibrium at a wall.
+  /// Number of impacts per unit time of the residual motion at an equilibrium at a wall.
   double impact_rate = 0;
 };
 

@@ -13,7 +13,7 @@ struct ImpactSums {
   /// Number of impacts. The infinitely many impacts of a cascade to rest are not counted.
   double number = 0;
   double momentum = 0;  ///< sum of the impact speeds
-  double energy = 0;    ///< sum of v^2 over the impacts: int |v|^3 p dv
+  double energy = 0;    ///< sum of the squared impact speeds: int |v|^3 p dv
 };
 struct WallImpacts {
   ImpactSums left, right;

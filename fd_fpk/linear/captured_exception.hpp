@@ -20,7 +20,8 @@ class CapturedException {
     try {
       return callback();
     } catch (...) {
-      if (!thrown_) thrown_ = std::current_exception();  // later exceptions may be consequences
+      // keep the first: later exceptions may be consequences of the first
+      if (!thrown_) thrown_ = std::current_exception();
       return kUnrecoverable;
     }
   }

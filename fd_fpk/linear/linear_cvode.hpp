@@ -44,15 +44,15 @@ struct BdfControl {
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
-  std::optional<double> step_growth = {};  ///< largest ratio of successive steps
+  std::optional<double> step_growth = {};  ///< largest ratio of the lengths of successive steps
   std::optional<double> stop_time = {};    ///< time that no step exceeds
   std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
   /// maximum number of steps with the same factorisation, for a constant gamma
   std::optional<long> steps_per_factorisation = {};
 };
 
-/// CVODE with BDF for dP/dt = L P: GMRES with L itself, preconditioned by factors of an
-/// approximation of I - gamma L.
+/// Integrator of dP/dt = L P by CVODE with BDF. GMRES solves the linear systems with L itself; the
+/// preconditioner consists of factors of an approximation of I - gamma L.
 class LinearCvode {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up

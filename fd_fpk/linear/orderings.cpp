@@ -93,7 +93,7 @@ class OrderingCache {
 
 std::vector<std::int64_t> ordering(const SparseColumns& matrix) {
   static OrderingCache& cache =
-      *new OrderingCache;  // never destroyed: threads may still use it at exit
+      *new OrderingCache;  // never destroyed, since threads may still use the cache at exit
   const SparsityPattern pattern(matrix);
   auto order = cache.find(pattern);
   if (!order.empty()) return order;

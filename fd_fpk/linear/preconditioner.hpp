@@ -49,7 +49,7 @@ class Preconditioner {
   bool factor_with_klu(const SparseColumns& matrix);
 
   double loss_;
-  SparseColumns approximation_;  // M, with its diagonal stored
+  SparseColumns approximation_;  // the matrix M, with all diagonal entries stored
   SparseColumns factored_;
   KluFactorisation klu_;
   bool are_stationary_ = false;  // whether the factors are those of M

@@ -33,7 +33,7 @@ class ShiftedInverse {
   Eigen::Index size() const { return matrix_.rows(); }
 
   void set_shift(double sigma) {
-    // The pattern must not depend on the shift, since KLU reuses its ordering.
+    // The pattern of nonzeros must not depend on the shift, since KLU reuses the ordering.
     ++factorisations_;
     if (!klu_.factor(scale_and_shift(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
     sigma_ = sigma;

@@ -14,8 +14,8 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Half-widths of the box and cell widths, in standard deviations of equivalent linearisation. A
-// hardening spring shortens the tail of p(y), the impulses lengthen that of p(y'); the steep tail
-// of p(y) requires the finer step.
+// hardening spring shortens the tail of p(y), and the impulses lengthen the tail of p(y'). The
+// steep tail of p(y) requires the narrower cells.
 constexpr double kX1BoxDeviations = 6;
 constexpr double kX2BoxDeviations = 7;
 // Minimum half-width of the box in velocity, in standard deviations of a single impulse.
@@ -170,7 +170,7 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
   return "";
 }
 
-// The gradings of both axes.
+// The gradings of the axes x1 and x2.
 struct Gradings {
   Grading of_x1, of_x2;
 };
@@ -199,7 +199,7 @@ int additional_cells(int cells, double length, double factor, const Grading& gra
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
-// The coefficient of p'' in the terms that act on the shortest lengths.
+// The diffusion coefficient: the coefficient of p'' in the terms that act on the shortest lengths.
 double local_diffusion(const problem::Problem& problem, Equation equation) {
   const bool local = equation == Equation::km4 || is_noise_like(problem, equation);
   return problem.noise.diffusion() + (local ? problem.impulses.rate_moment(2) / 2 : 0);
@@ -207,8 +207,8 @@ double local_diffusion(const problem::Problem& problem, Equation equation) {
 
 // Gradings for problems outside the paper's class: at walls with losses and at x2 = 0. Whatever the
 // force, noise dominates slow motion at the wall; under noise the cells of x1 are graded as the
-// cube of those of x2 (x1_grading). The long reach in both directions limits the difference of
-// neighbouring widths to a fifth.
+// cube of those of x2 (x1_grading). The long reach in both directions limits the relative
+// difference of neighbouring cell widths to a fifth.
 struct WallGradings {
   Grading x1, x2;
 };
@@ -413,7 +413,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   const auto [of_x1, of_x2] = gradings(problem, options);
   const double width =
       (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
-  // value_or() would convert to int
+  // value_or() would convert the double to int
   const double nx = options.nx
                         ? *options.nx
                         : cell_count(box.x1_max, width * kX1Step * linear.displacement_deviation,

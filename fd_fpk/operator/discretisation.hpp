@@ -77,7 +77,7 @@ double origin_refinement(const problem::Problem& problem, const Options& options
 /// cells.
 Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box);
 
-/// A box and its numbers of cells.
+/// A box and the numbers of cells of its grid.
 struct BoxExtension {
   Box box;
   int nx;

@@ -102,7 +102,7 @@ class TestFunctionBalance {
     return sum;
   }
 
-  // The change of E[h] per unit time due to impacts on the other wall.
+  // The rate of change of E[h] due to impacts at the other wall.
   double mean_gain_at_wall(const problem::Wall& other, End end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;

@@ -17,8 +17,8 @@ namespace fpkcheck::fd_fpk {
 ///
 /// With white noise and losses p(0, v) ~ |v|^-beta (exact::wall_exponent). Cell averages do not
 /// resolve this singularity: the flux converges only with the power 2 - beta of the width of the
-/// narrowest cells. The rate follows instead from the balance (Dynkin) of a function h that every
-/// impact raises by the same amount (wall_test_function.hpp),
+/// narrowest cells. The rate follows instead from the balance (Dynkin) of the expectation of a
+/// function h that every impact increases by the same amount (wall_test_function.hpp),
 ///
 ///     (pi / sqrt 3 + log r) rate = E[F h_v - F_0 f_v] - <h, S p> + d/dt E[h]
 ///                                  - int u p(b, u) [h(b, -r_b u) - h(b, u)] du,

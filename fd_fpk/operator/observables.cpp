@@ -94,7 +94,7 @@ std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::Ve
   const double end = last ? axis.faces().back() : axis.faces().front();
   const double mean = integral(axis, marginal, 1, monomial(1)) / axis.widths().dot(marginal);
   struct Sample {
-    double distance, log;  // distance from the end; logarithm of the density
+    double distance, log;  // distance from the end of the axis; logarithm of the density there
   };
   const auto sample = [&](double part) {
     const double at = end + part * (mean - end);
@@ -258,7 +258,7 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
 
 WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
-  // Peak of a Gaussian folded to the half-plane: 2 / (2 pi sigma_1 sigma_2).
+  // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
       1 / (std::numbers::pi * scales.displacement_deviation * scales.velocity_deviation);
   return wall_density(grid, averages, std::min(gaussian_peak, averages.cwiseAbs().maxCoeff()));

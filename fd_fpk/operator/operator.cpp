@@ -123,8 +123,8 @@ SparseColumns damping_and_restoring_force(const problem::System& system, const G
          kronecker_product(force, divergence(x2) * values);
 }
 
-// The difference of the upwind-biased and the centred x2 transport for an odd order. With the
-// velocity a = -(c x2 + g(x1) + ..) the upwind flux is
+// The matrix of the difference between the upwind-biased and the centred transport terms in x2, for
+// an odd order. With the velocity a = -(c x2 + g(x1) + ..) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
 // and its first term is the centred flux of the next even order.
 SparseColumns upwind_correction(const problem::System& system, const Grid& grid, int order) {

@@ -13,16 +13,17 @@ class System;
 
 namespace fpkcheck::fd_fpk {
 
-/// Compressed sparse columns with 64-bit indices, the input format of KLU.
+/// Sparse matrix of compressed columns with 64-bit indices, the input format of KLU.
 using SparseColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
 /// The semi-discrete equation dP/dt = L P for the cell averages P of p(y, y') on the half-plane, L
 /// = local + 1 (x) exchange. The operator conserves mass: the row vector of cell areas times L is
 /// zero, so that the mass, the sum of area times P over all cells, is constant.
 struct FokkerPlanckOperator {
-  SparseColumns local;       ///< transport, impact, drift and diffusion; shape (size, size)
-  Eigen::MatrixXd exchange;  ///< jumps of the velocity at fixed x1, shape (nv, nv), or empty
-  Eigen::VectorXd areas;     ///< areas of the cells, shape (size)
+  SparseColumns local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
+  /// term of the velocity jumps at fixed x1, shape (nv, nv); empty without jumps
+  Eigen::MatrixXd exchange;
+  Eigen::VectorXd areas;  ///< areas of the cells, shape (size)
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
   /// The whole operator as one sparse matrix. Entries of `exchange` at the level of rounding errors

@@ -10,8 +10,8 @@ namespace fpkcheck::fd_fpk {
 
 /// Limits that a density must satisfy to count as resolved by its grid.
 struct ResolutionLimits {
-  double min_density;  ///< smallest density relative to the peak: an exact density is nonnegative
-  double power;        ///< residual of the power balance, relative to the input
+  double min_density;  ///< smallest accepted density relative to the peak, <= 0
+  double power;        ///< largest accepted |residual| of the power balance, relative to the input
 
   /// Both of the following functions return false for NaN.
   bool is_density_accepted(double least) const { return least >= min_density; }

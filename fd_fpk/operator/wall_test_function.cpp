@@ -110,7 +110,8 @@ class Profiles {
   Profiles() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
-    // Runge-Kutta steps towards smaller s: in this direction homogeneous solutions decay.
+    // Runge-Kutta steps go towards smaller s, because homogeneous solutions decay in this
+    // direction.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {

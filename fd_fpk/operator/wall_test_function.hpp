@@ -16,8 +16,8 @@ namespace fpkcheck::fd_fpk {
 ///     chi'' = phi' - s theta / 3.
 ///
 /// At the wall f is log|v| plus a constant for each sign of v: f(0, u) - f(0, -u) = pi / sqrt 3,
-/// the integral of phi' over all s. There f_1 is proportional to |v|. A multiple of v, which solves
-/// the homogeneous equation, is added to f_1 such that f_1(0, r u) = f_1(0, -u). An impact
+/// the integral of phi' over all s. At the wall f_1 is proportional to |v|. A multiple of v, which
+/// solves the homogeneous equation, is added to f_1 such that f_1(0, r u) = f_1(0, -u). An impact
 /// therefore increases h by pi / sqrt 3 + log r. This amount is 0 at the restitution coefficient
 /// below which impacts accumulate (problem::kCollapseRestitution).
 ///

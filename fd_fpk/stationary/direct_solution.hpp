@@ -22,8 +22,8 @@ struct DirectSolution {
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< the null vector, with mass 1
-  bool converged = true;       ///< true if GMRES reduced the residual enough for further steps
-  long krylov_iterations = 0;  ///< iterations of GMRES on the final grid
+  bool converged = true;       ///< whether GMRES reduced the residual enough for CVODE to continue
+  long krylov_iterations = 0;  ///< number of GMRES iterations on the final grid
   std::string failure = {};    ///< reason why there are no averages, and what to do
   double krylov_seconds = 0;   ///< time of GMRES on the final grid
 };

@@ -23,7 +23,7 @@ const transform::GridDensity& grid_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// Merges bins narrower than `width`, except for those next to 0 and at the end.
+// Merges bins narrower than `width`. A bin next to 0 or at the end may remain narrower.
 std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double width) {
   std::vector<double> kept;
   for (const double edge : edges) {
@@ -42,7 +42,7 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
 // finer grid. Cells narrower than kNarrowest are merged, because in the narrow cells of a spike the
 // densities of two grids never agree.
 transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
-  constexpr double kNarrowest = 0.02;  // in units of the root mean square
+  constexpr double kNarrowest = 0.02;  // smallest width of a bin, in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_of(finer.solution);
   const auto& moments = finer.solution.moments;
   // The root mean square of y may exceed the extent of the grid, if the motion is far from y = 0.

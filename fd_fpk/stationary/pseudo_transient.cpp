@@ -25,9 +25,10 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
   // negligible: for white noise at r = 0.6 GMRES took 860 iterations instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
-  // The residual of GMRES in a step, relative to the peak, is gamma times its contribution to L P.
-  // The tolerance is a hundredth of the residual expected from the step, about 1/gamma of the
-  // preceding residual in decay times. The residual of the last step remains in the solution.
+  // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of this
+  // residual to L P. The tolerance is a hundredth of the residual expected from the step, about
+  // 1/gamma of the preceding residual in decay times. The residual of the last step remains in the
+  // solution.
   constexpr double kPart = 1e-2, kLastStepTolerance = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const bool is_last = residual <= kLongestStep * tolerance;
