@@ -43,7 +43,8 @@ double l1(const Grid& grid, const Eigen::VectorXd& averages) {
   return grid.areas().dot(averages.cwiseAbs());
 }
 
-// Checks the observed orders; widths decrease by the same factor from one error to the next.
+// Checks the observed order of convergence of three errors; the cell width decreases by the same
+// factor from each error to the next.
 void expect_order(double coarse, double middle, double fine, double factor, double least,
                   double most) {
   for (const double observed :

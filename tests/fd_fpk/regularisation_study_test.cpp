@@ -50,14 +50,15 @@ TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensi
     EXPECT_EQ(row.remark, "");
     EXPECT_FALSE(row_of(study, "pade", division).growth(p));
   }
-  // On both sides of the threshold, with a step that resolves it.
+  // Lengths on both sides of the threshold l*, with a velocity step that resolves l*.
   EXPECT_GT(row_of(study, "0.9 l*", 4).symbol->rate, 1);
   EXPECT_NEAR(row_of(study, "0.9 l*", 4).growth(p).value_or(0), 1.5, 0.3);
   EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth(p));
 }
 
 TEST(RegularisationStudy, ReportsSchemesThatDoNotExistForALaw) {
-  // A small variance about a large mean: so skew about zero that the Pade approximant has a pole.
+  // A law with a small variance and a large mean: its skewness about zero is so large that the Pade
+  // approximant has a pole.
   const auto skew = tests::make_problem({.mean = 0.29, .law = "two_point"});
   const auto study = study_regularisation(skew, {.divisions = {1}});
   const auto& pade = row_of(study, "pade", 1);

@@ -131,7 +131,8 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
 TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) {
   for (const int number : {1, 4}) {
     for (const auto equation : {Equation::white, Equation::km4, Equation::kf}) {
-      // Stepping is skipped when time is short, and this machine may be slow.
+      // The time limit is generous, because the solver skips time steps if time is short, and the
+      // machine may be slow.
       const auto [solution, summary] =
           solve(tests::paper_case(number),
                 {.equation = equation, .error_estimate = false, .max_seconds = 600});
@@ -282,7 +283,8 @@ TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
   EXPECT_NEAR(at_1e3 / at_1e4, 10, 0.1);
 }
 
-// With losses at the impact: the grid for separate impulses has an error of 1.5e-4 here.
+// With losses at the impact, the grid for separate impulses would cause an error of 1.5e-4 in this
+// test.
 TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   const auto p = [](double rate) {
     return tests::make_problem({.restitution = 0.5, .rate = rate});

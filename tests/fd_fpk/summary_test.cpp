@@ -83,7 +83,8 @@ TEST(Summary, MetricsSeparateResultsFromWork) {
   EXPECT_EQ(number(all, "wall_density.ydot"), 2e-9);
 }
 
-// The rate is a result and its error is not; an infinite rate has neither metric.
+// The impact rate is a result, the error of the impact rate is not. If the rate is infinite, there
+// is neither metric.
 TEST(Summary, AFiniteImpactRateHasAnError) {
   const auto of = [](double rate, double error) {
     return metrics({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});

@@ -52,12 +52,13 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 7u);
     for (int n = 0; n <= 6; ++n) EXPECT_DOUBLE_EQ(result.snapshots[n].time, 0.5 * n);
-    // The moments oscillate by 0.37. The error is that of the time steps: BDF of order 2.
+    // The moments oscillate by 0.37. The dominant error is that of the time steps, by BDF of order
+    // 2.
     EXPECT_LT(largest_error(problem, result), 1e-4);
   }
 }
 
-// With accurate time steps the operator itself must be stable: no eigenvalue with a positive real
+// For accurate time steps the operator itself must be stable, without eigenvalues of positive real
 // part. Operators with longer stencils have such eigenvalues, and are refused.
 TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
   const auto largest_real_part = [](const problem::Problem& problem, Equation equation, int order) {
@@ -182,7 +183,8 @@ TEST(Transient, DoesNotStepTheIllPosedEquation) {
   EXPECT_TRUE(result.snapshots.empty());
 }
 
-// An initial density so narrow that cells of its width would number more than a million.
+// The initial density is so narrow that a grid with cells of this width would have more than a
+// million cells.
 TEST(Transient, ANarrowStartDoesNotExceedTheCellLimit) {
   const auto result = integrate(
       linear(), {},

@@ -35,9 +35,9 @@ TEST(WhiteNoise, ElasticMarginalsAreExactToAMillionthWithOrderSeven) {
 
 TEST(WhiteNoise, AThousandCellsGiveAnErrorBelow2e5) { expect_errors_below(2e-5, 24); }
 
-// -d log p(0, -+u) / d log u at about this speed, from averages of neighbouring cells of the first
-// column. Widths are proportional to u there, so that the difference between averages and values
-// cancels.
+// The exponents -d log p(0, -+u) / d log u at about the given speed u, from averages of
+// neighbouring cells of the first column. In these cells the widths are proportional to u, so that
+// the difference between averages and values cancels.
 struct Exponents {
   double out, in;
 };
@@ -105,7 +105,7 @@ TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
     const double observed = std::log2((middle.flux - coarse.flux) / (fine.flux - middle.flux));
     EXPECT_NEAR(observed, 2 - exact::wall_exponent(r), 0.06)
         << coarse.flux << " " << middle.flux << " " << fine.flux;
-    // The rate is independent of that flux.
+    // The impact rate does not depend on the extrapolated flux.
     EXPECT_LT(std::abs(fine.rate - coarse.rate), 0.03 * (fine.flux - coarse.flux));
   }
 }
@@ -138,7 +138,8 @@ TEST(WhiteNoise, MomentsConvergeWithTheOrderOfTheSchemeUnderLosses) {
 }
 
 // p(y) decreases from y = 0 upwards. Cells with too rapidly increasing widths cause a ripple of
-// several per cent that the moments do not show: here on the coarsest grid of an error estimate.
+// several per cent, which the moments do not reveal. In this test the ripple would be on the
+// coarsest grid of an error estimate.
 TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
   Options options = white();
   options.error_estimate = true;
@@ -158,8 +159,8 @@ TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
   }
 }
 
-// Four factorisations on uniform cells; 17 when errors of narrow cells had the same weight as those
-// of wide cells.
+// Number of factorisations: 4 on uniform cells; 17 when the errors of narrow cells had the same
+// weight as the errors of wide cells.
 TEST(WhiteNoise, SteppingUnderLossesNeedsFewFactorisations) {
   const auto [solution, summary] = solve(tests::make_problem({.restitution = 0.6}),
                                          {.equation = Equation::white, .error_estimate = false});
@@ -177,7 +178,8 @@ TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
   const double d2 = 0.05;
   EXPECT_GT(y, std::pow(v, 3) / d2 / 3);
   EXPECT_LT(y, 10 * std::pow(v, 3) / d2);
-  // Not for a small jump at the wall, for other equations, or for orders that oscillate.
+  // The grading is not used for a small jump at the wall, for other equations, or for orders that
+  // oscillate.
   Options seventh = white();
   seventh.order = 7;
   for (const auto& [r, options] :

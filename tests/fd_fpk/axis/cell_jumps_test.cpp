@@ -32,8 +32,9 @@ TEST(CellJumps, KeepMassAndArePositive) {
   }
 }
 
-// A jump shifts the mean of a cell's mass by the mean of the law; a slope shifts it by the variance
-// of a uniform distribution. The finite width of the target cells causes an error of second order.
+// A jump shifts the mean of a cell's mass by the mean of the law; a slope shifts the mean by the
+// variance of a uniform distribution. The finite width of the target cells causes an error of
+// second order.
 TEST(CellJumps, ShiftTheMeanByTheLawAndTheSlope) {
   const Axis axis = uneven();
   const Eigen::VectorXd v = centres(axis);

@@ -15,9 +15,10 @@ Eigen::MatrixXd matrix_of(const Axis& axis, const Excitation& excitation) {
   return matrix;
 }
 
-// d/dt of the moment E[v^power] of a unit mass in the middle cell of a long axis, about that cell's
-// centre: for jumps lambda E[Y^power], for derivatives their coefficients times factorials. The
-// moments are those of cell averages, exact for operators that are exact on polynomials.
+// The rate of change of the moment E[v^power], about the centre of the middle cell of a long axis,
+// for a unit mass in this cell. For jumps the rate is lambda E[Y^power]; for derivatives the rate
+// is their coefficient times a factorial. The moments of cell averages are exact for operators that
+// are exact on polynomials.
 double moment_rate(const Axis& axis, const Excitation& excitation, int power) {
   const int source = axis.cells() / 2;
   const Eigen::VectorXd rates = matrix_of(axis, excitation).col(source);

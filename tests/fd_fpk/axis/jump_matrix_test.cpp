@@ -66,8 +66,8 @@ TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
   for (const auto* name : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double deviation : {0.05, 0.3, 1.0}) {
       const auto law = problem::ImpulseLaw::from_name(name, 0.3 * deviation, deviation);
-      // As short as possible: the rounding error of a far cell enters with the sixth power of its
-      // distance.
+      // The axis is as short as possible, because the rounding error of a cell enters the moments
+      // with the sixth power of the distance of the cell.
       const double reach = law.density_breakpoints().empty() ? 2 : law.density_breakpoints().back();
       const int half = static_cast<int>(reach / 0.12) + 6;
       const Axis axis = Axis::uniform(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
@@ -86,8 +86,8 @@ TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
   }
 }
 
-// E[C(x - Y)] - C(x) with the normal distribution C: the sum of (-1)^k E[Y^k]/k! times its
-// derivatives, which are Hermite polynomials times the density.
+// The change E[C(x - Y)] - C(x) of the normal distribution C: the sum of (-1)^k E[Y^k]/k! times the
+// derivatives of C, which are Hermite polynomials times the density.
 double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, double deviation) {
   const double z = x / deviation, density = std::exp(-z * z / 2) / std::sqrt(2 * M_PI);
   double sum = 0, before = 0, hermite = 1, factorial = 1;
@@ -102,8 +102,9 @@ double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, d
   return sum;
 }
 
-// Frequent impulses of a given intensity are short. Piecewise interpolation has kinks at the faces;
-// with lambda E|Y| ~ 1 / E|Y| these caused an error of 3 % for impulses of a hundredth of a cell.
+// Frequent impulses of a given intensity are small. Piecewise interpolation has kinks at the faces.
+// As lambda E|Y| ~ 1 / E|Y|, these kinks caused an error of 3 % for impulses of a hundredth of a
+// cell width.
 TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
   constexpr double kWidth = 0.12, kDeviation = 0.6;
   const Axis axis = Axis::uniform(-4.8, kWidth, 80);

@@ -115,8 +115,8 @@ TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
   const auto mirrored = problem::ImpulseTrain(
       {.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = -0.1});
   const Options once{.error_estimate = false};
-  // g = y with the wall at 0.4 and the mass on its right: a force 0.4 towards the wall. And the
-  // mirror image.
+  // Two mirror-image oscillators with g = y. The wall of the first is at 0.4, and the mass moves
+  // right of the wall: the force on mass at rest is 0.4 towards the wall.
   const auto left = solve_contact(
       tests::with_impulses(
           System({.damping = 0.1, .stiffness = 1}, {.left = 0.4, .left_restitution = 0.6}),
@@ -214,7 +214,8 @@ TEST(Contact, IsRefusedForTransportsWithoutAtoms) {
                                                               .stiffness = 1,
                                                               .restitution = 0.7}),
                                                       tests::gaussian_impulses(1, 0.5)));
-  EXPECT_NE(unsupported_reason(van_der_pol, {}).find("the damping of the problem"), std::string::npos);
+  EXPECT_NE(unsupported_reason(van_der_pol, {}).find("the damping of the problem"),
+            std::string::npos);
   const auto walls = problem::WallParameters{
       .left = 0, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7};
   const auto box =

@@ -128,7 +128,7 @@ TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   EXPECT_LT(solution.moments.v2 - 2 * stated.v2, 0.7374409);
 }
 
-// With losses: two independent discretisations of one problem.
+// Compares two independent discretisations of the same problem with losses.
 TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   const auto y = tests::uniform_edges(0, 2.5, 50);
   for (const double restitution : {0.6, 0.98}) {
@@ -148,7 +148,7 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   }
 }
 
-// Scale factors that change the units alone.
+// Scales the problem by factors that change only the units.
 TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
   const auto reference = solve(tests::make_problem({.cubic = 0, .rate = 0.05}), on_one_grid());
   const double t = 1e-5, l = 1e3;

@@ -22,7 +22,7 @@ struct Discrete {
   Grid grid;
 };
 
-// Cells of this width in y', in a box small enough for dense matrices.
+// Discretises with cells of this width in y', in a box small enough for dense matrices.
 Discrete discrete(const problem::Problem& problem, Options options, double step, int nx = 16,
                   double half_height = 2.5) {
   const auto linear = problem::equivalent_linearisation(problem);
@@ -101,8 +101,9 @@ TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDen
   Eigen::VectorXd real = found.vector.real();
   real /= d.op.mass(real);
   EXPECT_LT((real - *stationary).cwiseAbs().maxCoeff(), 1e-9 * stationary->maxCoeff());
-  // Densities are even under (z, z') -> (-z, -z'): of the linear oscillator's modes only sums of an
-  // even number remain, and the slowest of them decays twice as fast as a single mode.
+  // Densities are even under (z, z') -> (-z, -z'). Therefore only modes that combine an even number
+  // of the linear oscillator's modes remain, and the slowest of these modes decays twice as fast as
+  // a single mode.
   const double single = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
   EXPECT_NEAR(-found.values[1].real() / (2 * single), 1.0, 0.15);
 }

@@ -54,8 +54,8 @@ Problem of_everything() {
   return p;
 }
 
-// For mild losses the flux converges fast enough for a reference: with the power 2 - beta, 1.8
-// here.
+// For small losses the flux into the wall converges fast enough to be a reference: with the power 2
+// - beta of the cell width, which is 1.8 in this test.
 TEST(ImpactRate, IsTheLimitOfTheFluxIntoTheWalls) {
   for (const Impact impact : {Impact::map, Impact::delta}) {
     if (impact == Impact::delta && !tests::is_thorough()) continue;

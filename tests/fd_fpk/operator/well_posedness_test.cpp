@@ -47,7 +47,8 @@ TEST(WellPosedness, AdvisedRegularisationLengthIsWellPosed) {
   }
 }
 
-// Cells at the origin are 16 times narrower, and the length is long compared with them.
+// Cells at the origin are 16 times narrower than cells far from the origin; compared with the
+// narrow cells the regularisation length is long.
 TEST(WellPosedness, WideCellsFarOutAreCheckedToo) {
   const auto p = tests::make_problem({.restitution = 0.8, .rate = kRate, .law = "two_point"});
   const double of_law = default_regularisation_length(p.impulses.law());

@@ -127,7 +127,7 @@ TEST(ErrorEstimate, AToleranceSelectsASufficientGridAndNotAMuchFinerOne) {
 }
 
 // Rare impulses or impulses with long tails move the oscillator out of its box. Three grids in one
-// box do not show this truncation: the stated error of E[y'^4] was 1e-5, its true error 6e-4.
+// box do not show this truncation: the stated error of E[y'^4] was 1e-5, the true error 6e-4.
 TEST(ErrorEstimate, IncludesTheTruncationOfMomentsByTheBox) {
   for (const tests::Parameters& parameters :
        {tests::Parameters{.restitution = 0.9, .rate = 0.3}, tests::Parameters{.law = "laplace"}}) {
@@ -240,7 +240,8 @@ TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
   }
 }
 
-// The choice depends on the number of cells, not on measured times: these solves take no time.
+// The choice of the grid depends on the number of cells, not on measured times: the solutions of
+// this test take no time.
 TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   constexpr double kSeconds = 10;
   const auto levels_from = [&](int cells, Transport transport) {
@@ -322,7 +323,7 @@ TEST(ErrorEstimate, AToleranceExcludesCellNumbers) {
   EXPECT_THROW(solve(tests::paper_case(1), {.tolerance = 0.0}), InputError);
 }
 
-// Levels with the same cells would show no error.
+// Grids with the same cells have equal solutions, whose difference would not measure the error.
 TEST(ErrorEstimate, IsAbsentForLevelsWithTheSameCells) {
   const auto p = tests::paper_case(1);
   const auto coarsest = solve(p, {.stepper = Stepper::direct, .refinement = 0.01});
