@@ -12,8 +12,8 @@
 namespace fpkcheck::backward {
 
 enum class BoundsStatus {
-  ok,             ///< as narrow as requested
-  width_not_met,  ///< guaranteed, but wider than requested
+  ok,             ///< bounds as narrow as requested
+  width_not_met,  ///< guaranteed bounds, wider than requested
   failed,         ///< no finite bounds: see the reason
   not_offered     ///< the problem is not supported: see the reason
 };
@@ -33,26 +33,27 @@ struct Bound {
   numerics::Enclosure value;
 };
 
-/// Cost and results of a grid.
+/// Computing time of a grid of splines and bounds from this grid alone.
 struct GridRecord {
   SplineGrid grid;
   int unknowns;
   double seconds;                           ///< wall-clock time
   std::vector<std::size_t> each;            ///< indices of the functionals bounded on this grid
-  std::vector<numerics::Enclosure> values;  ///< their bounds from this grid alone
+  std::vector<numerics::Enclosure> values;  ///< bounds of these functionals from this grid alone
 };
 
 struct Bounds {
   BoundsStatus status = BoundsStatus::ok;
-  std::string reason;       ///< one line, empty for status ok
-  std::vector<Bound> each;  ///< in the order of the options, w1 only if supported; may be empty
+  std::string reason;       ///< cause of a status other than ok, in one line; empty for ok
+  std::vector<Bound> each;  ///< bounds in the order of the options; w1 only if supported
   std::vector<GridRecord> grids;
 };
 
 /// Guaranteed bounds of stationary expectations of the oscillator with the exact impact and
 /// impulses (equation `kf`, impact `map`), by the backward equation (docs/bounds.md: theorem and
-/// proof). The bounds hold for the problem whose parameters are the stored doubles. The impact
-/// momentum w1 is that at the only wall; without a wall or with two walls it is omitted.
+/// proof). The bounds are valid for the problem whose parameters are the stored doubles. The
+/// functional w1 is the impact momentum at the only wall; without a wall or with two walls w1 is
+/// omitted.
 /// @param problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
 /// processor cannot be set; std::logic_error when bounds from two grids are disjoint

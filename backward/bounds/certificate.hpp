@@ -10,14 +10,15 @@
 
 namespace fpkcheck::backward {
 
-/// The certificate of a bound: V = sum c_{ab} A_a(y) B_b(v) and U, an approximate solution of
-/// L V = U - f.
+/// The certificate of a bound: an approximate solution of L V = U - f. The coefficients c_{ab} give
+/// V = sum c_{ab} A_a(y) B_b(v), and the mean is U.
 struct Certificate {
   const Eigen::MatrixXd& coefficients;
   double mean;
 };
 
-/// Context of the checks of a certificate: problem, bases, enclosed generator, weight, box ends.
+/// What the checks of a certificate need besides the certificate: the problem, the spline bases,
+/// the enclosed factors of the generator, the weight tau and the kinds of the ends of the box.
 struct CertificateContext {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;

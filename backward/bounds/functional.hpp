@@ -11,14 +11,14 @@ namespace fpkcheck::backward {
 
 enum class Axis { displacement, velocity };
 
-/// E[y^n] or E[y'^n], 1 <= n <= 4.
+/// The moment E[y^n] or E[y'^n] with n = `power`, 1 <= n <= 4.
 struct PowerMoment {
   Axis axis;
   int power;
 };
 
-/// The average of p(y) or p(y'), weighted by the cubic B-spline of integral 1 on five knots; its
-/// width is half the range of the knots. For y all knots are >= 0.
+/// The average of p(y) or p(y'), weighted by the cubic B-spline of integral 1 on five knots. The
+/// width of the bin is half the range of the knots. For y all knots are >= 0.
 struct SmoothBin {
   Axis axis;
   std::array<double, 5> knots;
@@ -35,14 +35,15 @@ struct ImpactMomentum {};
 /// A functional of the stationary density, for which bounds can be computed.
 using Functional = std::variant<PowerMoment, SmoothBin, ImpactMomentum>;
 
-/// E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and w1.
+/// The default functionals: E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and w1.
 std::vector<Functional> standard_functionals();
 
-/// "E[y^2]", "w1", "p(y) near 0.5"
+/// Name of a functional in tables and messages: "E[y^2]", "w1", "p(y) near 0.5".
 std::string name(const Functional& functional);
 
-/// The integrand f of the expectation, rounded; for w1 it is k y + mu y^3. The integrand of a
-/// smooth bin omits the factor 4/(k_4 - k_0), so that its peak is of order 1.
+/// Value at (y, v) of the integrand f, where the functional is determined by E[f]; rounded, no
+/// enclosure. For w1 f is k y + mu y^3. For a smooth bin f omits the factor 4/(k_4 - k_0) of the
+/// B-spline, so that the peak of f is of order 1.
 double integrand(const Functional& functional, const problem::Problem& problem, double y, double v);
 
 /// Points at which the integrand is not smooth; empty for polynomials.

@@ -5,19 +5,19 @@
 
 namespace fpkcheck::backward {
 
-/// Enclosed Bernstein coefficients, of the given degree, of the integrand on a segment of its axis.
-/// The segment lies within a smooth piece of the integrand, up to the rounding of its ends.
+/// Enclosed Bernstein coefficients of the integrand on the segment from `from` to `to` of its axis.
+/// The segment lies within a smooth piece of the integrand, except for rounding of the ends.
 numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional,
                                                     const problem::Problem& problem,
                                                     const numerics::Interval& from,
                                                     const numerics::Interval& to, int degree);
 
-/// A bound of |f| for 0 <= y <= `y`, |v| <= `v` and k y + mu y^3 <= `force`: a polynomial of degree
-/// <= 4 in these arguments with nonnegative coefficients.
+/// An upper bound of |f| for 0 <= y <= `y`, |v| <= `v` and k y + mu y^3 <= `force`. The bound is a
+/// polynomial of degree <= 4 in these arguments with nonnegative coefficients.
 numerics::Interval integrand_bound(const Functional& functional, const numerics::Interval& y,
                                    const numerics::Interval& v, const numerics::Interval& force);
 
-/// Enclosure of the functional from an enclosure of the mean of its integrand.
+/// Enclosure of the functional, computed from an enclosure of the mean of its integrand.
 numerics::Enclosure enclose_functional(const Functional& functional,
                                        const problem::Problem& problem,
                                        const numerics::Enclosure& mean);

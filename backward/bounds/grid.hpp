@@ -8,23 +8,24 @@
 
 namespace fpkcheck::backward {
 
-/// Cells of the splines in the fit of the backward equation.
+/// Numbers and grading of the cells of the splines in the fit of the backward equation.
 struct SplineGrid {
   int y_cells, speed_cells;
   double finest, even;  ///< arguments of numerics::graded_breaks, relative to the extents
-  double edge;          ///< G at the edges of the box, in units of h0 of the weight
+  double edge;          ///< value of G (Weight) at the edges of the box, in units of h0
 
   bool operator==(const SplineGrid&) const = default;
 };
 
-/// Kinds of the two ends of the box in y. The motion can leave the box at an open end, beyond which
-/// V is constant in y up to the wall, if there is one.
+/// Kinds of the two ends of the box in y. The motion can leave the box at an open end. Beyond an
+/// open end V is constant in y, up to the wall if there is a wall.
 struct BoxEnds {
   bool left_wall = true, right_wall = false;
   bool left_open = false, right_open = true;
 };
 
-/// Splines from wall to wall, or to the points where G at y' = -c y/2 has its value at the edge.
+/// Splines of y from wall to wall. On a side without a wall they end where G at y' = -c y/2 equals
+/// SplineGrid::edge times h0.
 numerics::SplineBasis displacement_basis(const SplineGrid& grid, const Weight& weight,
                                          const problem::System& system);
 BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system);
@@ -32,16 +33,16 @@ ImpactBasis velocity_basis(const SplineGrid& grid, const Weight& weight, double 
 
 /// The feature of V that limits the width of the bounds on a grid.
 enum class WidthLimit {
-  origin,  ///< powers up to 2 and w1: the conical point of V at the origin
-  tails,   ///< higher powers: the edges of the box, and rounding where V is large
-  knots    ///< smooth bins: their knots
+  origin,  ///< for powers up to 2 and w1: the conical point of V at the origin
+  tails,   ///< for higher powers: the edges of the box, and rounding where V is large
+  knots    ///< for smooth bins: the knots of the bin
 };
 WidthLimit width_limit(const Functional& functional);
 
-/// The sequence of grids for a limit, from the coarsest. The first grids of `origin` and `tails`
-/// are equal.
+/// The sequence of grids for functionals whose bounds are limited by this feature, from coarse to
+/// fine. The first grids of `origin` and `tails` are equal.
 std::span<const SplineGrid> grid_sequence(WidthLimit limit);
-/// Upper limit of the ratio of the times of consecutive grids.
+/// Upper limit of the ratio of the computing times of consecutive grids of a sequence.
 inline constexpr double kGridCostRatio = 2.5;
 
 }  // namespace fpkcheck::backward

@@ -9,20 +9,20 @@
 
 namespace fpkcheck::backward {
 
-/// Times of the stages, and the residual range of each functional.
+/// Wall-clock times of the stages of bounds_on_grid(), and the residual range of each functional.
 struct GridBoundsReport {
   int unknowns = 0;
   double table_seconds = 0, fit_seconds = 0, check_seconds = 0;
   struct Each {
-    double mean;            ///< U
+    double mean;            ///< U, the approximate mean of f
     double least, largest;  ///< range of (f + L V - U)/tau inside the box
-    double outside;         ///< bound of |f + L V - U|/tau outside the box
+    double outside;         ///< upper bound of |f + L V - U|/tau outside the box
     long boxes;             ///< number of sub-boxes in the bisection
   };
   std::vector<Each> each;
 };
 
-/// Bounds of all functionals from a single grid.
+/// Guaranteed bounds of all functionals from a single grid of splines.
 std::vector<numerics::Enclosure> bounds_on_grid(const problem::Problem& problem,
                                                 const Weight& weight, const SplineGrid& grid,
                                                 const std::vector<Functional>& functionals,

@@ -10,17 +10,20 @@ namespace fpkcheck::backward {
 
 /// Functionals, requested widths and limits of the computation.
 struct Options {
-  std::vector<Functional> functionals = standard_functionals();  ///< not in the description
-  /// Grids are refined until every half-width is below `half_width` or `relative_half_width` times
-  /// the value, whichever is larger. With both 0 only the time limit ends the refinement.
+  std::vector<Functional> functionals = standard_functionals();  ///< not a command-line option
+  /// Requested half-widths of the bounds. Grids are refined until every half-width is below the
+  /// larger of `half_width` and `relative_half_width` times the value. If both are 0, only the time
+  /// limit ends the refinement.
   double half_width = 0;
   double relative_half_width = 0;
-  /// Time limit in seconds (wall clock): no grid is started that would end later, except the first.
+  /// Time limit in seconds (wall clock). No grid is started whose computation would probably end
+  /// after the limit, except the first grid.
   double seconds = 10;
-  std::optional<int> threads{};  ///< default: one per processor; bounds do not depend on it
+  /// Number of threads; default: one per processor. No effect on the bounds
+  std::optional<int> threads{};
 };
 
-/// The options with their names on the command line.
+/// Description of the options with their names on the command line.
 const base::Description<Options>& description();
 
 /// @throws InputError on the first invalid option

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::backward {
 
-/// f(y, v) = y_factor(y) v_factor(v).
+/// A product f(y, v) = y_factor(y) v_factor(v).
 struct SeparableFunction {
   std::function<double(double)> y_factor, v_factor;
 };
@@ -17,28 +17,31 @@ struct SeparableFunction {
 /// Splines and weights of the least-squares fit of the control functions.
 struct ControlFit {
   const problem::Problem& problem;
-  const numerics::QuinticBSplines& y;  ///< from wall to wall, or over the range of the motion
+  /// Splines from wall to wall, or over the range of the motion
+  const numerics::QuinticBSplines& y;
   const numerics::QuinticBSplines& v;
-  /// w(y, v) = weight_y weight_v, slightly wider than the density.
+  /// Factors of the weight w(y, v) = weight_y(y) weight_v(v), which is slightly wider than the
+  /// density.
   std::function<double(double)> weight_y, weight_v;
-  /// Weight of the squared jump at a wall, integrated with the flux u w(wall, u) of impacts. The
-  /// variance of the simulated mean is least for the inverse of the sampling interval.
+  /// Weight of the squared jump of h at a wall, which is integrated with the flux u w(wall, u) of
+  /// impacts. The inverse of the sampling interval minimises the variance of the simulated mean.
   double wall_weight;
 };
 
 /// Approximate solutions h of the backward equation L h = U - f. They need not satisfy the impact
 /// condition.
 struct ControlFunctions {
-  /// Coefficient of A_i(y) B_j(v) in row i * v.size() + j, a column for each functional.
+  /// Coefficients of A_i(y) B_j(v) in row i * v.size() + j, one column for each functional.
   Eigen::MatrixXd coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
 };
 
 /// Fits the control functions of all functionals at once: minimises int w (f - U + L h)^2 +
 /// wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du, with the last term for each wall. The
-/// generator is a sum of products (GeneratorFactors) and the weight is a product. For three
-/// products the normal matrix is therefore a sum of products of nine Gram matrices of v and of y;
-/// it is block banded. The residuals e_f of f and e_1 of 1 give U = <e_1, e_f> / <e_1, e_1>.
+/// generator is a sum of products (GeneratorFactors) and the weight is a product. With three
+/// products in the generator the normal matrix is therefore a sum of nine products of a Gram matrix
+/// of v and a Gram matrix of y, and is block banded. The residuals e_f of f and e_1 of 1 give U =
+/// <e_1, e_f> / <e_1, e_1>.
 /// @throws FitFailure (backward/generator/normal_equations.hpp)
 ControlFunctions fit_control_functions(const ControlFit& problem,
                                        const std::vector<SeparableFunction>& functions);

@@ -9,15 +9,15 @@
 
 namespace fpkcheck::backward {
 
-/// Values and slopes of the splines at points, shape (points, functions).
+/// Values and slopes of splines at points, each of shape (points, functions).
 struct SplineValues {
   Eigen::MatrixXd value, slope;
 };
 SplineValues spline_values(const numerics::QuinticBSplines& splines,
                            std::span<const double> points);
 
-/// A wall in the generator: an impact of speed u arrives with velocity -rebound_sign u and leaves
-/// with rebound_sign r u.
+/// A wall with its impact condition. An impact of speed u has the velocity -rebound_sign u before
+/// and rebound_sign r u after the impact.
 struct ImpactWall {
   double position;
   double restitution;
@@ -31,17 +31,18 @@ std::vector<ImpactWall> impact_walls(const problem::System& system);
 /// functions).
 Eigen::MatrixXd impact_jumps(const numerics::QuinticBSplines& splines, const ImpactWall& wall,
                              std::span<const double> speeds);
-/// Breaks of these jumps in u: increasing from 0, within the range of the splines.
+/// Speeds u at which impact_jumps() is not smooth: increasing from 0, within the range of the
+/// splines.
 std::vector<double> impact_jump_breaks(const numerics::QuinticBSplines& splines,
                                        const ImpactWall& wall);
 
-/// The factors in one variable of the terms of the generator,
+/// The factors in y, or the factors in v, of the terms of the generator
 ///
 ///     L (A B) = A' v B + A (lambda (K B - B) - (c + c_vv v^2) v B' + D B'') - g A B'
 ///               - (c(y) - c) A v B',      c = c(0),
 ///
-/// at points, each of shape (points, functions). Without position-dependent damping, c(y) = c, the
-/// last term is absent.
+/// evaluated at points, each of shape (points, functions). Without position-dependent damping,
+/// c(y) = c, the last term is absent.
 using GeneratorFactors = std::vector<Eigen::MatrixXd>;
 
 /// The factors in y: A', A, g A, (c(y) - c) A.

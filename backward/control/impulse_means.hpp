@@ -8,13 +8,14 @@
 
 namespace fpkcheck::backward {
 
-/// (K B_j)(v) = E[B_j(v + Y)] at points, for every law. The smooth pieces of its density are
-/// divided at the breaks of the splines and into parts no longer than the deviation, and integrated
-/// by the Gauss rule of 8 points with an error of 1e-15. Atoms are summed exactly.
+/// Means (K B_j)(v) = E[B_j(v + Y)] of the splines after an impulse, at the velocities v, for every
+/// amplitude law. The smooth pieces of the density of Y are divided at the breaks of the splines,
+/// and into parts no longer than the standard deviation of Y. The Gauss rule of 8 points integrates
+/// each part with an error of 1e-15. Atoms of the law are summed exactly.
 /// @return shape (points, functions)
 Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
                               const problem::ImpulseLaw& law, std::span<const double> v);
-/// The same for an impulse train; empty (shape (0, 0)) without impulses.
+/// Means (K B_j)(v) for the amplitude law of an impulse train; shape (0, 0) without impulses.
 Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
                               const problem::ImpulseTrain& impulses, std::span<const double> v);
 

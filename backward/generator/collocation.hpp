@@ -9,8 +9,8 @@
 
 namespace fpkcheck::backward {
 
-/// The three factors in v of the generator (VelocityOperators) at points, rounded to nearest. A fit
-/// needs no guaranteed enclosures.
+/// Values of the three factors in v of the generator (VelocityOperators) at points, rounded to
+/// nearest. The least-squares fit needs no guaranteed enclosures.
 struct VelocitySamples {
   std::vector<double> v;              ///< points, increasing
   Eigen::MatrixXd jump;               ///< lambda (K B - B) - c v B', shape (points, functions)
@@ -18,14 +18,14 @@ struct VelocitySamples {
   Eigen::SparseMatrix<double> force;  ///< -B'
 };
 
-/// Values of the splines in y at points.
+/// Values and slopes of the splines in y at points.
 struct DisplacementSamples {
   std::vector<double> y;
-  std::vector<int> span;                ///< span of each point
+  std::vector<int> span;                ///< knot span of each point
   std::vector<Eigen::MatrixXd> values;  ///< values and slopes, shape (2, degree + 1)
 };
 
-/// The zeros in (0, 1) of the shifted Chebyshev polynomial of degree `count`, increasing.
+/// The zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in increasing order.
 std::vector<double> chebyshev_points(int count);
 
 DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int per_cell);

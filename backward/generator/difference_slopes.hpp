@@ -5,9 +5,9 @@
 
 namespace fpkcheck::backward {
 
-/// Enclosures of S_l' on the segment from `from` to `to`, where S_l = B_{span+l} + B_{span+l+1} +
-/// .. on a span (S_0 = 1). The derivative of a spline is sum_{l=1}^p (c_{span+l} - c_{span+l-1})
-/// S_l' with
+/// Enclosures of S_l' on the segment from `from` to `to` of a knot span, where S_l = B_{span+l} +
+/// B_{span+l+1} + .. and S_0 = 1. The derivative of a spline with coefficients c is sum_{l=1}^p
+/// (c_{span+l} - c_{span+l-1}) S_l' with
 ///
 ///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots
 ///

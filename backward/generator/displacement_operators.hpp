@@ -18,8 +18,8 @@ struct DisplacementOperators {
     double from, to;
   };
   std::vector<Piece> pieces;
-  /// A, S' (difference_slopes.hpp) and (k y + mu y^3) A for the functions of a piece: shape
-  /// (pieces, 3, degree + 1), for S' (pieces, degree).
+  /// The three factors A, S' (difference_slopes.hpp) and (k y + mu y^3) A for the functions of each
+  /// piece. The shape is (pieces, 3, degree + 1); S' has `degree` functions only.
   std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
 };
 

@@ -4,11 +4,11 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of v on [-u_max, r u_max], continued as constants. The incoming side, v = -u, and the
-/// outgoing side, v = r u, have the same splines of the impact speed u, joined continuously at v =
-/// 0 (an inner knot of full multiplicity). If the coefficients of `b` and `mirrored(b)` are equal
-/// at y = 0, the impact condition V(0, r u) = V(0, -u) therefore holds exactly for all u, whatever
-/// the rounding of r u.
+/// Splines of v on [-u_max, r u_max], constant beyond these ends. The incoming side, v = -u, and
+/// the outgoing side, v = r u, have the same splines of the impact speed u. The two sides are
+/// joined continuously at v = 0 (an inner knot of full multiplicity). If the coefficients of `b`
+/// and `mirrored(b)` are equal at y = 0, the impact condition V(0, r u) = V(0, -u) therefore holds
+/// exactly for all u, even if r u is rounded.
 class ImpactBasis {
  public:
   ImpactBasis(numerics::SplineBasis speeds, double restitution)
@@ -20,7 +20,7 @@ class ImpactBasis {
   /// Index of the only function that does not vanish at v = 0.
   int centre() const { return speeds_.size() - 1; }
   int mirrored(int b) const { return size() - 1 - b; }
-  /// Index of function h of the speed on the incoming and on the outgoing side.
+  /// Indices of the spline with index h of the speed, on the incoming and on the outgoing side.
   int incoming(int h) const { return centre() - h; }
   int outgoing(int h) const { return centre() + h; }
   double begin() const { return -speeds_.end(); }

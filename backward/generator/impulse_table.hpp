@@ -7,12 +7,13 @@
 
 namespace fpkcheck::backward {
 
-/// K B_b, with (K V)(v) = E[V(v + Y)], for every function of an ImpactBasis on every piece of the
-/// velocity axis: polynomials of t = (v - from)/(to - from) with enclosed Bernstein coefficients.
+/// Table of K B_b, where (K V)(v) = E[V(v + Y)], for every function B_b of an ImpactBasis on every
+/// piece of the velocity axis. Each element is a polynomial of t = (v - from)/(to - from) with
+/// enclosed Bernstein coefficients.
 struct ImpulseTable {
   int functions = 0, order = 0;  ///< order: number of coefficients of a polynomial, degree + 1
   std::vector<numerics::Interval> coefficients;  ///< shape (pieces, functions, order)
-  /// |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v.
+  /// Relative error bound: |K V - sum_b c_b (polynomial of b)| <= remainder max_b |c_b| for all v.
   double remainder = 0;
 
   std::span<numerics::Interval> coefficients_of(int piece, int function) {
@@ -25,24 +26,26 @@ struct ImpulseTable {
   }
 };
 
-/// True if table and moments of a law have interval enclosures. The functions below require it.
+/// Whether the impulse table and the moments of a law have interval enclosures. The functions below
+/// require a law with enclosures.
 bool has_enclosures(const problem::ImpulseLaw& law);
 
 /// Constraints on the velocity pieces for the table of a law.
 struct ImpulseKinks {
-  double longest;            ///< largest length of a piece
+  double longest;            ///< largest permitted length of a piece
   std::vector<double> cuts;  ///< points besides the breaks of the basis where K B is not smooth
 };
 ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& law);
 
-/// The table of a law on pieces that satisfy `impulse_kinks`.
+/// The impulse table of a law on pieces that satisfy impulse_kinks().
 ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                            const problem::ImpulseLaw& law);
 
-/// Enclosure of E[Y^n], from the stored parameters of the law.
+/// Enclosure of E[Y^n], computed from the stored parameters of the law.
 numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
 
-// The table of each law (formulas in the sources). A law without a table has no bounds.
+// The impulse table of each law (formulas in the sources). For a law without a table no bounds can
+// be computed.
 ImpulseTable law_table(const problem::ExponentialLaw& law, const ImpactBasis& basis,
                        const std::vector<VelocityPiece>& pieces);
 ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis,
@@ -54,7 +57,7 @@ ImpulseTable law_table(const problem::TwoPointLaw& law, const ImpactBasis& basis
 ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
                        const std::vector<VelocityPiece>& pieces);
 
-/// A table of zeros.
+/// An impulse table of zeros, to be filled by law_table().
 ImpulseTable empty_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                          int order);
 

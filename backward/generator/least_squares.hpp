@@ -12,10 +12,12 @@ namespace fpkcheck::backward {
 /// Approximate solutions of the backward equation L V = U - f, one for each functional f.
 struct BackwardSolutions {
   /// Spline coefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v). At a left
-  /// wall c_{0,b} = c_{0,mirrored(b)} to the last bit; likewise the last row at a right wall.
+  /// wall c_{0,b} = c_{0,mirrored(b)} to the last bit. At a right wall the last row has the same
+  /// symmetry.
   std::vector<Eigen::MatrixXd> coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
-  /// Least and largest value of (f + L V - U) residual_weight at the points.
+  /// Least and largest value of the residual (f + L V - U) times residual_weight at the collocation
+  /// points, for each functional.
   std::vector<std::pair<double, double>> residual_extremes;
 };
 
@@ -25,17 +27,17 @@ struct LeastSquaresProblem {
   const ImpactBasis& velocity;
   const DisplacementSamples& y;
   const VelocitySamples& v;
-  /// Weight of the rows of the fit, and of the residuals in `residual_extremes`.
+  /// Weight of each row of the fit, and weight of the residuals in `residual_extremes`.
   std::function<double(double y, double v)> row_weight, residual_weight;
-  /// True for the ends of y at which V satisfies the impact condition of `velocity`.
+  /// Whether V satisfies the impact condition of `velocity` at the first and at the last y.
   bool has_impact_condition_at_begin = true, has_impact_condition_at_end = false;
 };
 
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once, by
 /// conjugate gradients. The preconditioner is the block-banded Cholesky factor of the scaled normal
-/// equations with a small ridge. The fit is for f and for 1; their residuals e_f and e_1 give
-/// U = <e_1, e_f> / <e_1, e_1>.
-/// @param functions f(y, v)
+/// equations with a small ridge. Both f and the constant 1 are fitted; the residuals e_f and e_1 of
+/// these two fits give U = <e_1, e_f> / <e_1, e_1>.
+/// @param functions the functionals' integrands f(y, v)
 /// @throws FitFailure (backward/generator/normal_equations.hpp)
 BackwardSolutions solve_backward(
     const LeastSquaresProblem& problem,

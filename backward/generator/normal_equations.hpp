@@ -13,8 +13,8 @@ struct FitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Normal equations of a fit, scaled to a unit diagonal, with a ridge of 1e-13, as a block-banded
-/// Cholesky factor.
+/// Normal equations of a least-squares fit: scaled to a unit diagonal, regularised by a ridge of
+/// 1e-13 and stored as a block-banded Cholesky factor.
 class NormalEquations {
  public:
   /// @param fit_name name of the fit in the message: "the fit"

@@ -12,13 +12,14 @@ namespace fpkcheck::backward {
 ///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B').
 ///
 /// as enclosed Bernstein coefficients on every piece. Derivatives are expressed by differences of
-/// coefficients: with S_l = B_l + B_{l+1} + .. over the functions of a piece, where S_0 = 1,
-/// sum_l c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. On small cells the coefficients are nearly
-/// equal, and the rounding error of their differences is relative to the differences.
+/// coefficients: with S_l = B_l + B_{l+1} + .. over the functions of a piece, where S_0 = 1, sum_l
+/// c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. On small cells neighbouring coefficients are nearly
+/// equal. This form keeps the rounding error small relative to their differences.
 struct VelocityOperators {
   std::vector<VelocityPiece> pieces;
-  std::vector<std::vector<int>> index;  ///< functions that do not vanish on a piece
-  ImpulseTable jump;  ///< lambda (K B - B) - c v B'; its remainder contains the factor lambda
+  std::vector<std::vector<int>> index;  ///< for each piece, the functions that do not vanish there
+  /// lambda (K B - B) - c v B'; the remainder of this table includes the factor lambda
+  ImpulseTable jump;
   std::vector<std::vector<numerics::BernsteinCoefficients>>
       drift;  ///< v B, shape (pieces, functions of the piece)
   std::vector<std::vector<numerics::BernsteinCoefficients>>

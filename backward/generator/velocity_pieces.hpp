@@ -19,9 +19,10 @@ enum class VelocitySide {
 /// A segment of the velocity axis within one span of an ImpactBasis, or beyond all spans.
 struct VelocityPiece {
   VelocitySide side;
-  int span;                     ///< span of the speeds; 0 beyond all spans
+  int span;                     ///< knot span of the speeds; 0 beyond all spans
   numerics::Interval from, to;  ///< ends of the segment in v, increasing
-  /// Bound of the length by which the segment exceeds its span, due to the rounding of its ends.
+  /// Upper bound of the length by which the segment extends past its span, since the ends of the
+  /// segment are rounded.
   double overhang;
 
   /// Length of the segment.
@@ -30,25 +31,27 @@ struct VelocityPiece {
 
 /// The functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
 struct PieceFunctions {
-  std::vector<int> index;                              ///< functions that do not vanish on it
+  /// functions that do not vanish on the segment
+  std::vector<int> index;
   std::vector<numerics::BernsteinCoefficients> value;  ///< Bernstein coefficients of each function
-  /// Bound of |function - polynomial| on the segment for every function; 0 without overhang.
+  /// Upper bound of |function - polynomial| on the segment, valid for every function; 0 without
+  /// overhang.
   double overhang_error;
 };
 
-/// Assigns a segment to the span that contains its midpoint.
+/// The velocity piece of a segment, assigned to the span that contains the midpoint of the segment.
 VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
                            const numerics::Interval& to);
 PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece);
 
-/// Enclosures of dS_l/dv, l = 1 .. degree, where S_l = B_l + B_{l+1} + .. over the functions of a
-/// piece in the order of piece_functions(). Each derivative is p B_{p-1} / (a knot distance), a
-/// single B-spline of degree p - 1.
+/// Enclosures of dS_l/dv on a piece for l = 1 .. degree. S_l = B_l + B_{l+1} + .. is a sum over the
+/// functions of the piece in the order of piece_functions(). Each derivative is p B_{p-1} / (a knot
+/// distance), a single B-spline of degree p - 1.
 std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
                                                                const VelocityPiece& piece);
 
-/// Divides the range of the basis at the ends of all spans, at `cuts`, and into pieces no longer
-/// than `longest`.
+/// Pieces of the range of the basis: divided at the ends of all spans and at `cuts`, and so that no
+/// piece is longer than `longest`.
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double longest);
 /// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.

@@ -5,7 +5,8 @@
 
 namespace fpkcheck::backward {
 
-/// The velocity factors at `per_cell` Chebyshev points of every cell of v.
+/// Values of the velocity factors of the generator at `per_cell` Chebyshev points of every cell of
+/// v.
 VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
                                  int per_cell);
 

@@ -6,7 +6,8 @@
 
 namespace fpkcheck::backward {
 
-/// Why DensityResiduals does not support a problem, in one phrase; empty if it does.
+/// The reason why DensityResiduals does not support a problem, in one phrase. Empty if the problem
+/// is supported.
 std::string residuals_unsupported_reason(const problem::Problem& problem);
 
 }  // namespace fpkcheck::backward

@@ -16,12 +16,13 @@ namespace fpkcheck::backward {
 
 inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 
-/// The components of an error estimate.
+/// The components of the estimate of one error.
 struct ErrorComponents {
-  double found = 0;       ///< from dual-weighted residuals
-  double unresolved = 0;  ///< UnresolvedResidual of the functions that weight the residuals
-  /// Half the sum of UnresolvedResidual::contrasts(): 0 if the residuals determine the
-  /// probabilities of the wells, 1 if they do not depend on these.
+  double found = 0;  ///< error found by the dual-weighted residuals
+  /// Mean residuals (UnresolvedResidual) of the functions h that weight the density's residuals
+  double unresolved = 0;
+  /// Half the sum of UnresolvedResidual::contrasts(). The value is 0 if the residuals determine the
+  /// probabilities of the wells, and 1 if the residuals do not depend on these probabilities.
   double contrast = 0;
 };
 
@@ -30,22 +31,25 @@ struct DensityErrors {
   double mass;                   ///< mass of the density; all other values are per unit mass
   transform::Moments corrected;  ///< estimates of E[f]
   transform::Moments error;      ///< E_p[f] - corrected
-  /// Contributions to the error of each of transform::kMoments: -(h_ij - E_p[h]) rho_ij, of shape
-  /// (functions of y, functions of v). Their sum is the error.
+  /// Contributions -(h_ij - E_p[h]) rho_ij to the error of each of transform::kMoments, of shape
+  /// (functions of y, functions of v). The sum of the contributions to a moment is the error of
+  /// this moment.
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
   std::array<double, kMomentCount> unresolved;  ///< unresolved residuals of the moments
   std::array<double, kMomentCount> contrasts;   ///< UnresolvedResidual::contrasts() of the moments
-  /// Errors of p(y) and p(y') in L1, over the bins of goal_functions().
+  /// L1 errors of p(y) and of p(y'), over the bins of goal_functions().
   ErrorComponents y_l1, ydot_l1;
 
-  /// The error estimate. L1 errors are multiplied by kSubBinFactor for features narrower than bins.
-  /// The unresolved part is proportional to the error itself, since (E_p - E)[e] is small for a
-  /// nearly exact p. Empty if the result is 2 or more, the L1 distance of disjoint densities.
+  /// The error estimate of the density. L1 errors are multiplied by kSubBinFactor, since the bins
+  /// do not resolve narrower features. The unresolved part is scaled in proportion to the error
+  /// itself, since (E_p - E)[e] is small for a nearly exact p. Empty if an L1 estimate is 2 or
+  /// more: 2 is the L1 distance of disjoint densities.
   std::optional<transform::ErrorEstimate> error_estimate() const;
 
-  /// Of 1389 errors of closures in random problems, one in twenty exceeded the estimate without
-  /// this factor by a factor of 1.3, and one in a hundred by 1.5 (docs/limits.md).
+  /// Factor of the L1 error estimates. Without this factor 1 in 20 of 1389 errors of closures in
+  /// random problems exceeded the estimate by a factor of 1.3, and 1 in 100 by a factor of 1.5
+  /// (docs/limits.md).
   static constexpr double kSubBinFactor = 1.6;
 };
 
@@ -58,38 +62,38 @@ struct DensityErrors {
 /// with the weak residuals rho_ij of p (WeakResiduals). The error of p needs no other density
 /// (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves its equations only
 /// approximately (fit_control_functions); the remaining error is a product of two small quantities,
-/// the residual of h and the error of p. A constant added to h changes no sum; the normalisation
-/// E_p[h] = 0 makes the contributions comparable.
-///
-/// The error is relative to the full problem, whatever equation p solves: the error of a solution
-/// of the white-noise equation includes the model error. Moments are in physical coordinates
-/// (Problem::frame), all other quantities in wall coordinates.
+/// the residual of h and the error of p. A constant added to h changes the contributions but not
+/// their sum; the normalisation E_p[h] = 0 makes the contributions comparable. The reference of the
+/// error is the full problem with impulses, even if p solves an approximate equation: the error of
+/// a solution of the white-noise equation includes the model error. Moments are in physical
+/// coordinates (Problem::frame), all other quantities in wall coordinates.
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
-  /// For wells under noise, which are narrower than the range of y: with kCells the bins resolve
-  /// less than half of an error within a well. The cost is that of kCells (docs/residuals.md).
+  /// Numbers of cells for several wells under Gaussian noise. A well is narrower than the range of
+  /// y: with kCells the bins resolve less than half of an error within a well. The fit takes as
+  /// long as with kCells (docs/residuals.md).
   static constexpr ControlCells kWellCells{.y = 80, .v = 64};
-  /// For several wells without noise: solutions of the backward equation have a sharp bend along
-  /// the orbits that end on top of a barrier.
+  /// Numbers of cells for several wells without Gaussian noise. There solutions of the backward
+  /// equation have a sharp bend along the orbits that end on top of a barrier.
   static constexpr ControlCells kSharpWellCells{.y = 56, .v = 112};
 
-  /// Fits h, which is most of the computational cost.
+  /// Fits h. The fit takes most of the computing time of an error estimate.
   /// @param problem in wall coordinates, like the densities passed later
   /// @pre residuals_unsupported_reason(problem) is empty
   /// @throws FitFailure (backward/generator/normal_equations.hpp)
   explicit DensityResiduals(const problem::Problem& problem);
   DensityResiduals(const problem::Problem& problem, const ControlCells& cells);
 
-  /// The errors of a density.
+  /// Estimates the errors of a density.
   /// @throws InputError when the mass is not positive, or the cells or the range are invalid
   DensityErrors estimate_errors(const transform::Density& density) const;
 
-  /// Distributes contributions over rectilinear cells:
+  /// Distributes the contributions to an error over rectilinear cells. The value of a cell is
   ///
-  ///     sum_ij contribution_ij (int_cell A_i B_j dy dv / int A_i B_j dy dv) / area,
+  ///     sum_ij contribution_ij (int_cell A_i B_j dy dv / int A_i B_j dy dv) / area.
   ///
-  /// so that the values times the areas sum to the error if the cells cover the splines.
+  /// The sum of values times areas of the cells is the error if the cells cover the splines.
   /// @param y_edges, v_edges increasing
   /// @return shape (cells of y, cells of v)
   /// @throws InputError when edges do not increase
@@ -101,7 +105,7 @@ class DensityResiduals {
   const numerics::QuinticBSplines& v() const { return residuals_.v(); }
 
  private:
-  /// The coefficients h_ij for a goal function.
+  /// The coefficients h_ij of the solution h for one goal function.
   Eigen::MatrixXd coefficients(Eigen::Index function) const;
 
   WeakResiduals residuals_;

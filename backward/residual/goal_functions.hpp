@@ -8,23 +8,24 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of the backward equation for dual-weighted residuals. Errors of densities concentrate
-/// where impacts are slow and the motion has decayed: cells there are narrower by a factor of 40.
-/// The ends and the triple knot at v = 0 are those of paper_class_splines(). If the mean of the
-/// impulses keeps the oscillator off the wall, the splines are paper_class_splines(); outside the
-/// base class they are general_splines().
+/// Splines for the solutions of the backward equation that weight the residuals. Errors of
+/// densities concentrate where impacts are slow and the motion has decayed. The cells there are
+/// narrower by a factor of 40. The ends and the triple knot at v = 0 are those of
+/// paper_class_splines(). If the mean of the impulses keeps the oscillator off the wall, the
+/// splines are paper_class_splines(). Outside the paper's class the splines are general_splines().
 ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells);
 
 /// The goal functions: functions of the phase plane whose expectations have error estimates.
 struct GoalFunctions {
-  /// transform::kMoments (in physical coordinates), then bins of y, then bins of v.
+  /// All goal functions in this order: transform::kMoments (in physical coordinates), bins of y,
+  /// bins of v.
   std::vector<SeparableFunction> all;
   int moments = 0, y_bins = 0, v_bins = 0;
 };
 
-/// The goal functions of splines. The bins are the B-splines on pairs of cells: their sum is 1,
-/// they are narrow where the cells are narrow, and the solution of the backward equation of a bin
-/// is smooth on the scale of the cells.
+/// The goal functions that belong to given splines. The bins are the B-splines on pairs of cells.
+/// The sum of the bins is 1, the bins are narrow where the cells are narrow, and the solution of
+/// the backward equation for a bin is smooth on the scale of the cells.
 /// @param frame coordinate frame of the splines
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
                              const problem::Frame& frame = {});

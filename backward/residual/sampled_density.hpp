@@ -9,14 +9,15 @@
 
 namespace fpkcheck::backward {
 
-/// A quadrature rule along an axis for a density with `samples` along this axis: values at the
-/// points, or averages over cells.
+/// A quadrature rule along an axis for a density that is given by samples along this axis. The
+/// samples are values at the points, or averages over cells.
 struct SampledAxis {
   std::vector<double> points;
-  /// Maps samples to weight times density at the points: shape (points, samples).
+  /// Matrix of shape (points, samples) that maps samples to quadrature weight times density at the
+  /// points.
   SparseRows weighted;
 
-  /// Integrals of functions times the density, as linear forms of the samples.
+  /// Integrals of each function times the density, as linear forms of the samples.
   /// @param functions values at the points, shape (points, functions)
   /// @return shape (functions, samples)
   Eigen::MatrixXd integrals(const Eigen::MatrixXd& functions) const {
@@ -24,18 +25,18 @@ struct SampledAxis {
   }
 };
 
-/// A density at a wall.
+/// The density at a wall as a function of the impact speed.
 struct SampledImpacts {
   SampledAxis speeds;  ///< impact speeds u > 0
   Eigen::VectorXd samples;
 };
 
-/// A density, discretised for linear functionals: an integral of a(y) b(v) p is a row times the
-/// matrix of samples times a column.
+/// A density p, discretised for linear functionals. The integral of a(y) b(v) p is a row vector
+/// times the matrix of samples times a column vector.
 struct SampledDensity {
   SampledAxis y, v;
   Eigen::MatrixXd samples;              ///< shape (samples along y, along v)
-  std::vector<SampledImpacts> impacts;  ///< at each wall
+  std::vector<SampledImpacts> impacts;  ///< density at each wall
 };
 
 /// Impact speeds at which integrands over impacts at a wall are not smooth.
@@ -45,18 +46,21 @@ struct ImpactBreaks {
   std::vector<double> speeds;  ///< increasing from 0
 };
 
-/// Points at which integrands are not smooth, increasing; the quadrature rules are divided there.
+/// Points at which integrands are not smooth, in increasing order. The panels of the quadrature
+/// rules end at these points.
 struct IntegrandBreaks {
   std::span<const double> y, v;
   std::span<const ImpactBreaks> walls;
 };
 
-/// Samples a density by the Gauss rule of six points between all breaks of the density and of the
-/// integrands. The rule is exact for splines of degree 5 times the polynomials of
-/// reconstruction_matrix(). For a density given as a function the panels are at most 1/24 of its
-/// range. A density that ends before a wall has no impacts there.
+/// Samples a density at the points of the Gauss rule of six points, applied between all breaks of
+/// the density and of the integrands. The quadrature rule is exact for the product of a spline of
+/// degree 5 and any polynomial of reconstruction_matrix(). If the density is given as a function,
+/// no panel is longer than 1/24 of its range. A density whose range ends before a wall has no
+/// impacts at this wall.
 /// @throws InputError when the edges do not increase, extend past a wall, do not begin at a left
-/// wall or do not match the averages, and when the range of a function is not positive
+/// wall or do not match the number of averages, or when a density given as a function has no range
+/// of positive length
 SampledDensity sample_density(const transform::Density& density, const IntegrandBreaks& breaks);
 
 }  // namespace fpkcheck::backward

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::backward {
 
-/// Fractions of the integral of each spline in each cell.
+/// Fraction of the integral of each spline that lies in each cell.
 /// @param edges increasing
 /// @return shape (cells, functions); columns sum to 1 where the cells cover the splines
 /// @throws InputError when the edges do not increase

@@ -9,9 +9,9 @@
 
 namespace fpkcheck::backward {
 
-/// Residuals of approximate solutions h of backward equations: e = f - U + L h in the plane and
-/// h(0, r u) - h(0, -u) at the wall, as means of |e| over the cells of the splines and over cells
-/// of impact speeds.
+/// Residuals of approximate solutions h of backward equations: e = f - U + L h in the phase plane
+/// and the jump h(0, r u) - h(0, -u) at the wall. Stored are the means of |e| over the cells of the
+/// splines, and the means of the absolute jump over cells of impact speeds.
 class UnresolvedResidual {
  public:
   /// @param fit the fit of h; its weight defines the averages over wells
@@ -19,16 +19,16 @@ class UnresolvedResidual {
   UnresolvedResidual(const ControlFit& fit, std::span<const SeparableFunction> functions,
                      const ControlFunctions& h);
 
-  /// E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du, with the last term for each wall, for each
-  /// function; p is the density of the weak form. The error (E_p - E)[f] minus its estimate
-  /// -sum h rho equals (E_p - E)[e] plus the same for the jumps at the wall. For a density disjoint
-  /// from the exact density this is about twice the returned value.
+  /// Mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function, with the
+  /// last term for each wall; p is the density of the weak form. The error (E_p - E)[f] minus its
+  /// estimate -sum h rho equals (E_p - E)[e] plus the corresponding term of the jumps at the wall.
+  /// If p is disjoint from the exact density, this difference is about twice the mean residual.
   Eigen::VectorXd mean_residuals(const WeakForm& density) const;
 
-  /// Largest difference between the means of e over two wells, for each function; 0 with one well.
-  /// If the exchange between wells is not resolved, e is nearly constant in each well. A density
-  /// whose probabilities of the wells are wrong by d then contributes d times this difference to
-  /// (E_p - E)[e], whatever E_p|e| is. Wells of negligible mass are omitted.
+  /// Largest difference between the means of e over any two wells, for each function; 0 with one
+  /// well. If the exchange between wells is not resolved, e is nearly constant in each well. If the
+  /// probabilities of the wells of a density are wrong by d, then d times this difference
+  /// contributes to (E_p - E)[e], for any value of E_p|e|. Wells of negligible mass are omitted.
   const Eigen::VectorXd& contrasts() const { return contrasts_; }
 
  private:

@@ -16,11 +16,13 @@ namespace fpkcheck::backward {
 struct WeakForm {
   double mass;  ///< mass before the normalisation
   transform::Moments moments;
-  Eigen::MatrixXd means;      ///< E_p[A_i(y) B_j(v)]
-  Eigen::MatrixXd residuals;  ///< rho_ij; both have the shape (functions of y, functions of v)
+  Eigen::MatrixXd means;  ///< E_p[A_i(y) B_j(v)]
+  /// rho_ij; `means` and `residuals` have the shape (functions of y, functions of v)
+  Eigen::MatrixXd residuals;
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, of v).
   Eigen::MatrixXd cells;
-  /// int u p(0, -u) du between consecutive impact_jump_breaks(), for each of impact_walls().
+  /// Impact fluxes int u p(0, -u) du between consecutive impact_jump_breaks(), for each of
+  /// impact_walls().
   std::vector<Eigen::VectorXd> impacts;
 };
 
@@ -30,9 +32,10 @@ struct WeakForm {
 ///     rho_ij = int p L(A_i B_j) dy dv + A_i(0) int u p(0, -u) [B_j(r u) - B_j(-u)] du,
 ///
 /// with the last term for each wall. (At a right wall, x = b, the last function of y replaces A_0
-/// and u p(b, u) [B_j(-r u) - B_j(u)] is the integrand.) They vanish for the solution, for any
-/// splines. The sum of all A_i B_j is 1, therefore the sum of all rho_ij is 0. Each term of L A_i
-/// B_j is a product, so that p is integrated along one axis after the other.
+/// and u p(b, u) [B_j(-r u) - B_j(u)] is the integrand.) The weak residuals of the exact solution
+/// vanish for any splines. The sum of all A_i B_j is 1, therefore the sum of all rho_ij is 0. Each
+/// term of L A_i B_j is a product of a function of y and a function of v, so that p is integrated
+/// along one axis after the other.
 class WeakResiduals {
  public:
   /// @param problem in wall coordinates; the moments are in physical coordinates
