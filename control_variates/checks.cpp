@@ -15,7 +15,7 @@ constexpr double kFlightTolerance =
     1e-5;  // relative to the damping; the truncation error of the flights is smaller
 constexpr double kRounding = 1e-12;
 
-/// Sums over all streams that the checks use.
+/// Sums over all streams, from which the checks are computed.
 struct Sums {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kPowers.size()> powers{};
@@ -61,7 +61,7 @@ void check_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
-  // For atoms at +-Y the square has no variance: rounding is its scale.
+  // With atoms at +-Y the square Y^2 has no variance: rounding then replaces the standard error.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;

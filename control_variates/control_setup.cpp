@@ -33,7 +33,7 @@ DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells
   DepositLayout p{
       .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
-  // Half-width of a smooth bin in spacings: the outermost bins end at the extent.
+  // 2 is the half-width of a smooth bin in spacings: the outermost bins end at the extent.
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
   p.functionals.y_bins = {.first = -y_bin,

@@ -9,15 +9,16 @@
 
 namespace fpkcheck::control_variates {
 
-/// Numbers of cells of the control functions in y and y'. 40 x 88 suffice for moments.
+/// Numbers of cells of the control functions in y and in y'. For moments 40 x 88 cells suffice.
 struct ControlCells {
   int y = 80, v = 176;
 };
 
-/// Layout of the deposits, determined by the problem alone: the default splines of the control
-/// functions (backward/control/paper_class_fit.hpp), a lattice with a spacing of an eighth of a
-/// deviation of the impulses, and smooth bins. The bins have spacings of 0.15 and 0.3 deviations
-/// and four times this width, within 7 deviations.
+/// Layout of the deposits, determined by the problem alone. The splines are the default splines of
+/// the control functions (backward/control/paper_class_fit.hpp). The spacing of the velocity
+/// lattice is an eighth of the standard deviation of the impulses. The smooth bins of y and y' have
+/// spacings of 0.15 and 0.3 standard deviations of the variable, a width of four spacings, and
+/// extend to 7 standard deviations.
 struct DepositLayout {
   numerics::QuinticBSplines y, v;
   mcs::DepositGrid grid;
@@ -25,20 +26,21 @@ struct DepositLayout {
 };
 DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells& cells);
 
-/// The control functions of all functionals, and precomputed data for their use.
+/// The control functions of all functionals, with precomputed means after impulses.
 struct ControlSetup {
   problem::Problem problem;
   DepositLayout deposit_layout;
   /// Column f: coefficients of A_i(y) B_j(v) in the control function h of functional f, row i *
   /// v.size() + j.
   Eigen::MatrixXd control;
-  /// (K B_j)(v_q), shape (lattice points, functions of v); the deposits include the factor lambda.
+  /// Means after an impulse, (K B_j)(v_q), of shape (lattice points, functions of v). The deposits
+  /// include the factor lambda.
   Eigen::MatrixXd after_impulse;
   std::vector<double> backward_means;  ///< U of each functional, from the backward equation alone
 };
 
-/// @param sampling_interval of the simulation; it sets the weight of the impact condition in the
-///        fit
+/// @param sampling_interval time between samples of the simulation; determines the weight of the
+/// impact condition in the fit
 /// @throws backward::FitFailure
 ControlSetup make_control_setup(const problem::Problem& problem,
                                 const DepositLayout& deposit_layout, double sampling_interval);

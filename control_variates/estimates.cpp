@@ -21,7 +21,8 @@ mcs::Estimate scale_estimate(const mcs::Estimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// Error contribution of each stream to the means; the sum of squares over streams is SE^2.
+/// Contribution of each stream to the sampling error of each mean. The sum of squares over streams
+/// is the squared standard error.
 Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
   const auto n = static_cast<double>(values.cols());
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
@@ -33,7 +34,7 @@ mcs::SamplingL1 bins_sampling_l1(const Eigen::MatrixXd& errors) {
   return mcs::sampling_l1(bins);
 }
 
-/// @param controlled means of the bins in each stream, shape (bins, streams); `plain` likewise
+/// @param controlled, plain means of the bins in each stream, both of shape (bins, streams)
 BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
                            const Eigen::MatrixXd& plain) {
   const Eigen::MatrixXd errors = error_contributions(controlled);

@@ -21,7 +21,7 @@ struct Functionals {
   transform::SmoothBins y_bins, v_bins;
 
   int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
-  /// The functionals as functions on the phase plane.
+  /// The integrands f of all functionals, as functions on the phase plane.
   std::vector<backward::SeparableFunction> functions() const;
   /// Plain means of the functionals over the samples of one stream.
   std::vector<double> means(const mcs::StreamDeposit& stream) const;

@@ -9,7 +9,7 @@
 
 namespace fpkcheck::control_variates {
 
-/// A simulation, its estimates with control variates and its checks.
+/// Results of a simulation with control variates: estimates, checks and the plain simulation.
 struct Result {
   Estimates estimates;
   Checks checks;

@@ -15,7 +15,8 @@ using transform::Variable;
 
 static_assert(std::size(transform::kMoments) == kMoments.size());  // in the same order
 
-/// Adds the plain estimates. They alone depend on the law of the drawn impulses.
+/// Adds the plain estimates. Unlike the controlled estimates, the plain estimates depend on the law
+/// of the drawn impulses.
 void add_plain_metrics(const Estimates& estimates, transform::MetricBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;

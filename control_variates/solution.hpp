@@ -7,12 +7,12 @@
 
 namespace fpkcheck::control_variates {
 
-/// The solution of a simulation with control variates: the plain solution with the controlled
-/// moments, the smooth estimates, and the checks as metrics.
+/// The solution of a simulation with control variates. The plain solution receives the controlled
+/// moments, the estimates in smooth bins, and the checks as metrics.
 transform::Solution make_solution(Result&& result);
 
-/// The plain solution with a note that it has no control variates.
-/// @param why one clause
+/// The plain solution with a note that no control variates are used.
+/// @param why reason in one clause, completes the note
 transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& why);
 
 }  // namespace fpkcheck::control_variates

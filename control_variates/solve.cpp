@@ -13,7 +13,8 @@ namespace fpkcheck::control_variates {
 namespace {
 
 // Longest flight in radians. At 0.9 the error of the flights is 1e-8 of the damping, that is 6e-9
-// of E[y^2] in case 1, above the remaining sampling error. At 0.5 it is a hundredth of this.
+// of E[y^2] in case 1, which exceeds the remaining sampling error. At 0.5 the error of the flights
+// is a hundredth of that at 0.9.
 constexpr double kStep = 0.5;
 
 constexpr double kMostBytes = 256e6;  // limit of the lattices of all streams
@@ -64,13 +65,14 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   const double interval = mcs::make_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto setup = std::async(policy, [&] { return make_control_setup(problem, layout, interval); });
-  // With one thread the fit comes first: the simulation can then end soon after a round.
+  // With one thread the fit precedes the simulation. A stop request during the simulation therefore
+  // need not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();
   if (simulation.progress) {
     simulation.progress = [&](const mcs::Progress& at) {
       const bool fitted = setup.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-      // The controlled errors are available at the end only; plain errors are a thousand times
-      // larger.
+      // No sampling errors are reported: those with control variates are available at the end only,
+      // and those without are a thousand times larger.
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
@@ -80,7 +82,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     solution = std::move(simulated.solution);
   } else {
     try {
-      const ControlSetup fitted = setup.get();  // may throw, so it comes before any move
+      const ControlSetup fitted = setup.get();  // may throw: must precede any move
       solution = make_solution(make_result(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {
       solution = make_plain_solution(std::move(simulated.solution), why.what());

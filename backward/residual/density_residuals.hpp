@@ -63,10 +63,11 @@ struct DensityErrors {
 /// (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves its equations only
 /// approximately (fit_control_functions); the remaining error is a product of two small quantities,
 /// the residual of h and the error of p. A constant added to h changes the contributions but not
-/// their sum; the normalisation E_p[h] = 0 makes the contributions comparable. The reference of the
-/// error is the full problem with impulses, even if p solves an approximate equation: the error of
-/// a solution of the white-noise equation includes the model error. Moments are in physical
-/// coordinates (Problem::frame), all other quantities in wall coordinates.
+/// their sum; the normalisation E_p[h] = 0 makes the contributions comparable.
+///
+/// The reference of the error is the full problem with impulses, even if p solves an approximate
+/// equation: the error of a solution of the white-noise equation includes the model error. Moments
+/// are in physical coordinates (Problem::frame), all other quantities in wall coordinates.
 class DensityResiduals {
  public:
   static constexpr ControlCells kCells{.y = 40, .v = 88};
