@@ -7,11 +7,13 @@
 
 namespace fpkcheck::mcs {
 
-/// Why this solver does not support a problem, in one phrase; empty where it does.
+/// The reason why the simulation does not support a problem with these options, in one phrase.
+/// Empty if the problem is supported.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// Why splitting does not resolve the tails of an oscillator outside the paper's class: its energy
-/// rises between impulses too. Empty where the energy rises at impulses only.
+/// The reason why importance splitting does not resolve the tails of the density for an oscillator
+/// outside the paper's class: the energy also rises between impulses. Empty if the energy rises at
+/// impulses only.
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

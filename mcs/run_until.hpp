@@ -8,16 +8,17 @@
 
 namespace fpkcheck::mcs {
 
-/// How a simulation ended.
+/// Whether a simulation reached its goal, and if not, why it ended.
 struct RunOutcome {
   std::string
-      unreached_reason{};    ///< why the goal was not reached, in one sentence; empty where it was
-  bool interrupted = false;  ///< by Options::stop
+      /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
+      unreached_reason{};
+  bool interrupted = false;  ///< whether Options::stop ended the simulation
 };
 
 /// Simulates round by round until the requested time, samples or error are reached, or until
 /// Options::stop returns true. Writes checkpoints and reports progress between rounds.
-/// @param fingerprint of the checkpoints
+/// @param fingerprint text of fingerprint() for the checkpoints
 RunOutcome run_until(Simulation& simulation, const Options& options, CheckpointWriter& checkpoints,
                      const std::string& fingerprint);
 

@@ -12,10 +12,11 @@ namespace fpkcheck::mcs {
 
 /// A simulated density and the statistics of its simulation.
 struct Result {
-  /// The joint histogram as a GridDensity, and the marginals of y and y' on the same edges with 95
-  /// % intervals. All samples normalise them: `mass` is 1 minus the fraction outside the histogram.
-  /// Moments are sample averages, not moments of the histogram. The expected L1 sampling error of a
-  /// marginal is the sum over bins of sqrt(2/pi) * standard error * width.
+  /// The joint histogram as a GridDensity, and the marginal densities of y and y' on the same edges
+  /// with 95 % intervals. The densities are normalised by the number of all samples: `mass` is 1
+  /// minus the fraction of samples outside the histogram. Moments are sample averages, not moments
+  /// of the histogram. The expected L1 sampling error of a marginal is the sum over bins of
+  /// sqrt(2/pi) * standard error * width.
   transform::Solution solution;
   Summary summary;
 };
@@ -26,21 +27,21 @@ struct Result {
 /// class the initial states follow the energy-averaged law, with the mass of each well
 /// (InitialStateSampler).
 ///
-/// Problems are in wall coordinates (problem/frame.hpp), and so are densities, marginals and atoms.
+/// Problems, densities, marginal densities and atoms are in wall coordinates (problem/frame.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
 ///
 /// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
-/// interruptions. The status is not_converged where the simulation ends before its goal, or where
-/// the burn-in is below 5 decay times (BurnInLimit). It is failed, without a density, for white
+/// interruptions. The status is not_converged if the simulation ends before its goal, or if the
+/// burn-in is below 5 decay times (BurnInLimit). The status is failed, without a density, for white
 /// noise with a restitution coefficient at which impacts accumulate
 /// (problem/inelastic_collapse.hpp).
 /// @throws InputError as validate(); for springs that Oscillator refuses; for a checkpoint file
 ///        that cannot be read, or could never be written
 Result solve(const problem::Problem& problem, const Options& options);
 
-/// Sets the status `inaccurate` where the 99 % quantile of the L1 sampling error of an ok solution
-/// exceeds Options::accuracy. solve() calls this function, but with `controlled`
-/// control_variates::solve() does, after the smooth estimates.
+/// Sets the status `inaccurate` if the 99 % quantile of the L1 sampling error of an ok solution
+/// exceeds Options::accuracy. solve() calls this function, except with Options::controlled. With
+/// this option control_variates::solve() calls it after the estimates in smooth bins.
 void require_accuracy(const Options& options, transform::Solution& solution);
 
 /// Checks options and problem as solve() does before it begins, except the files of checkpoints.

@@ -8,21 +8,21 @@
 namespace fpkcheck::mcs {
 
 /// Sums over the samples and impacts of one stream, deposited on a DepositGrid. With N samples at
-/// equal intervals, for any h = sum c_ij B_i(y) B_j(v),
+/// equal intervals over the time T, for any h = sum c_ij B_i(y) B_j(v),
 ///
 ///     sum c_ij (flow[i][j] + sum_q lattice[i][q] (K B_j)(v_q)) / N
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ].
 ///
-/// With DepositGrid::shifts the lattice stays empty and `flow` includes its terms. y'' is the
-/// second derivative of the flight's polynomial, (y-, v-) is the state of this polynomial at the
-/// impact, and v+ is the velocity after the impact.
+/// With DepositGrid::shifts the lattice stays empty and `flow` includes the terms of the lattice.
+/// y'' is the second derivative of the flight's polynomial, (y-, v-) is the state of this
+/// polynomial at the impact, and v+ is the velocity after the impact.
 struct Deposit {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (y functions, flow_pitch); rows are padded
   std::vector<double> lattice;  ///< shape (y functions, lattice_pitch); rows are padded
-  std::vector<double> y_bins;   ///< smooth bin b at [b + kBinOffset]
-  std::vector<double> v_bins;   ///< likewise
+  std::vector<double> y_bins;   ///< sums over samples; smooth bin b of y is at [b + kBinOffset]
+  std::vector<double> v_bins;   ///< as y_bins, for y'
   /// Sums of y'', y'' y and y'' y' of the flights' polynomials over samples.
   std::array<double, 3> acceleration{};
   /// Sums of -v-, v+ and |y-| over impacts.
@@ -45,7 +45,7 @@ struct Deposit {
   static constexpr int kPadding = SplinePieces::kWidth;  // sums are updated eight at a time
 };
 
-/// Calls `visit` with every sum of a deposit.
+/// Calls `visit` with every member of a deposit that holds sums.
 template <class Sums, class Visit>
 void for_each_deposit_sum(Sums& deposit, Visit visit) {
   visit(deposit.flow);

@@ -6,14 +6,15 @@
 #include "numerics/simd/simd.hpp"
 
 // Inlined into files that are compiled for several instruction sets (mcs/motion/advance_simd.hpp).
-// A SIMD lane holds one spline of one sample, not one sample of several.
+// The SIMD lanes hold the splines that do not vanish at one sample, one spline per lane. Elsewhere
+// in mcs/ each lane holds another stream.
 
 namespace fpkcheck::mcs {
 namespace {
 
 using Real8 = simd::VectorTypes<8>::Real;
 
-/// Evaluates eight polynomials by Horner's rule.
+/// Values at t of eight polynomials, by Horner's rule.
 template <int kDegree>
 FPKCHECK_INLINE Real8 polynomials(const double* coefficients, double t) {
   Real8 sum = simd::load<Real8>(coefficients);
@@ -33,11 +34,12 @@ struct SplineValues {
 };
 
 FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double x) {
-  // NaN has no cell: it is evaluated at the beginning.
+  // NaN belongs to no cell: it is replaced by the first point.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
-  // At most one break is in a cell. Within rounding of a break both polynomials agree.
+  // A cell contains at most one break. Near a break the polynomials of both spans agree up to
+  // rounding.
   int span = pieces.span_of_cell()[place > last ? last : place];
   span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.place()[span];
@@ -56,7 +58,8 @@ FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cu
   add(sums + cell - 1 + Deposit::kBinOffset, weight * polynomials<3>(cubics, cells - cell));
 }
 
-/// Deposits lambda B_i on the lattice by Lagrange interpolation with eight points.
+/// Deposits lambda B_i(y) on the velocity lattice at v, by Lagrange interpolation with eight
+/// points.
 FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposit, int first,
                                         const Real8& rates, double v) {
   const DepositGrid& grid = plan.grid;
@@ -111,7 +114,8 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
   deposit.acceleration[2] += acceleration * v;
 }
 
-/// Deposits one impact, h(0, v+) - h(y-, v-), to first order in y-, which is 0 but for rounding.
+/// Deposits the jump h(0, v+) - h(y-, v-) at one impact, to first order in y-, which differs from 0
+/// by rounding only.
 FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, double y_before,
                                     double v_before, double v_after, double weight) {
   const double per_sample = weight / plan.sampling_interval;
@@ -121,7 +125,7 @@ FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, d
   double* row = deposit.flow.data();
   add(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
-  for (int i = 0; i < 2; ++i) {  // only these two have a slope at the wall
+  for (int i = 0; i < 2; ++i) {  // only these two splines have a value or slope at the wall
     const double at = simd::lane(wall.value, i) + y_before * simd::lane(wall.slope, i);
     add(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;

@@ -8,7 +8,7 @@ namespace fpkcheck::mcs {
 
 using transform::SmoothBins;
 
-/// An atom of the amplitude law.
+/// An atom of the amplitude law: the change of velocity and its probability.
 struct VelocityShift {
   double by, probability;
 };
@@ -17,17 +17,19 @@ struct VelocityShift {
 /// B-splines of degree 5, a lattice of velocities, and smooth bins of both variables.
 struct DepositGrid {
   static constexpr int kDegree = 5;
-  static constexpr int kStencil = 8;  ///< points of the interpolation stencil on the lattice
+  /// Number of points of the interpolation stencil on the lattice
+  static constexpr int kStencil = 8;
 
-  /// Nondecreasing knots; those of y begin at 0. The first and last knots have multiplicity 6,
-  /// inner knots at most 5. Beyond the ends the splines continue as constants.
+  /// Nondecreasing knots of the splines; the knots of y begin at 0. The first and the last knot
+  /// have multiplicity 6, inner knots at most 5. Beyond the end knots the splines are constant.
   std::vector<double> y_knots{}, v_knots{};
-  /// Lattice of velocities begin + q spacing, q = 0 .. points - 1. A velocity outside counts at the
-  /// nearest end.
+  /// Lattice of velocities lattice_begin + q lattice_spacing, q = 0 .. lattice_points - 1. A
+  /// velocity outside the lattice counts at the nearest end.
   double lattice_begin = 0, lattice_spacing = 1;
   int lattice_points = 0;
-  /// For laws of atoms only: K B_j is a sum of shifted B_j and is added to the flow exactly. The
-  /// lattice would interpolate across the knots. Empty: the lattice is used.
+  /// Atoms of the law, for laws without a continuous part. K B_j is then a sum of shifted B_j and
+  /// is added to the flow exactly, whereas the lattice would interpolate across the knots. If
+  /// `shifts` is empty, the lattice is used.
   std::vector<VelocityShift> shifts{};
   SmoothBins y_bins{}, v_bins{};
 
@@ -35,10 +37,12 @@ struct DepositGrid {
   int v_functions() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
-/// @throws InputError where the grid violates the conditions of DepositGrid
+/// Checks a grid.
+/// @throws InputError if the grid violates the conditions of DepositGrid
 void require_grid(const DepositGrid& grid);
 
-/// B-splines of degree 5 as polynomials on each span, in rows of eight: six splines and two zeros.
+/// B-splines of degree 5 as polynomials on each span. Rows of eight coefficients hold the six
+/// nonzero splines of a span and two zeros.
 class SplinePieces {
  public:
   static constexpr int kWidth = 8;
@@ -49,20 +53,22 @@ class SplinePieces {
   double begin() const { return begin_; }
   double end() const { return end_; }
   int spans() const { return static_cast<int>(first_.size()); }
-  /// Evenly spaced cells, none longer than the shortest span, and the span at the beginning of each
-  /// cell.
+  /// Evenly spaced cells, for the search of the span of a point: no cell is longer than the
+  /// shortest span. span_of_cell() has the span at the beginning of each cell.
   double cells_per_length() const { return cells_per_length_; }
   int cells() const { return static_cast<int>(span_of_cell_.size()); }
   const int* span_of_cell() const { return span_of_cell_.data(); }
-  /// First points of the spans and the last end, and the reciprocal length of each span.
+  /// breaks() has the first point of each span and the end of the last span; per_length() has the
+  /// reciprocal length of each span.
   const double* breaks() const { return breaks_.data(); }
   const double* per_length() const { return per_length_.data(); }
-  /// Index of the first spline of each span.
+  /// For each span, the index of the first nonzero spline.
   const int* first() const { return first_.data(); }
-  /// Offset of each span in coefficients().
+  /// For each span, the offset of its polynomials in coefficients().
   const int* place() const { return place_.data(); }
-  /// Coefficients of t^5, .., 1 with t = (x - begin of the span)/length, then of t^4, .., 1 for the
-  /// slopes in x: shape (11, kWidth). Spans with equal coefficients share them.
+  /// Polynomial coefficients of the splines, of shape (11, kWidth) for each span: the coefficients
+  /// of t^5, .., 1 with t = (x - begin of the span)/length, then of t^4, .., 1 for the slopes in x.
+  /// Spans with equal coefficients share one table.
   const double* coefficients() const { return coefficients_.data(); }
 
  private:
@@ -71,15 +77,15 @@ class SplinePieces {
   std::vector<double> breaks_, per_length_, coefficients_;
 };
 
-/// A grid with its precomputed tables.
+/// A deposition grid with precomputed tables.
 struct DepositPlan {
   DepositGrid grid;
   SplinePieces y, v;
   double rate;               ///< impulse rate lambda
   double sampling_interval;  ///< time between samples
-  /// Lagrange polynomials on the points -3 .. 4, coefficients of t^7, .., 1: shape (8, 8).
+  /// Coefficients of t^7, .., 1 of the Lagrange polynomials with nodes -3 .. 4: shape (8, 8).
   std::vector<double> lagrange;
-  /// The four cubics of the smooth bins in a cell, coefficients of t^3, .., 1: shape (4, 8).
+  /// Coefficients of t^3, .., 1 of the four cubics that smooth bins have in a cell: shape (4, 8).
   std::vector<double> cubics;
 
   /// @throws InputError as require_grid()

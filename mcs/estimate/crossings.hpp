@@ -7,15 +7,15 @@
 
 namespace fpkcheck::mcs {
 
-/// Rates of upward crossings of levels of y: maxima above the level less minima above the level,
-/// per unit time. Between two upward crossings there is one maximum more than minima, and all
-/// minima at the wall are below the level. The levels are every tenth bin edge of y, from the first
-/// above the wall.
+/// Rates of upward crossings of levels of y. The rate is the number of maxima above the level minus
+/// the number of minima above the level, per unit time. Between an upward crossing and the next
+/// downward crossing there is one maximum more than there are minima, and the minima at the wall
+/// are below all levels. Every tenth bin edge of y is a level, from the first edge above the wall.
 std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
                                           const StreamWeights& weights);
 
-/// Rates of maxima of y above 0 and above the same levels. Their ratios are the exceedance
-/// probabilities of a peak.
+/// Rates of maxima of y above 0 and above the levels of estimate_crossings(). The ratio of such a
+/// rate to the rate above 0 is the probability that a peak exceeds the level.
 std::vector<LevelRate> estimate_peaks(const Simulation& simulation, const StreamWeights& weights);
 
 }  // namespace fpkcheck::mcs

@@ -6,8 +6,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Error contributions of the streams to the probability of each bin (StreamWeights::errors), shape
-/// (bins, streams).
+/// Contributions of the streams to the sampling error of the probability of each bin
+/// (StreamWeights::errors), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
 /// Expected L1 sampling error of a marginal: sum over bins of sqrt(2/pi) * standard error.
@@ -15,13 +15,13 @@ double expected_l1(const BinErrors& errors);
 
 /// Distribution of the L1 sampling error of a marginal.
 struct SamplingL1 {
-  double expected = 0;     ///< expected_l1
-  double quantile_99 = 0;  ///< 99 % quantile; includes the correlation of neighbouring bins
+  double expected = 0;     ///< expected value, expected_l1()
+  double quantile_99 = 0;  ///< 99 % quantile, with the correlation of neighbouring bins
 };
 
 SamplingL1 sampling_l1(const BinErrors& errors);
 
-/// Probabilities below the bin edges of a variable, in each stream.
+/// Probabilities that the variable is below each bin edge, estimated from each stream.
 /// @return shape (streams, edges)
 std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
                                                           transform::Variable variable);
@@ -33,14 +33,14 @@ struct MarginalEstimate {
 };
 
 /// Marginal density in bins, from all samples of the variable, with pointwise 95 % intervals.
-/// @param effective_samples bounds the density of a bin without samples
+/// @param effective_samples determines the upper confidence limit in a bin without samples
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::Variable variable, double effective_samples);
 
 /// The joint histogram as a density, with the standard error of each average.
 struct JointEstimate {
   transform::GridDensity density;
-  std::vector<double> standard_errors;  ///< row-major, as the averages
+  std::vector<double> standard_errors;  ///< standard errors of the averages, row-major
 };
 JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights);
 

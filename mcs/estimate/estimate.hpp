@@ -11,14 +11,14 @@ struct Estimate {
   double standard_error = 0;
 };
 
-/// Quantile: `value` with the given probability below.
+/// Quantile of a variable: the probability of a smaller value than `value` is `probability`.
 struct Quantile {
   double probability;
   double value;
   double lower, upper;  ///< ends of the 95 % interval
 };
 
-/// Rate of crossings of `level`, or of peaks above `level`, per unit time.
+/// Rate of upward crossings of the level of y, or of peaks above this level, per unit time.
 struct LevelRate {
   double level;
   Estimate rate;

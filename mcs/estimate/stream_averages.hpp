@@ -21,11 +21,11 @@ double physical_moment(const Simulation& simulation, const StreamRecord& record,
 /// Mean of y^p y'^q in every stream, (p, q) among kPowers, in physical coordinates.
 std::vector<double> moments(const Simulation& simulation, int p, int q);
 
-/// Excess power of every stream: power of its drawn impulses less the expectation.
+/// Excess power of every stream: power of the drawn impulses of the stream less its expectation.
 std::vector<double> excess_powers(const Simulation& simulation);
 
-/// Effective samples Var(x) / SE^2 of x = y^p y'^q: the number of independent draws with the same
-/// standard error of the mean.
+/// Number of effective samples Var(x) / SE^2 of x = y^p y'^q: the number of independent draws whose
+/// mean has the same standard error.
 double effective_samples(const Simulation& simulation, int p, int q);
 
 }  // namespace fpkcheck::mcs

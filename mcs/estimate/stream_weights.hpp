@@ -7,14 +7,15 @@
 
 namespace fpkcheck::mcs {
 
-/// Weights of the stream averages: the control-variate estimate (Lavenberg & Welch, Management
-/// Science 27, 1981) as a weighted mean.
+/// Weights of the stream averages, which write the control-variate estimate (Lavenberg & Welch,
+/// Management Science 27, 1981) as a weighted mean.
 ///
 /// A stream whose impulses do more work than expected has y and y' above the stationary average.
 /// The impulse law alone determines the expectation of this work, for any oscillator. Let x_s be
 /// the average of stream s and b_s its excess power (mean zero). The streams form two halves A and
 /// B with means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope of
-/// one half corrects the other half. Both are independent, so the estimate is unbiased:
+/// one half corrects the mean of the other half. The halves are independent, so the estimate is
+/// unbiased:
 ///
 ///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
 ///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,
@@ -24,32 +25,33 @@ namespace fpkcheck::mcs {
 /// negative in short runs with few streams only.
 class StreamWeights {
  public:
-  /// @param excess_powers one per stream, eight or more
+  /// @param excess_powers excess power of each stream; eight or more streams
   explicit StreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
   std::size_t size() const { return weights_.size(); }
 
-  /// Weighted mean of one number per stream; the standard error comes from the residuals of the
-  /// regression.
+  /// Weighted mean of a quantity with one value per stream. The standard error is computed from the
+  /// residuals of the regression.
   Estimate estimate(std::span<const double> values) const;
 
-  /// Error contribution of each stream to that mean. The sum of squares is the squared standard
-  /// error; the sum of products with the contributions of other values is the covariance.
+  /// Contribution of each stream to the sampling error of estimate(values). The sum of their
+  /// squares is the squared standard error. The sum of their products with the contributions to
+  /// another mean is the covariance of both means.
   std::vector<double> errors(std::span<const double> values) const;
 
-  /// Half-width of a 95 % interval, in standard errors (Student's t).
+  /// Half-width of a 95 % confidence interval, in standard errors (Student's t).
   double interval_factor() const;
 
  private:
   int degrees_of_freedom() const;
 
   std::vector<double> weights_;
-  std::vector<double> controls_;  // b_s less the mean over all streams
-  double control_square_ = 0;     // sum of the squares
+  std::vector<double> controls_;  // b_s minus the mean of b over all streams
+  double control_square_ = 0;     // sum of the squares of controls_
 };
 
-/// Plain mean of one number per stream, and its standard error.
+/// Unweighted mean of one value per stream, and the standard error of this mean.
 Estimate plain_estimate(std::span<const double> values);
 
 }  // namespace fpkcheck::mcs

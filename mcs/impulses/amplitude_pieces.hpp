@@ -8,14 +8,15 @@
 
 namespace fpkcheck::mcs {
 
-/// Piecewise quantile function of an amplitude law, a function of one number u of (0, 1). For laws
-/// without a formula that SIMD lanes can evaluate.
+/// Piecewise quantile function of an amplitude law: maps a number u of (0, 1) to an amplitude. Used
+/// for laws without a formula that SIMD lanes can evaluate.
 class AmplitudePieces {
  public:
-  /// A polynomial of s. On the piece s grows with u from 0 to 1 as a quantile of a density that is
-  /// linear between two values; s is linear in u where both values are equal.
+  /// One piece of the quantile function: a polynomial of s. On the piece s grows with u from 0 to
+  /// 1, as a quantile of a density on (0, 1) that is linear between two values. If both values are
+  /// equal, s is linear in u.
   struct Piece {
-    double upper_end;  ///< u at the end of the piece
+    double upper_end;  ///< value of u at the end of the piece
     std::array<double, 8> powers;
     double first_density = 1, last_density = 1;
   };
@@ -23,27 +24,28 @@ class AmplitudePieces {
   explicit AmplitudePieces(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
 
   double operator()(double u) const;
-  /// Hash of all bits of the pieces, which identifies the law in checkpoints.
+  /// Hash of all bits of the pieces. The hash identifies the law in checkpoints.
   std::uint64_t checksum() const;
 
  private:
   std::vector<Piece> pieces_;
 };
 
-/// An interval of amplitudes with its probability and a density linear between two values; an atom
-/// where both ends are equal.
+/// An interval of amplitudes with its probability and a density that is linear between two values.
+/// An interval with equal ends is an atom.
 struct AmplitudeRange {
   double from, to;
   double probability;
   double first_density = 1, last_density = 1;
 };
-/// Pieces from increasing intervals whose probabilities sum to 1.
+/// The quantile function of a law that consists of increasing intervals; their probabilities sum to
+/// 1.
 AmplitudePieces pieces_from_ranges(const std::vector<AmplitudeRange>& ranges);
 
-/// Pieces from a quantile function of p and q = 1 - p, smooth inside (0, 1). The smaller of p and q
-/// has full precision. A piece is a quarter of an octave of u or 1 - u, with the polynomial through
-/// the values at the Chebyshev points. The pieces extend from 2^-44, half of the smallest
-/// Uniforms::second, to 1 - 2^-44.
+/// Interpolates a quantile function by pieces. The arguments of `quantile` are p and q = 1 - p, the
+/// smaller one with full precision; the function is smooth inside (0, 1). A piece extends over a
+/// quarter of an octave of u or 1 - u. Its polynomial passes through the values at the Chebyshev
+/// points. The pieces extend from 2^-44, half of the smallest Uniforms::second, to 1 - 2^-44.
 AmplitudePieces pieces_from_quantile(const std::function<double(double, double)>& quantile);
 
 }  // namespace fpkcheck::mcs

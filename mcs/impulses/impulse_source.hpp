@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// One term of paper (3): waiting time after the previous impulse, and amplitude Y.
+/// One impulse of paper (3): waiting time after the previous impulse, and amplitude Y.
 struct Impulse {
   double waiting;
   double amplitude;
 };
 
-/// Impulses of one stream. Impulse n is a function of (seed, stream, n) alone. SIMD lanes make them
-/// in blocks.
+/// Generator of the impulses of one stream. Impulse n is a function of (seed, stream, n) alone.
+/// SIMD lanes draw the impulses in blocks.
 class ImpulseSource {
  public:
   ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream)
@@ -30,12 +30,13 @@ class ImpulseSource {
     return {block_.waiting[index], block_.amplitude[index]};
   }
 
-  /// Number of impulses drawn.
+  /// Number of impulses drawn so far.
   std::uint64_t number() const { return number_; }
-  /// Sets the number of impulses drawn.
+  /// Continues after the impulse with this number, as if `number` impulses had been drawn.
   void continue_from(std::uint64_t number);
 
-  /// Two independent standard normal numbers for the initial state, the same at every call.
+  /// Two independent standard normal numbers for the initial state of the stream. Every call
+  /// returns the same numbers.
   std::array<double, 2> standard_normals() const;
 
  private:

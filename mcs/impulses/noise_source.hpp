@@ -6,8 +6,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Standard normal numbers of one stream, for Gaussian noise. Number n is a function of (seed,
-/// stream, n) alone. SIMD lanes make them in blocks.
+/// Generator of the standard normal random numbers of one stream, for Gaussian noise. Random number
+/// n is a function of (seed, stream, n) alone. SIMD lanes draw the numbers in blocks.
 class NoiseSource {
  public:
   NoiseSource(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}
@@ -19,9 +19,9 @@ class NoiseSource {
     return block_.amplitude[index];
   }
 
-  /// Number of normal numbers drawn.
+  /// How many normal numbers have been drawn so far.
   std::uint64_t number() const { return number_; }
-  /// Sets the number of normal numbers drawn.
+  /// Continues as if `number` normal numbers had been drawn.
   void continue_from(std::uint64_t number);
 
  private:

@@ -16,13 +16,13 @@ namespace fpkcheck::mcs {
 
 /// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers of
 /// (0, 1); u has more digits than w (Uniforms). Each law of problem::ImpulseLaw has one
-/// specialisation, a formula or DrawnFromPieces, and an entry in DrawnLaws. The laws themselves are
-/// only declared: their headers must not be compiled for several instruction sets.
+/// specialisation, a formula or DrawnFromPieces, and an entry in DrawnLaws. The types of the laws
+/// are declared only, since their headers must not be compiled for several instruction sets.
 template <class Law>
 struct StandardAmplitude;
 
-/// Box-Muller transform: the cosine of a uniform angle has the law of the sine of an angle within a
-/// quarter turn.
+/// Box-Muller transform. The cosine of an angle uniform on a full turn has the same law as the sine
+/// of an angle uniform on +- a quarter turn.
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
@@ -66,7 +66,8 @@ struct StandardAmplitude<problem::ExponentialLaw> {
   }
 };
 
-/// For laws with a standardised_quantile, atoms or a piecewise linear density instead of a formula.
+/// Base of StandardAmplitude for laws whose amplitudes are drawn from AmplitudePieces: laws with a
+/// standardised_quantile, with atoms or with a piecewise linear density.
 struct DrawnFromPieces {};
 template <>
 struct StandardAmplitude<problem::GammaLaw> : DrawnFromPieces {};
@@ -76,7 +77,7 @@ struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromPieces {};
 template <class... Laws>
 struct LawList {};
 
-/// The laws, in the order of problem::ImpulseLaw::Kind.
+/// All amplitude laws, in the order of problem::ImpulseLaw::Kind.
 using DrawnLaws =
     LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
             problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;

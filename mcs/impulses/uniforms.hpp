@@ -5,25 +5,26 @@
 
 namespace fpkcheck::mcs {
 
-/// Use of random numbers. Numbers of different purposes never coincide.
+/// Purpose of random numbers. Different purposes use different counters of the generator.
 enum class Purpose : std::uint32_t { impulses, start, noise };
 
-/// 128 random bits as a function of (seed, stream, purpose, number): Philox4x32-10 (Salmon et al.,
-/// SC 2011, Random123). The function has no state, so the order of calls does not matter.
+/// Random bits (128) as a function of (seed, stream, purpose, number), by the counter-based
+/// generator Philox4x32-10 (Salmon et al., SC 2011, Random123). The function has no state, so the
+/// order of calls does not matter.
 std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t stream, Purpose purpose,
                                          std::uint64_t number);
 
 /// Number of impulses per block.
 inline constexpr int kBlockSize = 16;
 
-/// Numbers in (0, 1) for a block of impulses. The 128 bits of one counter give numbers of 53, 43
-/// and 32 bits. The second number limits the amplitude: 7.8 deviations of a Gaussian, 30 scales of
-/// a Laplace law.
+/// Uniform random numbers in (0, 1) for a block of impulses. The 128 random bits of one impulse
+/// give three numbers of 53, 43 and 32 bits. The 43 bits of the second number limit the amplitude
+/// to 7.8 standard deviations of a Gaussian law and to 30 scales of a Laplace law.
 struct Uniforms {
   std::array<double, kBlockSize> first, second, third;
 };
 
-/// The numbers `from` .. `from + kBlockSize - 1` of a stream.
+/// The uniform random numbers of the impulses `from` .. `from + kBlockSize - 1` of a stream.
 Uniforms uniforms(std::uint64_t seed, std::uint32_t stream, Purpose purpose, std::uint64_t from);
 
 }  // namespace fpkcheck::mcs

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Binary form of numbers, for files that the same machine reads and writes.
+/// Writes a number in the binary form of this machine, for files that the same machine reads.
 template <class Number>
 requires std::is_trivially_copyable_v<Number>
 void write_binary(std::ostream& out, const Number& number) {
@@ -19,10 +19,12 @@ void read_binary(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-/// Binary form of mostly zero lists: runs of zeros are stored as their length.
+/// Writes a list of numbers in binary form. A run of zeros is stored as its length, since most
+/// lists consist mainly of zeros.
 void write_binary(std::ostream& out, const std::vector<double>& numbers);
-/// @param numbers of the expected size; any size where empty
-/// @throws InputError where the size or the form differs
+/// Reads a list of numbers that write_binary() wrote.
+/// @param numbers a list of the expected size; an empty list accepts any size
+/// @throws InputError if the file has another size or is not in this form
 void read_binary(std::istream& in, std::vector<double>& numbers);
 
 }  // namespace fpkcheck::mcs

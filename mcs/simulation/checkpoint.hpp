@@ -8,16 +8,17 @@
 
 namespace fpkcheck::mcs {
 
-/// Text of everything that determines the numbers of a simulation, except its duration: problem,
-/// seed, streams, lengths of steps and rounds, bins, thresholds. Numbers have full precision.
+/// Text that identifies a simulation by all inputs that determine its numbers, except the duration:
+/// problem, seed, streams, lengths of steps and rounds, bins, thresholds. The text states numbers
+/// with full precision.
 std::string fingerprint(const problem::Problem& problem, const Plan& plan,
                         const Splitting* splitting);
 
-/// Writes the state of a simulation to a file, by renaming a complete temporary file. Write errors
-/// do not end the simulation.
+/// Writes the state of a simulation to a checkpoint file. A complete temporary file is renamed, so
+/// that the checkpoint is never incomplete. Write errors do not end the simulation.
 class CheckpointWriter {
  public:
-  /// @param path empty: no checkpoints
+  /// @param path checkpoint file; if empty, no checkpoints are written
   /// @param warn called with one line after the first of consecutive write errors, and after an
   ///        error of the last checkpoint
   /// @throws InputError where the path cannot be written
@@ -36,11 +37,11 @@ class CheckpointWriter {
   std::string path_;
   std::function<void(const std::string&)> warn_;
   Clock::time_point written_{};
-  std::string failure_{};  ///< of the last write; empty after success
+  std::string failure_{};  ///< error message of the last write; empty after success
 };
 
-/// Sets a simulation to the state in a checkpoint of the same fingerprint. The simulation continues
-/// as without the interruption.
+/// Sets a simulation to the state in a checkpoint with the same fingerprint. The simulation then
+/// continues as if there had been no interruption.
 /// @throws InputError in one line: the file cannot be read, is damaged or belongs to another
 ///        simulation
 void read_checkpoint(const std::string& path, const std::string& fingerprint,

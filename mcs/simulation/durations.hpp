@@ -7,8 +7,8 @@ namespace fpkcheck::mcs {
 /// Decay rate and event rates of a problem, per unit time.
 struct EventRates {
   double decay;     ///< rate of the slowest mode
-  double impulses;  ///< impulses, or the kicks of white noise that replace them
-  double flights;   ///< flights, and the kicks of noise besides impulses
+  double impulses;  ///< rate of impulses, or of the kicks of white noise that replace impulses
+  double flights;   ///< rate of flights, plus that of noise kicks that act besides impulses
   bool any_oscillator = false;
   int wells = 1;
 
@@ -26,16 +26,17 @@ enum class BurnInLimit {
 struct Durations {
   double automatic;  ///< default simulated time over all streams
   double time;       ///< upper limit of the simulated time
-  double burn_in;    ///< per stream
+  double burn_in;    ///< duration of the burn-in of each stream
   BurnInLimit burn_in_limit;
 };
 
-/// Chooses the simulated time and the burn-in. The full time is 1.6e6 decay times, reduced as in
-/// Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. It is the default
-/// if it takes at most a minute in the paper's class, or some seconds outside that class. Otherwise
-/// the default time takes these seconds, or up to a minute where Options::accuracy needs more. With
-/// several wells and rare transitions it takes the seconds only, since a minute would not determine
-/// the masses of the wells.
+/// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,
+/// reduced as in Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. The
+/// full time is the default if its simulation takes at most a minute in the paper's class, or some
+/// seconds outside that class. Otherwise the default time is shorter: its simulation takes some
+/// seconds, or up to a minute if Options::accuracy needs more. With several wells and rare
+/// transitions the simulation takes some seconds only, since even a minute would not determine the
+/// masses of the wells.
 Durations choose_durations(const Options& options, const EventRates& rates);
 
 }  // namespace fpkcheck::mcs

@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// Further parts of the plan for an oscillator outside the paper's class.
+/// Additional members of a simulation plan for an oscillator outside the paper's class.
 struct GeneralPlan {
   problem::Scales scales;
   GeneralOscillator oscillator;
   GeneralKicks kicks;
   double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
   bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
-  int wells;               ///< Features::wells
+  int wells;               ///< number of potential wells, Features::wells
 };
 
 /// @throws InputError for options without support outside the paper's class

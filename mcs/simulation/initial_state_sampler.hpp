@@ -8,14 +8,14 @@
 
 namespace fpkcheck::mcs {
 
-/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
-/// the mass of each well and each ring. The burn-in only has to remove transients of the fast
-/// motion and the error of the averaging.
+/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), which
+/// has the correct mass of each well and of each energy band. The burn-in then only has to remove
+/// transients of the fast motion and the error of the averaging.
 class InitialStateSampler {
  public:
   explicit InitialStateSampler(const problem::Problem& problem);
 
-  /// The initial state is a function of the seed and the stream.
+  /// Initial state of a stream: a function of the seed and the number of the stream.
   State operator()(std::uint64_t seed, std::uint32_t stream) const;
 
  private:

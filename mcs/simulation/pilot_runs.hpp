@@ -5,9 +5,9 @@
 
 namespace fpkcheck::mcs {
 
-/// Splitting for a problem, with thresholds from pilot runs with independent random numbers. Each
-/// run uses the thresholds of the run before and extends them. The last threshold has an exceedance
-/// probability of about 1e-10 after impulses.
+/// Chooses the energy thresholds of the splitting for a problem by pilot runs with independent
+/// random numbers. Each pilot run uses the thresholds of the run before and adds higher thresholds.
+/// The probability that the energy after an impulse exceeds the last threshold is about 1e-10.
 Splitting plan_splitting(const problem::Problem& problem, const Plan& plan);
 
 }  // namespace fpkcheck::mcs

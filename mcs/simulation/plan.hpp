@@ -16,11 +16,11 @@ struct Problem;
 
 namespace fpkcheck::mcs {
 
-/// Default step limit in radians. The errors are below those of the classical Runge-Kutta method
-/// with step 0.05 (docs/simulation.md).
+/// Default limit of the Taylor step in radians. The errors of the flights are below those of the
+/// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// A simulation with all default values computed.
+/// All parameters of a simulation, with the default values computed.
 struct Plan {
   int streams;
   int threads;
@@ -30,16 +30,16 @@ struct Plan {
   double burn_in;
   BurnInLimit burn_in_limit;
   double sampling_interval;
-  /// Samples of each stream per round.
+  /// Number of samples of each stream per round.
   std::uint64_t samples_per_round;
-  std::uint64_t rounds;           ///< upper limit
+  std::uint64_t rounds;           ///< upper limit of the number of rounds
   double displacement_deviation;  ///< sigma_1 of the initial Gaussian
   double velocity_deviation;      ///< sigma_2
   Excitation excitation;
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
-  /// For oscillators outside the paper's class, which GeneralMotion describes.
+  /// Additional members for oscillators outside the paper's class, advanced by GeneralMotion.
   std::optional<GeneralPlan> general{};
 
   /// Simulated time of one stream per round.

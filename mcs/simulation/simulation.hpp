@@ -13,8 +13,9 @@
 
 namespace fpkcheck::mcs {
 
-/// The independent streams of a plan, simulated in rounds. Threads take groups of whole streams and
-/// finish together, so the result is independent of the number of threads.
+/// The independent streams of a plan, simulated in rounds. Each thread advances groups of whole
+/// streams, and a round ends when all streams are advanced. The result is therefore independent of
+/// the number of threads.
 class Simulation {
  public:
   /// Creates the streams at the beginning of their burn-in. Initial states are from the Gaussian of
@@ -29,7 +30,7 @@ class Simulation {
   /// load_part() reads the streams of the other parts.
   void share(int part, int parts);
 
-  /// Sets another splitting and clears the counts of energies.
+  /// Replaces the splitting and clears the histogram of the energies after impulses.
   /// @param splitting must outlive the simulation
   void set_splitting(const Splitting& splitting);
 
@@ -46,18 +47,18 @@ class Simulation {
   }
   const std::vector<Stream>& streams() const { return streams_; }
 
-  /// Writes the complete state between two rounds.
+  /// Writes the complete state of the simulation; to be called between two rounds.
   void save(std::ostream& out) const;
   /// @throws InputError where the input is not the state of this number of streams and bins
   void load(std::istream& in);
 
-  /// The streams of this part, and of another part.
+  /// Write the streams of this part, and read the streams of another part (share()).
   void save_part(std::ostream& out) const;
   void load_part(std::istream& in, int part);
 
  private:
   void start_general_streams(const problem::Problem& problem, const Splitting* splitting);
-  /// @param move advances a group of streams
+  /// @param move function that advances a group of streams
   void move(const std::function<void(std::span<Stream* const>)>& move);
   void move(bool recorded, double time);
   bool is_stream_of_part(int part, std::size_t stream) const;
@@ -72,7 +73,8 @@ class Simulation {
   std::vector<Stream> streams_;
 };
 
-/// One number per stream, in the order of the streams.
+/// One number per stream: the function `of` applied to the record of each stream, in the order of
+/// the streams.
 template <class Of>
 std::vector<double> each(const std::vector<Stream>& streams, Of of) {
   std::vector<double> values;
