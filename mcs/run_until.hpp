@@ -10,9 +10,8 @@ namespace fpkcheck::mcs {
 
 /// Whether a simulation reached its goal, and if not, why it ended.
 struct RunOutcome {
-  std::string
-      /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
-      unreached_reason{};
+  /// Reason why the goal was not reached, in one sentence; empty if the goal was reached.
+  std::string unreached_reason{};
   bool interrupted = false;  ///< whether Options::stop ended the simulation
 };
 

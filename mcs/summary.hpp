@@ -14,16 +14,16 @@
 
 namespace fpkcheck::mcs {
 
-/// The deposit of one stream and its normalisation.
+/// The deposited sums of one stream and the numbers that normalise them.
 struct StreamDeposit {
   Deposit sums;
   double samples = 0;                           ///< N, the divisor of the sums
-  double time = 0;                              ///< T
+  double time = 0;                              ///< T, simulated time of the stream
   double impacts = 0;                           ///< number of impacts
   std::array<double, kPowers.size()> powers{};  ///< sums of y^p y'^q in the order of kPowers
 };
 
-/// Statistics of a simulation, besides the members that every solution has.
+/// Statistics of a simulation that are no members of transform::Solution.
 struct Summary {
   double time = 0;  ///< simulated time over all streams, without the burn-in
   std::uint64_t samples = 0;
@@ -31,8 +31,9 @@ struct Summary {
   /// Var(y'^2) / SE^2 with the plain standard error, that is without weights: the number of
   /// independent draws of the stationary density with the same standard error of E[y'^2].
   double effective_samples = 0;
-  double effective_samples_y2 = 0;  ///< likewise for E[y^2]
-  /// Variance reduction by the weights: plain variance of the estimate over its weighted variance.
+  double effective_samples_y2 = 0;  ///< number of effective samples for E[y^2]
+  /// Variance reduction by the weights of the streams: variance of the plain mean divided by the
+  /// variance of the weighted mean.
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
   /// Power of the drawn impulses less its expectation, relative to lambda E[Y^2]/2, and its
@@ -40,21 +41,22 @@ struct Summary {
   /// errors indicates impulses that do not follow their law.
   double excess_power = 0;
   double excess_power_error = 0;
-  double outside_fraction = 0;  ///< fraction of the samples beyond the histogram
+  double outside_fraction = 0;  ///< fraction of the samples outside the histogram
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
-  double step = 0;                        ///< radians, Options::step
+  double step = 0;                        ///< limit of the Taylor step in radians, Options::step
   std::optional<double> kick_interval{};  ///< white noise: time between kicks
-  double burn_in = 0;                     ///< per stream
+  double burn_in = 0;                     ///< duration of the burn-in of each stream
   Estimate impact_rate{};                 ///< impacts per unit time, int |v| p(0, v) dv over v < 0
-  bool impacts_accumulate = false;  ///< to rest in contact: the rate is infinite and not stated
+  /// Impacts end in rest in contact: their rate is infinite and not stated
+  bool impacts_accumulate = false;
   transform::BalanceResiduals balances{};        ///< residuals of the weighted averages
   transform::BalanceResiduals balance_errors{};  ///< standard errors of the residuals
   std::uint64_t impulses = 0;
   std::uint64_t flights = 0;  ///< number of Taylor polynomials
   std::uint64_t rounds = 0;
-  bool interrupted = false;  ///< by Options::stop
+  bool interrupted = false;  ///< whether Options::stop ended the simulation
   /// E[y^p y'^q], p + q <= 4, in the order of kPowers.
   std::vector<Estimate> joint_moments{};
   std::vector<Quantile> y_quantiles{}, v_quantiles{};
@@ -62,9 +64,9 @@ struct Summary {
   std::vector<double> thresholds{};  ///< threshold energies of the splitting
   /// Standard errors of the averages of the joint histogram, row-major.
   std::vector<double> joint_standard_errors{};
-  /// Deposits of the streams on Options::deposit, in their order; empty without a grid.
+  /// Deposited sums of each stream on the grid Options::deposit; empty without such a grid.
   std::vector<StreamDeposit> deposits{};
-  /// Problems without an effect on the result, one line each (Options::warn).
+  /// Warnings about difficulties that do not affect the result, one line each (Options::warn).
   std::vector<std::string> warnings{};
 };
 

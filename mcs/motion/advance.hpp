@@ -9,10 +9,10 @@
 
 namespace fpkcheck::mcs {
 
-/// Parameters that all streams share.
+/// Parameters of the motion, the sampling and the statistics, the same for all streams.
 struct Motion {
   Oscillator oscillator;
-  double step;               ///< step limit in radians (BasicFlight::max_step)
+  double step;               ///< limit of the Taylor step in radians (BasicFlight::max_step)
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
@@ -22,13 +22,13 @@ struct Motion {
   const DepositPlan* deposit = nullptr;  ///< null: no deposition
 };
 
-/// Advances streams by a time, event by event, paper (1)-(2): flights end exactly at impacts, at
-/// impulses and at the end of the time. Each SIMD lane has its own time; a lane at its end waits
-/// for the others.
+/// Advances streams by the duration `time`, event by event, paper (1)-(2): flights end exactly at
+/// impacts, at impulses and at the end of the duration. Each SIMD lane has its own time and does
+/// nothing after its end until all lanes have ended.
 ///
-/// The result of a stream depends on this stream alone: not on the other streams, their number or
-/// the instruction set.
-/// @param streams any number; one per SIMD lane at a time
+/// The result of a stream is independent of the other streams, of the number of streams and of the
+/// instruction set.
+/// @param streams any number of streams; each SIMD lane advances one stream at a time
 void advance(const Motion& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes);
 

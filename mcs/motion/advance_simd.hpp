@@ -7,8 +7,8 @@
 #include "numerics/simd/simd.hpp"
 
 // Included by files that are compiled for different instruction sets (InstructionSet). Everything
-// here is inlined or has internal linkage. The linker therefore never substitutes code with
-// unsupported instructions for a common function.
+// here is inlined or has internal linkage. The linker therefore cannot merge two copies of a
+// function and keep the copy with instructions that the processor lacks.
 
 namespace fpkcheck::mcs {
 namespace {
@@ -55,7 +55,7 @@ struct LaneState {
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
   Real powers[kPowers.size()]{};
   Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
-  Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 but for rounding
+  Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 up to rounding
 
   FPKCHECK_INLINE LaneState(const Motion& m, Stream* const* s) : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
@@ -137,7 +137,7 @@ struct LaneState {
     until_sample = until_sample - span;
   }
 
-  // One sample after another: the SIMD lanes hold the splines that do not vanish at a sample.
+  // Deposits one sample after another: here the SIMD lanes hold the splines of a single sample.
   FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
                                const Mask& due) const {
     Array<double> ys, vs, as;
@@ -152,7 +152,7 @@ struct LaneState {
     }
   }
 
-  // A lane without a sample takes part with the weight 0.
+  // A lane without a due sample is counted with the weight 0.
   FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Real& counted_weight) {
     add_powers(at, counted_weight, powers);
     samples = samples + counted_weight;
@@ -162,7 +162,7 @@ struct LaneState {
                      cells);
   }
 
-  // Maxima of y where the velocity changes its sign in flight.
+  // Counts the maxima of y, at which the velocity changes its sign during a flight.
   FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
                                   const BasicState<Real>& end) {
     const Mask peak = (v > 0.0) & (end.v < 0.0);

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::mcs {
 
-/// The motion between two events: the Taylor polynomial, about an initial state, of the solution of
-/// paper (1) without impulses. max_step() limits its use to a fraction of the shortest period at
-/// the initial energy.
+/// The free motion between two events: a Taylor polynomial in time, expanded at the initial state,
+/// of the solution of paper (1) without impulses. max_step() limits the time to a fraction of the
+/// shortest period at the initial energy.
 template <class Real>
 class BasicFlight {
  public:
@@ -33,10 +33,10 @@ class BasicFlight {
   /// exactly if y < 0 at the end, and impacts cannot accumulate.
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
-  /// State at the time s after the start.
+  /// State (y, v) at the time s after the start of the flight.
   FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
 
-  /// Second derivative of the polynomial at s.
+  /// Second derivative y'' of the polynomial at the time s.
   FPKCHECK_INLINE Real polynomial_acceleration(const Real& s) const {
     return acceleration_at<kOrder>(a_, s);
   }
@@ -72,8 +72,8 @@ class BasicFlight {
     return s;
   }
 
-  /// Time in [0, end] with v(s) = 0, in the lanes where v(0) > 0 > v(end). An error of about 1e-5
-  /// leaves about 1e-10 in the maximum y.
+  /// Time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 > v(end). The
+  /// relative error of about 1e-5 in time causes an error of about 1e-10 in the maximum.
   FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
     const BasicState<Real> state = at(chord);
@@ -86,8 +86,8 @@ class BasicFlight {
  private:
   static constexpr int kMostIterations = 60;
 
-  /// Zero of the inverse cubic s(y) with the slopes 1/v at both ends; the zero of the chord where
-  /// the cubic leaves the interval.
+  /// First approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v at both
+  /// ends. If this value is outside the interval, the zero of the chord.
   FPKCHECK_INLINE Real first_guess(const Real& end, const BasicState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // > 0
     const Real u = a_[0] / drop;

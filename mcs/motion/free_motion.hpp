@@ -6,9 +6,10 @@
 #include "numerics/simd/elementary.hpp"
 #include "numerics/simd/simd.hpp"
 
-/// The free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >= 0. Each function has
-/// closed formulas for the paper's spring, g(y) = k y + mu y^3. Other springs use loops over the
-/// powers, which keeps the compile time short.
+/// Taylor coefficients of the free motion, paper (1) without impulses: y'' = -(c y' + g(y)), y >=
+/// 0. Each function has closed formulas for the paper's spring, g(y) = k y + mu y^3. For other
+/// springs the functions loop over the powers of y instead of having a formula for each degree,
+/// which keeps the compile time short.
 namespace fpkcheck::mcs {
 
 inline constexpr int kSeriesOrder = 12;
@@ -37,7 +38,7 @@ FPKCHECK_INLINE void compute_duffing_coefficients(const Oscillator& oscillator,
                                                   TaylorCoefficients<Real>& a) {
   const double c = oscillator.damping, k = oscillator.stiffness, mu = oscillator.cubic;
   std::array<Real, kSeriesOrder - 1> square;  // [y^2]_n
-  // Each sum takes the newest coefficients last: the dependency chain stays short.
+  // Each sum adds the newest coefficients last, so that the chain of dependent operations is short.
 #pragma GCC unroll 16
   for (int n = 0; n + 2 <= kSeriesOrder; ++n) {
     Real pairs{};
@@ -90,9 +91,10 @@ FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& oscillator,
   }
 }
 
-/// Upper bound of the frequency: root of the largest slope of the spring at the energy
-/// E = y'^2/2 + U(y), plus c. The energy does not grow. The bound keeps the step below the
-/// pole that limits the convergence of the series of a hardening spring.
+/// Upper bound of the frequency: square root of the largest slope of the spring at the energy E =
+/// y'^2/2 + U(y), plus c. The bound holds for the whole flight, since the energy does not grow. The
+/// time step stays below the pole that limits the convergence of the Taylor series of a hardening
+/// spring.
 template <class Real>
 FPKCHECK_INLINE Real frequency_bound(const Oscillator& o, const Real& y, const Real& v) {
   if (o.is_duffing) {

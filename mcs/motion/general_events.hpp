@@ -12,7 +12,8 @@ inline double branch_weight(const GeneralMotion& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->weight(stream.branch) : 1.0;
 }
 
-/// Adds a jump of the velocity to the maxima or minima of y, if the velocity changes its sign.
+/// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `before` to
+/// `after`.
 inline void count_turning_point(const GeneralMotion& motion, Stream& stream, double before,
                                 double after) {
   if (!motion.records) return;

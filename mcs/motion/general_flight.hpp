@@ -7,7 +7,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// The motion of a GeneralOscillator between two events, as a Taylor polynomial.
+/// The motion of a GeneralOscillator between two events, as a Taylor polynomial in time.
 template <class Real, int kOrder>
 class GeneralFlight {
  public:
@@ -19,16 +19,17 @@ class GeneralFlight {
     compute_general_coefficients<kOrder, Real>(oscillator, a_);
   }
 
-  /// Keeps the initial position in the given lanes.
+  /// Keeps the mass at its initial position in the given lanes.
   template <class Mask>
   FPKCHECK_INLINE void keep_position(const Mask& in_contact) {
 #pragma GCC unroll 16
     for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
 
-  /// Longest time for which the polynomial is used: `phase` radians of a frequency w. It satisfies
-  /// |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A of the motion, and w^2 is
-  /// at least the tangent stiffness. The energy may grow, so it gives no bound in advance.
+  /// Longest time for which the polynomial is used: `phase` radians of a frequency w. This
+  /// frequency satisfies |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A of the
+  /// motion, and w^2 is at least the tangent stiffness. The initial energy gives no bound of w,
+  /// since the energy may grow.
   ///
   /// The velocity of a flight obeys a linear equation with the coefficient g'(y). Within less than
   /// half a period (phase < pi) it changes its sign at most once (Sturm).
@@ -64,7 +65,7 @@ class GeneralFlight {
   FPKCHECK_INLINE Real acceleration(const Real& s) const { return acceleration_at<kOrder>(a_, s); }
 
   /// Zero of v in [0, end], in the lanes where v(0) and v(end) have different signs. The error is
-  /// 1e-6 of the time to either end, which leaves 1e-12 in y.
+  /// 1e-6 of the time to either end, which causes an error of 1e-12 in y.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
                                     const Mask& wanted) const {
@@ -114,7 +115,7 @@ class GeneralFlight {
 
  private:
   static constexpr int kMostIterations = 60;
-  // The coefficients of y'' = -y^5 from y = 0 vanish but for every sixth.
+  // For y'' = -y^5 and y(0) = 0 only every sixth coefficient differs from 0.
   static constexpr int kTestedOrders = 6;
 
   const GeneralOscillator& oscillator_;

@@ -9,11 +9,12 @@
 
 namespace fpkcheck::mcs {
 
-/// Parameters that all streams share, for an oscillator outside the paper's class.
+/// Parameters of the motion, the sampling and the statistics for an oscillator outside the paper's
+/// class, the same for all streams.
 struct GeneralMotion {
   GeneralOscillator oscillator;
   GeneralKicks kicks;
-  double step;               ///< step limit in radians
+  double step;               ///< limit of the Taylor step in radians
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
@@ -21,19 +22,20 @@ struct GeneralMotion {
   const Splitting* splitting = nullptr;  ///< null: every stream is one branch
 };
 
-/// Advances streams by a time, event by event, as advance() for the paper's class. Where the force
-/// presses the mass on a wall, infinitely many bounces end in finite time. Below
-/// GeneralWall::rest_speed their geometric series is summed, and the mass then rests until the next
-/// impulse.
+/// Advances streams by the duration `time`, event by event, like advance() for the paper's class.
+/// If the force presses the mass on a wall, infinitely many bounces end in finite time. Below the
+/// impact speed GeneralWall::rest_speed the geometric series of these bounces is summed, and the
+/// mass then rests until the next impulse.
 ///
-/// The result of a stream depends on this stream alone: not on the other streams, their number or
-/// the instruction set.
+/// The result of a stream is independent of the other streams, of the number of streams and of the
+/// instruction set.
 void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes);
 
-/// Time from a kick at (y, v) to the next kick. Next to a wall with impact losses it is a fraction
-/// of the time in which noise alone changes the motion, v^2/D or (distance^2/D)^(1/3). Otherwise
-/// the kicks would determine how near to rest the oscillator comes.
+/// Time from a kick of the noise at (y, v) to the next kick. Next to a wall with impact losses this
+/// time is a fraction of the time in which noise alone changes the motion, v^2/D or
+/// (distance^2/D)^(1/3). With a fixed interval the strength of the kicks would limit how near the
+/// oscillator comes to rest.
 double kick_interval(const GeneralMotion& motion, double y, double v);
 
 // Advances `width` streams by their remaining time. One function, compiled for three instruction

@@ -73,7 +73,7 @@ FPKCHECK_INLINE void compute_general_coefficients_inline(
   }
 }
 
-// Not inlined: the compiler would otherwise inline three copies.
+// The function is not inlined, since the compiler would otherwise generate a copy for each call.
 template <GeneralOscillator::Kind kKind, int kOrder, class Real>
 __attribute__((noinline)) void compute_general_coefficients_of_kind(
     const GeneralOscillator& o, GeneralTaylorCoefficients<Real, kOrder>& a) {

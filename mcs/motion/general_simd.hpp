@@ -108,8 +108,8 @@ struct GeneralLaneState {
     if (wall.contact_force > 0) {
       const Mask stays = impact & (speed < wall.rest_speed);
       if (simd::any(stays)) {
-        // Bounces at r, r^2, .. times the speed, each for 2 speed / contact_force; without end for
-        // r = 1.
+        // The bounces start at r, r^2, .. times the speed, and each takes 2 (its speed) /
+        // contact_force. For r = 1 the bounces never end.
         constexpr double kNoEnd = 1e300;
         const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
         const Real time = r < 1 ? speed * times : simd::broadcast<Real>(kNoEnd);
@@ -138,7 +138,7 @@ struct GeneralLaneState {
     until_sample = until_sample - span;
   }
 
-  // A lane without a sample takes part with the weight 0.
+  // A lane without a due sample is counted with the weight 0.
   FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Mask& due,
                                     const Mask& at_rest, bool rests) {
     const Real counted_weight = simd::where(due, weight);
@@ -330,7 +330,8 @@ struct GeneralLaneState {
   }
 };
 
-/// Between kicks flights are short: a lower order is as exact.
+/// Orders of the Taylor polynomials. Flights between kicks are short, so that a lower order
+/// suffices.
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>

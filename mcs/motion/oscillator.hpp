@@ -8,23 +8,23 @@ class System;
 
 namespace fpkcheck::mcs {
 
-/// The oscillator of paper (1)-(2), with precomputed properties of its spring force g(y) for
-/// flights.
+/// The oscillator of paper (1)-(2), with precomputed properties of its spring force g(y) that
+/// flights use.
 struct Oscillator {
   static constexpr int kHighestDegree = 5;
 
-  /// @throws InputError where no energy bounds the motion, or g(0) is not 0: the step limit needs
-  ///        both
+  /// @throws InputError if the energy does not bound the motion, or if g(0) is not 0; the step
+  /// limit needs the energy bound and g(0) = 0
   explicit Oscillator(const problem::System& system);
-  /// @param spring g, of degree 1 .. kHighestDegree
+  /// @param spring spring force g(y), a polynomial of degree 1 .. kHighestDegree
   Oscillator(double c, double r, const numerics::Polynomial& spring);
 
   double damping;      ///< c
   double restitution;  ///< r
   numerics::Polynomial force, potential;
-  int degree;  ///< of the force
+  int degree;  ///< degree of the force
 
-  /// g(y) = k y + mu y^3, the paper's spring, which has closed formulas.
+  /// Whether g(y) = k y + mu y^3, the paper's spring, which has closed formulas.
   bool is_duffing;
   double stiffness, cubic;  ///< k, mu
 

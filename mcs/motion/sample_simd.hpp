@@ -14,8 +14,8 @@ struct alignas(64) LaneArray {
   Number at[W];
 };
 
-/// Real-valued bin index of x for evenly spaced edges. Within rounding of an edge either neighbour
-/// is possible.
+/// Position of x among evenly spaced edges, whose integer part is the index of the bin. If x is an
+/// edge up to rounding, either neighbouring bin may result.
 template <class Real>
 FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
   return simd::lanewise_min(
@@ -38,16 +38,16 @@ FPKCHECK_INLINE void add_powers(const BasicState<Real>& at, const Real& counted_
 }
 
 /// Adds weights to the histograms of the streams.
-/// @param y    between the walls
-/// @param cells of the histograms
+/// @param y positions between the walls
+/// @param cells cells of the histogram of each stream
 template <int W, class Real>
 FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& v_bins,
                                       const Real& y, const Real& v, const Real& counted_weight,
                                       Stream* const* streams, double* const (&cells)[W]) {
   if (y_bins.even() && v_bins.even()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
-    // The sign of v selects the bin next to the edge at 0, at any distance from it: near rest both
-    // bins hold half of a spike.
+    // The sign of v selects the bin next to the edge at 0, even within rounding of this edge: near
+    // rest each of the two bins holds half of a spike.
     const Real edge_epsilon = simd::broadcast<Real>(v_bins.edge_epsilon());
     const Real off_zero = simd::select(v < 0.0, simd::lanewise_min(v, -edge_epsilon),
                                        simd::lanewise_max(v, edge_epsilon));

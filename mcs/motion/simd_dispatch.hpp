@@ -7,11 +7,12 @@
 
 namespace fpkcheck::mcs {
 
-/// Advances `width` streams by their remaining time.
+/// Type of a function that advances `width` streams by their remaining time.
 template <class Motion>
 using AdvanceFunction = void(const Motion& motion, Stream* const* streams, int width);
 
-/// Advances any number of streams: full groups in SIMD lanes, the remaining streams one by one.
+/// Advances any number of streams by their remaining time: full groups in SIMD lanes, the other
+/// streams one by one.
 template <class Motion>
 void advance_in_simd_groups(const Motion& motion, std::span<Stream* const> streams,
                             const simd::CodeVariant& lanes, AdvanceFunction<Motion>* baseline,

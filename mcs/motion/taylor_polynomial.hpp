@@ -14,8 +14,8 @@ struct BasicState {
 };
 using State = BasicState<double>;
 
-/// y(s) and y'(s) of y(s) = sum_n a_n s^n. Horner's rule in s^2 for even and odd powers separately
-/// halves the dependency chain.
+/// State (y, y') at the time s of the polynomial y(s) = sum_n a_n s^n. Horner's rule in s^2,
+/// applied to even and odd powers separately, halves the chain of dependent operations.
 template <int kOrder, class Real>
 FPKCHECK_INLINE BasicState<Real> state_at(const std::array<Real, kOrder + 1>& a, const Real& s) {
   static_assert(kOrder % 2 == 0);
@@ -32,7 +32,7 @@ FPKCHECK_INLINE BasicState<Real> state_at(const std::array<Real, kOrder + 1>& a,
   return {y_even + s * y_odd, v_even + s * v_odd};
 }
 
-/// y''(s) of the same polynomial.
+/// Second derivative y''(s) of the polynomial y(s) = sum_n a_n s^n.
 template <int kOrder, class Real>
 FPKCHECK_INLINE Real acceleration_at(const std::array<Real, kOrder + 1>& a, const Real& s) {
   Real sum = double{kOrder * (kOrder - 1)} * a[kOrder];

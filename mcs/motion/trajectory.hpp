@@ -7,17 +7,17 @@
 
 namespace fpkcheck::mcs {
 
-/// Observer of the events of a trajectory that ignores all events, for the burn-in. Other observers
-/// have the same members.
+/// Observer of a trajectory that ignores all events, for the burn-in. Other observers have the same
+/// member functions.
 struct NullObserver {
   void flight(const Flight&, double /*duration*/) {}  ///< free motion of this duration
   void impact(double /*velocity before*/) {}          ///< impact, paper (2)
   void impulse(double /*velocity before*/, double /*amplitude*/) {}  ///< impulse, paper (3)
 };
 
-/// One realisation of paper (1)-(2) on y >= 0, event by event: flights end exactly at impacts, at
-/// impulses and at the end of the time. A scalar implementation of advance(), for ensembles and
-/// tests.
+/// One realisation of paper (1)-(2) on y >= 0, advanced event by event: flights end exactly at
+/// impacts, at impulses and at the end of the duration. Scalar counterpart of advance(), for
+/// ensembles and tests.
 class Trajectory {
  public:
   /// @param step longest flight, in radians of the local frequency, below pi (Flight::max_step)
@@ -30,7 +30,7 @@ class Trajectory {
 
   const State& state() const { return state_; }
 
-  /// Advances by a time and passes every event to the observer.
+  /// Advances the state by a duration and passes every event to the observer.
   template <class Observer>
   void advance(double duration, Observer& observer) {
     // Every iteration advances the time or ends at y = 0. There the impact makes v >= 0, so the
@@ -71,7 +71,7 @@ class Trajectory {
   Oscillator oscillator_;
   ImpulseSource source_;
   State state_;
-  Impulse next_;  // with the remaining time to it
+  Impulse next_;  // next impulse; `waiting` is the remaining time until this impulse
   double step_;
 };
 

@@ -10,27 +10,29 @@
 namespace fpkcheck::mcs {
 
 /// Importance splitting by RESTART (Villen-Altamirano, ITC 13, 1991) of the chain of states right
-/// after impulses. The energy rises at impulses only. If the energy rose elsewhere too, the
-/// estimate would stay unbiased, but the tails would not be visited more often.
+/// after impulses. The energy must rise at impulses only. If the energy also rose between impulses,
+/// the estimate would stay unbiased, but splitting would not increase the number of visits to the
+/// tails.
 ///
-/// A branch whose energy E = v^2/2 + V(y) rises above a threshold becomes `kCopies` branches with
-/// independent random numbers. All but one of them end when their energy falls below this
-/// threshold. A branch that n thresholds have split on its way up has the weight kCopies^-n. The
-/// weighted time averages are unbiased. If every threshold splits, the tails have as many visits as
-/// the middle.
+/// The branches of a stream are its trajectory and the copies that splits make of it. A branch
+/// whose energy E = v^2/2 + V(y) rises above a threshold is split into `kCopies` branches with
+/// independent random numbers. All but one of these end when their energy falls below this
+/// threshold. A branch that has been split at n thresholds during its rise has the weight
+/// kCopies^-n. The weighted time averages are unbiased. If every threshold splits, the tails of the
+/// density are visited as often as its middle.
 ///
-/// Not every threshold splits. A rule that uses the past alone leaves the estimate unbiased: a
-/// split preserves the sum of the weights, and the copies take random numbers that no earlier
-/// decision has used. Three rules bound memory and time:
+/// Not every threshold splits. A rule that decides from the past alone leaves the estimate
+/// unbiased: a split preserves the sum of the weights, and the copies use random numbers on which
+/// no earlier decision depends. Three rules bound memory and time:
 /// - An impulse across many thresholds splits at the highest kMostSplits of them, into 4^3 = 64
 ///   branches. Without this rule one exponential amplitude across 12 thresholds makes 4^12
 ///   branches.
 /// - Pending branches with the same state share one entry. The entries have increasing values of
 ///   floor_level, so L thresholds have at most L (L + 3)/2 entries.
-/// - A stream stops splitting while its branches have received more than kImpulseAllowance +
-///   kImpulsesPerThreshold * L times the impulses of the main branch. Thresholds with a probability
-///   ratio of 1/kCopies give about L times as many, so this rule limits badly spaced thresholds
-///   only.
+/// - A stream does not split while its other branches have received more than kImpulseAllowance +
+///   kImpulsesPerThreshold * L * (impulses of the main branch) impulses. With a probability ratio
+///   of 1/kCopies between thresholds the other branches receive about L times as many impulses as
+///   the main branch. This rule therefore takes effect for badly spaced thresholds only.
 class Splitting {
  public:
   static constexpr int kCopies = 4;
@@ -39,7 +41,7 @@ class Splitting {
   static constexpr int kImpulsesPerThreshold = 4;
   static constexpr std::uint64_t kImpulseAllowance = 1000;
 
-  /// @param potential V, with minimum 0
+  /// @param potential potential V, whose minimum is 0
   /// @param thresholds increasing energies; may be empty; at most kMostThresholds are used
   /// @param largest_energy upper end of the energy bins
   Splitting(const numerics::Polynomial& potential, std::vector<double> thresholds,
@@ -55,7 +57,7 @@ class Splitting {
   /// After an impulse: splits the branch of the stream, or ends the branch and resumes the next
   /// one.
   void update_after_impulse(Stream& stream) const;
-  /// Splits the initial state of a stream according to its energy.
+  /// Splits the initial state of a stream at the thresholds below its energy.
   void begin(Stream& stream) const;
 
  private:
@@ -71,12 +73,13 @@ class Splitting {
 };
 
 /// Resumes the next pending branch of a stream.
-/// @pre the stream has one
+/// @pre the stream has a pending branch
 void resume_next_branch(Stream& stream);
 
-/// Energies with a probability ratio of about 1/kCopies from one to the next. The last one is
-/// exceeded by about a fraction `rarest` of the states after impulses.
-/// @param energies weights by energy bins, over all streams
+/// Threshold energies whose exceedance probabilities have a ratio of about 1/kCopies from one
+/// threshold to the next. About a fraction `rarest` of the states after impulses exceeds the last
+/// threshold.
+/// @param energies weights of the states after impulses in each energy bin, summed over all streams
 std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
                                       double fewest_visits, double rarest);
 

@@ -31,42 +31,44 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
-/// Further sums for an oscillator outside the paper's class.
+/// Additional sums over samples and events for an oscillator outside the paper's class.
 struct GeneralSums {
   double y5 = 0, y6 = 0;  ///< sums of y^5 and y^6 over samples, for forces up to degree 5
-  double right_speed = 0, right_energy = 0;  ///< sums of v and v^2 over impacts on the right
-  double rest_left = 0, rest_right = 0;      ///< samples at rest in contact; not in the histogram
-  double kicks = 0;                          ///< number of kicks of the Gaussian noise
+  double right_speed = 0, right_energy = 0;  ///< sums of |v| and v^2 over impacts on the right wall
+  /// Weight of samples at rest in contact with a wall; not in the histogram
+  double rest_left = 0, rest_right = 0;
+  double kicks = 0;  ///< number of kicks of the Gaussian noise
 };
 
 /// Statistics of one stream: sums over samples and events, with the weight of the branch (1 without
 /// splitting).
 struct StreamRecord {
   Histogram histogram;
-  std::vector<double> peaks;    ///< maxima of y in the bins of y, with the outer bins
-  std::vector<double> troughs;  ///< minima of y above the wall, likewise
+  std::vector<double> peaks;  ///< maxima of y in the bins of y, with the outer bins
+  /// Minima of y above the wall in the bins of y, with the outer bins
+  std::vector<double> troughs;
   std::array<double, kPowers.size()> powers{};
   double samples = 0;
   double impacts = 0;
   double impact_speed = 0;            ///< sum of |v| over impacts
   double impact_energy = 0;           ///< sum of v^2 over impacts
   double work = 0;                    ///< work of the impulses, see Excitation::work
-  std::uint64_t impulses = 0;         ///< of the main branch
-  std::uint64_t branch_impulses = 0;  ///< of all other branches
+  std::uint64_t impulses = 0;         ///< number of impulses of the main branch
+  std::uint64_t branch_impulses = 0;  ///< number of impulses of all other branches
   std::uint64_t flights = 0;
-  /// Weights of the energies right after impulses, in the bins of the splitting; empty without
+  /// Histogram of the energies right after impulses, in Splitting::energy_bins(); empty without
   /// splitting.
   std::vector<double> energies{};
-  /// Deposit on the grid of Options::deposit; empty without a grid.
+  /// Sums deposited on the grid of Options::deposit; empty without such a grid.
   Deposit deposit{};
-  /// For oscillators outside the paper's class only.
+  /// Additional sums, only for oscillators outside the paper's class.
   std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
 };
 
-/// Calls `visit` with every sum of a record, in the order of checkpoint files.
+/// Calls `visit` with every member of a record that holds sums, in the order of checkpoint files.
 template <class Record, class Visit>
 void for_each_sum(Record& record, Visit visit) {
   visit(record.powers);
@@ -97,38 +99,40 @@ struct Branch {
   double y;
   double v;
   double until_impulse;
-  double amplitude;  ///< of the next impulse
+  double amplitude;  ///< amplitude of the next impulse
   double until_sample;
   double remaining;      ///< time to simulate
-  int energy_level = 0;  ///< thresholds of the splitting below the energy
-  int floor_level = 0;   ///< the branch ends at a lower energy_level
-  /// Bit i: threshold i + 1 split the branch into kCopies on its way up (Splitting).
+  int energy_level = 0;  ///< number of splitting thresholds below the energy
+  int floor_level = 0;   ///< the branch ends when energy_level falls below this level
+  /// Bit i is set if threshold i + 1 has split the branch during its rise (Splitting).
   std::uint64_t split = 0;
 };
 
-/// Further state of a trajectory outside the paper's class.
+/// Additional state of the trajectory of an oscillator outside the paper's class.
 struct GeneralBranch {
   double until_kick = std::numeric_limits<double>::infinity();
-  double kick_interval = 0;  ///< interval that ends with the next kick
-  /// Time to the end of the bounces on a wall, 0 at rest; -1 during free motion.
+  double kick_interval = 0;  ///< length of the interval that ends with the next kick
+  /// Time until the bounces on a wall end; 0 at rest in contact, -1 during free motion.
   double time_to_rest = -1;
 };
 
-/// A pending branch of a stream, or several with the same initial state.
+/// A pending branch of a stream, or several pending branches with the same initial state.
 struct WaitingBranch {
   Branch branch;
   GeneralBranch general;
-  /// Number of branches, each with its own next impulse; 0: one branch with the stored impulse.
+  /// Number of pending branches, each of which draws its next impulse. If 0, there is one branch
+  /// whose next impulse is stored.
   int copies = 0;
-  bool at_impulse = false;  ///< each copy draws the time of the next impulse, too
+  bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
 
-/// One realisation: its state, its random numbers and its statistics.
+/// One realisation of the stochastic process: its state, its random number generators and its
+/// statistics.
 struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  /// Pending branches, the main branch first. Splitting states their largest number.
+  /// Pending branches, the main branch first. The comment of Splitting bounds their number.
   std::vector<WaitingBranch> waiting{};
   GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
