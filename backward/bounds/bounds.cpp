@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kWeightPower = 12;
 
-// The requested number of threads, else one per processor.
+// Number of threads: the requested number, or one per processor.
 int threads_of(const Options& options) { return options.threads.value_or(base::processors()); }
 
 bool is_narrow_enough(const Bound& bound, const Options& options) {
@@ -31,28 +31,28 @@ bool is_narrow_enough(const Bound& bound, const Options& options) {
   return requested_half_width > 0 && bound.value.half_width() <= requested_half_width;
 }
 
-// Why the refinement for a functional stopped.
+// Reason why the refinement of the grids stopped for a functional.
 struct StopReason {
   enum class Cause { none, time, grids, fit } cause = Cause::none;
-  double seconds = 0;           ///< expected time at the end of the next grid
+  double seconds = 0;           ///< expected total time after the next grid
   std::string error_message{};  ///< error message of the fit
 };
 
 struct Refinement {
   Bounds bounds;
-  std::vector<StopReason> ends;  ///< for each functional
+  std::vector<StopReason> ends;  ///< reason for each functional
 };
 
 using FunctionalIndices = std::vector<std::size_t>;
 
-// The functionals that share the next grid of their sequences.
+// A grid, and the functionals whose grid sequences have this grid next.
 struct GridGroup {
   SplineGrid grid;
   FunctionalIndices indices;
 };
 
-// Groups the functionals with too wide bounds by their grid of this level. Marks the functionals
-// without a further grid.
+// Groups the functionals with too wide bounds by their grid at this grid level. Records a
+// StopReason for functionals without a further grid.
 std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& options,
                                         Refinement& refinement) {
   std::vector<GridGroup> groups;
@@ -81,7 +81,7 @@ double round_up_to_two_digits(double value) {
   return std::ceil(value / unit) * unit;
 }
 
-// The expectation in the mirrored problem, up to the sign.
+// The same expectation as a functional of the mirrored problem, up to the sign.
 Functional mirrored(const Functional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
@@ -98,7 +98,7 @@ bool is_odd(const Functional& functional) {
   return mean != nullptr && mean->power % 2 == 1;
 }
 
-// The functionals without the impact momentum, unless the system has exactly one wall.
+// The functionals that the system supports: the impact momentum needs exactly one wall.
 std::vector<Functional> supported_functionals(const problem::System& system,
                                               std::vector<Functional> functionals) {
   if (system.left().has_value() == system.right().has_value()) {
@@ -122,7 +122,7 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
     return std::chrono::duration<double>(Clock::now() - start_time).count();
   };
   std::vector<double> previous_seconds(
-      options.functionals.size());  // time of the functional's last grid
+      options.functionals.size());  // computing time of the last grid of each functional
   for (std::size_t level = 0;; ++level) {
     const auto groups = next_grid_groups(level, options, result);
     if (groups.empty()) return result;
@@ -197,7 +197,7 @@ std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
   return names;
 }
 
-// Reason for bounds wider than requested; the first applicable option that the caller can change.
+// Message of bounds wider than requested: the cause, and an option that the caller can change.
 std::string width_reason(const Refinement& refinement, const Options& options) {
   const auto& ends = refinement.ends;
   if (const auto names = functionals_stopped_by(StopReason::Cause::time, refinement);

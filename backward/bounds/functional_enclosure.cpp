@@ -30,7 +30,7 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  if (overhang > 0) {  // as in piece_functions: |f'| <= 3 / shortest knot interval
+  if (overhang > 0) {  // bound of piece_functions(): |f'| <= 3 / shortest knot interval
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);
   }

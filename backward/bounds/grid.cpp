@@ -26,7 +26,8 @@ numerics::SplineBasis displacement_basis(const SplineGrid& grid, const Weight& w
     return numerics::SplineBasis(
         numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
   }
-  // V is not smooth along the orbits that graze a wall, anywhere in the plane: little grading.
+  // V is not smooth along the orbits that graze a wall. These orbits cross the whole phase plane,
+  // so the cells are graded little.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
   std::vector<double> breaks =
@@ -51,8 +52,8 @@ BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::Syste
 }
 
 ImpactBasis velocity_basis(const SplineGrid& grid, const Weight& weight, double restitution) {
-  // v^2/2 = edge h0 at v = -u without losses. With losses the box is larger: the outgoing edge is
-  // v = r u, where G must not be small either.
+  // Without losses v^2/2 = edge h0 at v = -u. With losses the box is larger, so that G is not small
+  // at its outgoing edge v = r u either.
   const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
   return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
                                                                    grid.finest * u, grid.even * u)),
@@ -66,14 +67,15 @@ WidthLimit width_limit(const Functional& functional) {
 }
 
 std::span<const SplineGrid> grid_sequence(WidthLimit limit) {
-  // V has a conical point at the origin: smaller cells there reduce the error while they dominate
-  // it. Beyond the last grid the normal equations lose more digits than smaller cells gain.
+  // V has a conical point at the origin. Smaller cells there reduce the error as long as the cells
+  // at the origin dominate the error. Beyond the last grid the normal equations lose more digits
+  // than smaller cells gain.
   static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
                                            {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                            {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                            {72, 72, 2.5e-6, 0.15, 8}};
-  // Higher powers lose these digits first: the last grids have wider cells at the origin and a
-  // larger box.
+  // For higher powers the normal equations lose these digits on coarser grids. The last grids of
+  // this sequence therefore have wider cells at the origin and a larger box.
   static constexpr SplineGrid kTails[] = {kOrigin[0],
                                           kOrigin[1],
                                           kOrigin[2],
@@ -81,7 +83,8 @@ std::span<const SplineGrid> grid_sequence(WidthLimit limit) {
                                           kOrigin[4],
                                           {56, 56, 6e-5, 0.1, 9.5},
                                           {64, 64, 3e-5, 0.12, 9.5}};
-  // The flow transports the knots of a bin through the whole phase plane.
+  // The flow transports the knots of a bin through the whole phase plane, so the cells are graded
+  // little.
   static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
                                           {28, 40, 3e-2, 0.1, 6},
                                           {36, 50, 3e-2, 0.1, 6},

@@ -36,11 +36,11 @@ std::vector<double> integrand_breaks(Axis axis, const std::vector<Functional>& f
   return points;
 }
 
-// U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
+// Bounds of E[f]: U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
 numerics::Enclosure mean_enclosure(double mean, const ResidualRange& range, double outside,
                                    const Weight& weight) {
   const numerics::Interval tau = weight.mean_bound;
-  // NaN or infinity gives no bound.
+  // A range with NaN or infinity gives no bound.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
     return {-HUGE_VAL, HUGE_VAL};
   }

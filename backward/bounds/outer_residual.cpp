@@ -8,8 +8,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A region outside the box, with the least G and with bounds of the slopes of V and of its
-// oscillation in v.
+// A region outside the box: the least G in the region, bounds of the slopes of V, and a bound of
+// the oscillation of V in v.
 struct Region {
   numerics::Interval energy;
   double y_slope, v_slope, oscillation;
@@ -57,8 +57,9 @@ class OuterResidual {
     return (numerics::Interval(coefficients.maxCoeff()) - coefficients.minCoeff()).upper();
   }
 
-  // Largest slope on a span. A slope is a convex combination of the coefficients of the derivative,
-  // p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), i = span .. span + p - 1.
+  // Largest absolute slope of a spline on a span. The slope is a convex combination of the
+  // coefficients of the derivative, p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1}), with
+  // i = span .. span + p - 1.
   template <class Coefficient>
   static double max_slope(const numerics::SplineBasis& basis, int span,
                           const Coefficient& coefficient) {
@@ -74,8 +75,8 @@ class OuterResidual {
     return slope;
   }
 
-  // The least G for |v| >= u and |y| >= `y`: as |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2,
-  // G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
+  // The least G for |v| >= u and |y| >= `y`. Since |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2, G =
+  // (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
   numerics::Interval least_incoming_energy(const numerics::Interval& u,
                                            const numerics::Interval& y) const {
     return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
@@ -122,7 +123,7 @@ class OuterResidual {
     const ImpactBasis& velocity = s_.velocity;
     const numerics::Interval u = velocity.speeds().breaks()[span];
     const numerics::Interval speed = outgoing ? r() * u : u, y = end(at_right);
-    // Outgoing means v >= 0: away from y = 0 at the right end.
+    // Outgoing velocities point away from y = 0: v >= 0 at the right end.
     const numerics::Interval energy =
         outgoing == at_right ? least_outgoing_energy(speed, y) : least_incoming_energy(speed, y);
     const int row = at_right ? last_row() : 0;

@@ -7,7 +7,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kMaxBisections = 40;  // bisections of a box
+constexpr int kMaxBisections = 40;  // largest number of successive bisections of a box
 
 // A sub-box of the product of two pieces, with the Bernstein coefficients of the residual.
 struct Box {
@@ -77,7 +77,7 @@ class RangeSearch {
     ++range_.boxes;
     // The coefficients enclose the residual on the box; the corner coefficients are attained.
     double least = box.residual[0].lower(), largest = box.residual[0].upper();
-    double noise = 0;  // rounding errors, which bisection does not reduce
+    double noise = 0;  // bound of the rounding errors, which bisection does not reduce
     bool is_finite = true;
     for (const numerics::Interval& r : box.residual) {
       noise = std::max(noise, width(r));
@@ -111,7 +111,7 @@ class RangeSearch {
  private:
   static constexpr double kNegligible = 1e-13;
 
-  // Lower bound of tau: its value at a lower bound of G on the box.
+  // Lower bound of tau on the box: the value of tau at a lower bound of G.
   numerics::Interval min_weight(const Box& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(s_.weight.damping) * y / 2.0;
@@ -135,8 +135,8 @@ class RangeSearch {
     }
   }
 
-  // Bisects in the direction of larger variation of the coefficients, every fourth time in the
-  // other direction, since the weight varies too.
+  // Bisects in the direction of larger variation of the coefficients. Every fourth bisection is in
+  // the other direction, since the weight also varies.
   void bisect(const Box& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {
@@ -188,7 +188,8 @@ ResidualRange residual_range(const CertificateContext& s, const Functional& func
                              const Certificate& certificate, std::pair<double, double> expected,
                              double tolerance) {
   const Eigen::MatrixXd& c = certificate.coefficients;
-  // Condition (1) of docs/bounds.md is checked, not assumed from the fit.
+  // Condition (1) of docs/bounds.md is checked here, since the fit does not guarantee the
+  // condition.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < s.velocity.size(); ++b) {
       if (c(row, b) != c(row, s.velocity.mirrored(b))) return false;

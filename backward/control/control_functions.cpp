@@ -12,7 +12,7 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kDegree = numerics::QuinticBSplines::kDegree;
-constexpr int kPoints = 8;  // of the Gauss rule on a cell
+constexpr int kPoints = 8;  // points of the Gauss rule on a cell
 
 void apply_weight(numerics::QuadratureRule& q, const std::function<double(double)>& weight) {
   for (std::size_t n = 0; n < q.points.size(); ++n) {
@@ -20,7 +20,7 @@ void apply_weight(numerics::QuadratureRule& q, const std::function<double(double
   }
 }
 
-/// Weighted inner products <factor a, factor b>.
+/// Weighted inner products <factor a, factor b> of all pairs of factors.
 using GramMatrices = std::vector<std::vector<Eigen::MatrixXd>>;
 
 GramMatrices gram_matrices(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
@@ -44,7 +44,8 @@ Eigen::VectorXd values_at_points(const std::vector<double>& points,
   return values;
 }
 
-/// int u w(wall, u) J J^T du with the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a right wall.
+/// Gram matrix int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a
+/// right wall.
 Eigen::MatrixXd wall_gram(const ControlFit& p, const ImpactWall& wall) {
   numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
   apply_weight(q, [&](double u) { return u * p.weight_v(u); });
@@ -65,7 +66,7 @@ numerics::BlockBandedMatrix normal_matrix(const ControlFit& p, const GramMatrice
       }
     }
   }
-  // At a wall a single function of y does not vanish; its value is 1.
+  // At a wall only one function of y differs from 0; the value of this function is 1.
   for (const ImpactWall& wall : impact_walls(p.problem.system)) {
     const int at = wall.rebound_sign > 0 ? 0 : p.y.size() - 1;
     matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);

@@ -15,20 +15,22 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr double kBoxFactorY = 9.0 / 7, kBoxFactorV = 1.5;  // box in units of the extents of Scales
-constexpr double kUniformFraction = 0.55;  // fraction of the extent with uniform cells
-constexpr double kMinCellRatio = 0.05;     // narrowest relative to uniform cell
-// The same for y if white noise and losses cause a spike at the wall, as narrow as v^3 / D.
+constexpr double kUniformFraction = 0.55;  // fraction of the extent that has uniform cells
+constexpr double kMinCellRatio = 0.05;     // width of the narrowest cell relative to a uniform cell
+// This ratio for y if white noise and losses cause a spike at the wall, which is as narrow as v^3 /
+// D.
 constexpr double kMinSpikeCellRatio = 0.002;
 constexpr double kCellGrowth =
     0.25;                        // slope of the cell width with distance from the narrowest cell
 constexpr int kCornerKnots = 3;  // multiplicity of the knot at v = 0 with a wall
 constexpr double kWeightTemperature = 2;  // temperature of the weight, in variances of y'
 // Temperature of the weight with several wells. The slowest solution of the backward equation is
-// nearly constant in each well and varies on the barrier; its size is the exchange time between the
-// wells, exp(barrier / T). With a weight wider than the density the residual on the barrier costs
-// more than a wrong mean in each well, and the fit omits that solution. Of 30 random problems the
-// fit keeps it in 14 with 2 and in 18 with 0.7 (RandomWells in tests/backward/residual). In ten of
-// these problems 0.5 to 0.7 leave about the same unresolved residual, 1 and 2 a larger one.
+// nearly constant in each well and varies on the barrier. Its magnitude is the exchange time
+// between the wells, exp(barrier / T). If the weight is wider than the density, the residual on the
+// barrier adds more to the weighted sum than a wrong mean in each well does, and the fit omits this
+// solution. Of 30 random problems the fit contains the slowest solution in 14 at temperature 2 and
+// in 18 at 0.7 (RandomWells in tests/backward/residual). In ten of these problems the unresolved
+// residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
 
@@ -54,8 +56,8 @@ std::vector<double> breaks_by_width(double begin, double end, int cells,
   return breaks;
 }
 
-/// Cell width as a function of position: `even` between `low` and `high`, growing beyond them, and
-/// narrower near the points `narrow_at`.
+/// Cell width as a function of position. The width is `even` between `low` and `high`, grows
+/// outside this interval, and is smaller near the points `narrow_at`.
 std::function<double(double)> cell_widths(std::vector<double> narrow_at, double even, double low,
                                           double high, double least_cell = kMinCellRatio) {
   return [=](double x) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kYExtent = 9, kVExtent = 10.5;  // ends of the box, in deviations
 constexpr double kYUniform = 5, kVUniform = 6;   // ends of the uniform cells, in deviations
 constexpr int kKnotsAtZero = 3;                  // multiplicity of the knot at v = 0
-constexpr double kTemperature = 2;               // of the weight, in variances of y'
+constexpr double kTemperature = 2;               // temperature of the weight, in variances of y'
 constexpr double kLeastWeight = 1e-9;
 
 constexpr double kVelocityBeforeImpulse =
@@ -35,8 +35,8 @@ double largest_amplitude(const problem::ImpulseLaw& law) {
   return largest;
 }
 
-/// Factor by which the box is wider than for a nearly Gaussian density: single impulses of
-/// heavy-tailed laws, or rare impulses, lead beyond that box.
+/// Factor by which the box is wider than for a nearly Gaussian density. A single impulse moves the
+/// oscillator beyond the narrower box if impulses are rare or their law has heavy tails.
 double box_widening(const problem::Problem& problem, double velocity_deviation) {
   const double after_impulse =
       kVelocityBeforeImpulse * velocity_deviation + largest_amplitude(problem.impulses.law());

@@ -108,7 +108,8 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // L or R of all functions at the end of the axis: the integral over the constant beyond it.
+    // L or R of all functions at the end of the axis: the integral over the constant beyond this
+    // end.
     std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
     end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
@@ -142,7 +143,8 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
   }
   // An error of B that is bounded everywhere changes K B by at most this bound.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // If the shifted pieces lie wholly beyond the basis, the pieces between are missing: no bound.
+  // If all shifted pieces are beyond the basis, the pieces between are missing. No bound is valid
+  // then.
   const double range_length = (pieces.back().to - pieces.front().from).lower();
   if (!(magnitude(shift) < range_length)) table.remainder = HUGE_VAL;
   return table;

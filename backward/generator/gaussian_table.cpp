@@ -58,7 +58,7 @@ std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
   return integrals;
 }
 
-// A source piece: the moments (-1)^k (g/s)^k/k! int B y^k dz/s of its functions.
+// Moments (-1)^k (g/s)^k/k! int B y^k dz/s of the functions of a source piece.
 struct Source {
   numerics::Interval centre;
   double half;
@@ -85,8 +85,8 @@ Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double 
   return source;
 }
 
-// Bound of sum_{n >= first} a^n / sqrt(n!): for a <= 3/4 the ratio of consecutive terms is at most
-// 3/4.
+// Upper bound of sum_{n >= first} a^n / sqrt(n!). For a <= 3/4 the ratio of consecutive terms is at
+// most 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
   if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));

@@ -10,10 +10,11 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kMaxSteps = 12;
-// Relative to the first product of gradient and preconditioned gradient: the level of rounding.
+// Convergence threshold at the level of rounding errors, relative to the first product of gradient
+// and preconditioned gradient.
 constexpr double kConverged = 1e-20;
 
-// The rows of the least-squares problem, applied as a sum of three separable terms.
+// The matrix of the least-squares problem, applied to vectors as a sum of three separable terms.
 class FitRows {
  public:
   explicit FitRows(const LeastSquaresProblem& p)
@@ -33,7 +34,7 @@ class FitRows {
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
   double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
 
-  /// Numbers of unknowns: at a wall the two functions of a mirrored pair share one unknown.
+  /// Numbers of unknowns. At a wall the two functions of a mirrored pair share one unknown.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(p_.displacement.size(), functions_);
     for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
@@ -87,7 +88,7 @@ class FitRows {
     return result;
   }
 
-  /// The weighted transpose of `apply`: a vector in the unknowns of the normal equations.
+  /// The weighted transpose of apply(): returns a vector of the unknowns of the normal equations.
   Eigen::VectorXd apply_transpose(const Eigen::MatrixXd& residual) const {
     const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
     Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), p_.displacement.size());
@@ -108,7 +109,7 @@ class FitRows {
     return (weights_.array() * a.array() * b.array()).sum();
   }
 
-  /// Spline coefficients from the unknowns.
+  /// Spline coefficients, computed from the unknowns.
   Eigen::MatrixXd coefficients_of_unknowns(const Eigen::VectorXd& x) const {
     const int rows = p_.displacement.size(), centre = p_.velocity.centre();
     Eigen::MatrixXd c(rows, functions_);
@@ -149,7 +150,8 @@ class FitRows {
     return x;
   }
 
-  // Adds the rows of mirrored functions; the centre counts once.
+  // Adds the rows of mirrored functions. The row of the central function is its own mirror image
+  // and counts once.
   Eigen::MatrixXd add_mirrored_rows(const Eigen::MatrixXd& g) const {
     Eigen::MatrixXd f = g.bottomRows(constrained_size_);
     f.bottomRows(constrained_size_ - 1) += g.topRows(constrained_size_ - 1).colwise().reverse();
@@ -172,13 +174,14 @@ class FitRows {
 
   const LeastSquaresProblem& p_;
   int functions_, constrained_size_, per_span_;
-  Eigen::MatrixXd weights_;  // squares, shape (v points, y points)
+  Eigen::MatrixXd weights_;  // squared weights, shape (v points, y points)
 };
 
 /// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal
 /// equations. Three or four steps suffice, except on the finest grids, where rounding and the ridge
 /// degrade the preconditioner. A column stops at convergence or when rounding prevents progress.
-/// @param residual, x start values for x = 0; at the end the residuals equal f + A x up to rounding
+/// @param residual, x initial values, with x = 0; at the end the residuals equal f + A x up to
+/// rounding
 void minimise(const FitRows& rows, const NormalEquations& equations,
               std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
   Eigen::MatrixXd gradient(x.rows(), x.cols()), direction = x;
@@ -244,7 +247,8 @@ BackwardSolutions solve_backward(
     const double mean = rows.dot(one, residual[n]) / rows.dot(one, one);
     solutions.means.push_back(mean);
     Eigen::MatrixXd c = rows.coefficients_of_unknowns(x.col(n) - mean * x.rightCols<1>());
-    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;  // a constant is free: L of it is 0
+    // V is determined up to a constant, since L 1 = 0.
+    c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;
     solutions.coefficients.push_back(std::move(c));
     const Eigen::MatrixXd left = residual[n] - mean * one;
     std::pair<double, double> residual_extremes{0, 0};

@@ -5,8 +5,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// I(v) = int_{begin}^v B for all functions, at the beginning of each span and at the end of the
-// last span.
+// Integrals I(v) = int_{begin}^v B of all functions, at the beginning of each span and at the end
+// of the last span.
 class Antiderivative {
  public:
   explicit Antiderivative(const ImpactBasis& basis) : basis_(basis) {
@@ -23,7 +23,7 @@ class Antiderivative {
   }
 
   /// Adds factor * I on the piece to `coefficients` of each function, shape (size, order).
-  /// @return a bound of |I - polynomial|
+  /// @return an upper bound of |I - polynomial|
   double add(const VelocityPiece& piece, const numerics::Interval& factor,
              std::span<numerics::Interval> coefficients, int order) const {
     const PieceFunctions functions = piece_functions(basis_, piece);
@@ -101,7 +101,7 @@ ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
           std::max(error.upper(), (magnitude(factor) * numerics::Interval(piece_error)).upper());
     }
   }
-  // Each of the two shifts affects at most the functions of two spans.
+  // Each of the two shifted integrals depends on the functions of at most two spans.
   table.remainder = (4.0 * (basis.speeds().degree() + 1.0) * error).upper();
   return table;
 }

@@ -20,7 +20,7 @@ double middle(const numerics::Interval& from, const numerics::Interval& to) {
   return (from.lower() + to.upper()) / 2;
 }
 
-// Bound of |dB/dv|: p / (the shortest knot interval in v).
+// Upper bound of |dB/dv|: p / (the shortest knot interval in v).
 double max_slope(const ImpactBasis& basis) {
   const std::span<const double> u = basis.speeds().breaks();
   double shortest = u[1] - u[0];
@@ -75,7 +75,7 @@ PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& pi
   // difference is at most its length times the sum of the bounds of both slopes.
   functions.overhang_error =
       (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + max_slope(basis))).upper();
-  // A piece without a positive lower bound of its length has no bound of the slope.
+  // If the lower bound of the length of a piece is not positive, the slope has no bound.
   if (!(piece.length().lower() > 0)) {
     functions.overhang_error = piece.overhang > 0 ? HUGE_VAL : 0;
   }

@@ -5,7 +5,7 @@ namespace {
 
 double middle(const numerics::Interval& x) { return enclosure(x).middle(); }
 
-// All Bernstein polynomials of degree n at t.
+// Values at t of all Bernstein polynomials of degree n.
 std::vector<double> bernstein_basis(int n, double t) {
   std::vector<double> b(n + 1, 0.0);
   b[0] = 1;
@@ -29,7 +29,7 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
   VelocitySamples samples;
   std::vector<Eigen::Triplet<double>> drift, force;
   const std::vector<double> breaks = velocity_breaks(basis);
-  std::vector<std::pair<std::size_t, double>> places;  // piece and t of each point
+  std::vector<std::pair<std::size_t, double>> places;  // piece and coordinate t of each point
   std::size_t piece = 0;
   for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
     for (const double t : chebyshev_points(per_cell)) {

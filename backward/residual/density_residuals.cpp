@@ -15,8 +15,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Weight of the jumps at the wall, as for four samples per radian of the undamped motion. The
-// corrected moments hardly depend on it.
+// Weight of the jumps at the wall (ControlFit::wall_weight), as for four samples per radian of the
+// undamped motion. The corrected moments hardly depend on this weight.
 constexpr double kWallWeight = 4;
 
 WeakResiduals make_weak_residuals(const problem::Problem& problem, ControlSplines splines) {
@@ -34,21 +34,21 @@ const ControlCells& cells_for(const problem::Features& features) {
   return features.noise ? DensityResiduals::kWellCells : DensityResiduals::kSharpWellCells;
 }
 
-// Ratio of the local error to the L1 error of a density where the backward equation is not
-// resolved: errors concentrate there.
+// Ratio of the local error of a density to its L1 error in the regions where the fit does not
+// resolve the backward equation, since errors concentrate in these regions.
 constexpr double kConcentration = 10;
 // L1 distance of disjoint densities; also the largest (E_p - E)[e] in units of the unresolved
 // residual.
 constexpr double kDisjointL1 = 2;
 
-// Largest contrast for which there is an error estimate. In random wells (RandomWells in
-// tests/backward/residual) the estimate for probabilities of wells wrong by d falls below 2 d from
-// a contrast of 0.65.
+// Largest contrast for which an error estimate is stated. In random problems with wells
+// (RandomWells in tests/backward/residual) the probabilities of wells were made wrong by d: from a
+// contrast of 0.65 the error estimate is below the error 2 d.
 constexpr double kMaxContrast = 0.5;
 
 /// The error t that solves t = found + min(kConcentration t, kDisjointL1) unresolved + contrast t.
-/// Probabilities of wells that are wrong by d <= t/2 contribute 2 d contrast to (E_p - E)[e].
-/// Infinite if the residuals do not determine these probabilities.
+/// Probabilities of wells that are wrong by d <= t/2 contribute 2 d contrast to (E_p - E)[e]. The
+/// error is infinite if the residuals do not determine these probabilities.
 double total_error(const ErrorComponents& error) {
   if (error.contrast > kMaxContrast) return std::numeric_limits<double>::infinity();
   const double of_wells = 1 - error.contrast;

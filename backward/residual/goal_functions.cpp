@@ -11,7 +11,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-constexpr int kGradedCells = 12;          // cells that shrink towards the wall and towards v = 0
+constexpr int kGradedCells = 12;          // cells graded towards the wall and towards v = 0
 constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations
 
 double constant_one(double) { return 1; }

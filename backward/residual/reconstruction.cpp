@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::ptrdiff_t kStencilEdges = 8;  // stencil of a polynomial of degree 7
 
-/// The slopes at x of the Lagrange polynomials on some edges.
+/// The slopes at x of the Lagrange polynomials whose nodes are the given cell edges.
 std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
   std::vector<double> slopes;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -46,7 +46,8 @@ SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const 
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative at an edge contains the masses of all cells before it; all slopes sum to 0.
+    // The cumulative distribution at an edge contains the masses of all cells before this edge; the
+    // slopes of all Lagrange polynomials sum to 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

@@ -17,7 +17,7 @@ namespace {
 constexpr unsigned kGaussPoints = 6;
 constexpr int kPanelsPerRange = 24;
 
-/// Gauss rule on [begin, end], divided at both kinds of breaks.
+/// Gauss rule on [begin, end], divided at the breaks of the density and of the integrands.
 numerics::QuadratureRule composite_rule(double begin, double end, std::span<const double> a,
                                         std::span<const double> b) {
   std::vector<double> cuts{begin, end};
@@ -30,7 +30,7 @@ numerics::QuadratureRule composite_rule(double begin, double end, std::span<cons
   return numerics::gauss_rule<kGaussPoints>(cuts);
 }
 
-/// An axis whose samples are averages over cells.
+/// Quadrature rule of an axis whose samples are averages over cells.
 SampledAxis axis_from_averages(const numerics::QuadratureRule& rule,
                                std::span<const double> edges) {
   SparseRows rows = reconstruction_matrix(edges, rule.points);
@@ -38,7 +38,7 @@ SampledAxis axis_from_averages(const numerics::QuadratureRule& rule,
   return {rule.points, std::move(rows)};
 }
 
-/// An axis whose samples are values at the points.
+/// Quadrature rule of an axis whose samples are values at the points.
 SampledAxis axis_from_values(const numerics::QuadratureRule& rule) {
   SparseRows rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
@@ -53,7 +53,7 @@ void check_edges(std::span<const double> edges, const char* axis) {
   }
 }
 
-/// The range of a density in y, with comparisons up to rounding errors.
+/// The range of a density in y; its ends are compared with walls up to rounding errors.
 struct DisplacementRange {
   double low, high;
 
@@ -93,7 +93,7 @@ SampledDensity sample_form(const transform::GridDensity& density, const Integran
       .samples = averages,
       .impacts = {}};
   for (const ImpactBreaks& wall : breaks.walls) {
-    // The cells of v as cells of the impact speed: mirrored at a left wall.
+    // At a left wall the mirrored cells of v are the cells of the impact speed.
     std::vector<double> edges;
     for (const double edge : v) edges.push_back(-wall.rebound_sign * edge);
     if (wall.rebound_sign > 0) std::ranges::reverse(edges);

@@ -15,7 +15,8 @@ Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError("the cell edges of a map do not increase");
   }
-  // Between breaks and edges the splines are polynomials of degree 5: three points are exact.
+  // Between breaks and edges the splines are polynomials of degree 5, for which three Gauss points
+  // are exact.
   std::vector<double> cuts(splines.breaks());
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double x) { return splines.begin() < x && x < splines.end(); });

@@ -28,7 +28,7 @@ Eigen::MatrixXd values_of(const SeparableFunction& f, std::span<const double> y,
   return along(f.y_factor, y) * along(f.v_factor, v).transpose();
 }
 
-/// Weights of a rule times weights of the fit.
+/// Weights of a quadrature rule times the weight of the fit at its points.
 Eigen::VectorXd weights_of(const numerics::QuadratureRule& rule,
                            const std::function<double(double)>& weight) {
   Eigen::VectorXd weights = rule.weights;
@@ -61,13 +61,14 @@ std::vector<double> barrier_positions(const problem::Problem& problem,
   return tops;
 }
 
-/// Matrix of the means over each well, from barrier to barrier, of values at the points of y: shape
-/// (wells, points). No rows for a single well.
+/// Matrix that maps values at the points of y to means over each well, which extends from barrier
+/// to barrier. The shape is (wells, points); for a single well there are no rows.
 Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::QuadratureRule& rule,
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
-  // The weight of general_fit() is narrower than the density: a well below this fraction of the
-  // weight has less than 1e-4 of the mass.
+  // Fraction of the integral of the fit weight below which a well is omitted. With several wells
+  // the weight of general_fit() is narrower than the density; such a well has less than 1e-4 of the
+  // mass.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);
   const Eigen::VectorXd weights = weights_of(rule, weight);

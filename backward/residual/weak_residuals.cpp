@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNodesPerCell = 8;  // Gauss points between breaks of v
 constexpr int kPowers = 5;                // 0 .. 4
 constexpr double kMinBreakDistance =
-    1e-12;  // relative to the range: closer breaks coincide by rounding
+    1e-12;  // relative to the range; the distance of closer breaks is a rounding error
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   auto nodes = numerics::gauss_rule<kNodesPerCell>(breaks).points;
@@ -95,8 +95,8 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::QuinticB
       nodes_(gauss_nodes(v_breaks_)),
       means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
-/// K B_j by interpolation between the nodes of a cell, where it is smooth; constant beyond the
-/// ends.
+/// Means K B_j, interpolated between the nodes of a cell, where K B_j is smooth. Beyond the ends K
+/// B_j is constant.
 Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double> v) const {
   if (!problem_.impulses.is_present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
@@ -121,7 +121,7 @@ Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double
   return result;
 }
 
-/// int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
+/// Contribution of impacts, int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
 Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
                                           const SampledImpacts& impacts) const {
   const auto& speeds = impacts.speeds.points;
@@ -134,7 +134,7 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   const SampledDensity p =
       sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
-  // E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
+  // Moments E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
   const problem::Frame& frame = problem_.frame;
   const Eigen::MatrixXd along_y =
       p.y.integrals(coordinate_powers(p.y.points, [&](double x) { return frame.y(x); })) *
@@ -157,7 +157,8 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
-    // At the left (right) wall the first (last) function of y is 1 and all other functions vanish.
+    // At the left wall the first function of y is 1, at the right wall the last. All other
+    // functions vanish there.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
         impacts(walls_[n], p.impacts[n]);
     const SampledAxis& speeds = p.impacts[n].speeds;
