@@ -17,8 +17,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
   if (features.noise || !features.impulses || options.equation == Equation::white) {
-    return "tail splitting needs an energy that rises at impulses only, and noise raises it at "
-           "all times";
+    return "tail splitting needs an energy that rises at impulses only, and noise raises the "
+           "energy at all times";
   }
   if (features.negative_damping) {
     return "tail splitting needs an energy that rises at impulses only, and this damping adds "

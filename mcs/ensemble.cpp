@@ -18,17 +18,17 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Fixed shares of the trajectories are summed first, then the shares in their order. The
-// floating-point result is therefore independent of the number of threads.
+// The sums over fixed groups of trajectories are computed first, then added in the order of the
+// groups. The floating-point result is therefore independent of the number of threads.
 constexpr std::uint32_t kShares = 64;
 
-// The bins of a variable; empty where no edges are set.
+// The bins of a variable; empty if the options have no edges.
 using Bins = std::optional<BinFinder>;
 
-/// Sums over one share of the trajectories at one time.
+/// Sums over one group of the trajectories at one time.
 struct Sums {
   transform::Moments first{}, second{};  // sums of the powers, and of their squares
-  std::vector<std::uint64_t> y{}, v{};   // counts, with one outer bin on either side
+  std::vector<std::uint64_t> y{}, v{};   // counts in the bins, with two outer bins
 
   Sums(const Bins& y_bins, const Bins& v_bins)
       : y(y_bins ? y_bins->bins() + 2 : 0), v(v_bins ? v_bins->bins() + 2 : 0) {}
@@ -123,7 +123,7 @@ void validate(const EnsembleOptions& options) {
   require(options.trajectories >= kFewest,
           fmt::format("{} trajectories: too few for standard errors; use at least {}",
                       options.trajectories, kFewest));
-  // Simulation and ensemble share these options, their ranges and their messages.
+  // Simulation and ensemble have these options in common, with the same ranges and messages.
   mcs::validate({.seed = options.seed, .threads = options.threads});
   if (!options.y_edges.empty()) require_edges("y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("v_edges", options.v_edges);

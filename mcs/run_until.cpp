@@ -15,7 +15,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Sampling errors of the current estimates.
+/// Sampling errors of the estimates from the rounds so far.
 struct SamplingErrors {
   double y_l1, ydot_l1;  ///< expected L1 sampling errors
   double target;         ///< the error that Options::target_error limits
@@ -39,9 +39,9 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
 
 /// Progress of a simulation towards the requested precision or time.
 struct RunProgress {
-  double fraction;                       ///< of the required work; may exceed 1
-  std::optional<SamplingErrors> errors;  ///< only where an option or the caller needs them
-  bool goal_reached;  ///< Options::samples and Options::target_error are satisfied
+  double fraction;                       ///< fraction of the required work; may exceed 1
+  std::optional<SamplingErrors> errors;  ///< only if an option or the caller needs them
+  bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
 };
 
 RunProgress run_progress(const Simulation& simulation, const Options& options) {
@@ -51,8 +51,8 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
                   .goal_reached = false};
   if (simulation.rounds() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
-  // One process holds a part of the streams only, from which the error of the whole is not
-  // computable.
+  // With several processes each one has a part of the streams only, from which the errors of the
+  // complete result cannot be computed.
   if (options.team.parts > 1) return now;
   if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
   if (options.target_error) {
@@ -67,7 +67,7 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
   return now;
 }
 
-/// The outcome where the simulation has to end; empty while it continues.
+/// The outcome if the simulation has to end now; empty if the simulation has to continue.
 std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Options& options,
                                       const RunProgress& now) {
   if (now.goal_reached) return RunOutcome{};
@@ -77,7 +77,8 @@ std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Option
                           "simulated time too short: samples or target error not reached; increase "
                           "--time"};
   }
-  // All parts of a team simulate the same time: a stop request ends the whole process instead.
+  // Options::stop is ignored with several processes, since all of them must simulate the same time.
+  // A stop request then ends the process.
   if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
     return RunOutcome{
         .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "

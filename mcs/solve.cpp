@@ -69,8 +69,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.summary.impacts_accumulate = general && general->has_contact_atoms;
   result.summary.impact_rate = weights.estimate(each(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
-  // The residual is linear in the averages: its estimate is the weighted mean of the streams'
-  // residuals.
+  // The residual is linear in the averages. Its estimate is therefore the weighted mean of the
+  // residuals of the streams.
   const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
     return problem::energy_residual(
         problem, problem::Impact::exact,
@@ -84,19 +84,20 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
 
-/// Sets the residuals of the virial and momentum balances. Both are linear in the averages, as the
-/// balance of power, and so have no sampling bias. The averages over all streams scale them.
+/// Sets the residuals of the virial and momentum balances. Like the balance of power, both
+/// residuals are linear in the averages and therefore have no sampling bias. Each residual
+/// is divided by the scale of its balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.force();
   const auto virial = force.times_argument();
   const bool general = simulation.plan().general.has_value();
-  if (!general && virial.degree() > kHighestPower) return;  // E[y g(y)] is not among the averages
+  if (!general && virial.degree() > kHighestPower) return;  // no estimate of E[y g(y)]
   const auto right_momentum = [&](const StreamRecord& r) {
     return r.general ? r.general->right_speed / simulation.stream_time() : 0.0;
   };
-  // Mean contact force of the mass at rest. The sums over impacts hold the momentum of accumulating
-  // impacts already.
+  // Mean contact force of the mass at rest. The momentum of accumulating impacts is already part of
+  // the sums over impacts.
   const auto contact_force_at_rest = [&](const StreamRecord& r) {
     if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralOscillator& o = simulation.plan().general->oscillator;
@@ -151,7 +152,8 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   summary.excess_power_error = excess.standard_error / input;
 }
 
-/// Effective samples without the weights, and the variance reduction by the weights.
+/// Sets the number of effective samples without the weights, and the variance reduction by the
+/// weights.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio = plain_estimate(moments(simulation, p, q)).standard_error / error;
@@ -166,7 +168,7 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-/// Fraction of the samples beyond the bins.
+/// Fraction of the samples outside the bins.
 double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const Plan& plan = simulation.plan();
   const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
@@ -181,7 +183,7 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
   return std::max(0.0, weights.estimate(beyond).mean);
 }
 
-/// Sets the atoms in wall coordinates, as the density.
+/// Sets the atoms, like the density in wall coordinates.
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   const auto& general = simulation.plan().general;
@@ -219,13 +221,14 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside_fraction = outside_fraction(simulation, weights);
-  if (solution.atoms.empty()) {  // an atom is a jump of the distribution function
+  // With atoms the distribution function has jumps, which its interpolation does not resolve.
+  if (solution.atoms.empty()) {
     summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
   }
   summary.crossings = estimate_crossings(simulation, weights);
-  // White noise causes infinitely many maxima. In a mirrored frame the counted maxima are minima of
-  // y.
+  // The peaks are not estimated under white noise, which causes infinitely many maxima, or in a
+  // mirrored frame, where the counted maxima are minima of y.
   const Plan& plan = simulation.plan();
   const bool noisy = plan.general && plan.general->kicks.is_present();
   if (!noisy && !plan.frame.mirrored) {
@@ -270,7 +273,7 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
   return all;
 }
 
-/// Why the burn-in is too short; empty where its length suffices.
+/// The reason why the burn-in is too short; empty if the burn-in is long enough.
 std::string burn_in_reason(const Plan& plan, const Options& options) {
   const auto text = [&](const std::string& cause, const char* action) {
     return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
@@ -295,7 +298,8 @@ std::string burn_in_reason(const Plan& plan, const Options& options) {
   return "";
 }
 
-/// @param unreached_reason why the simulation did not reach its goal; empty where it did
+/// @param unreached_reason reason why the simulation did not reach its goal; empty if it reached
+/// the goal
 void set_status(const Plan& plan, const Options& options, const Summary& summary,
                 transform::Solution& solution, const std::string& unreached_reason) {
   constexpr std::uint64_t kFewestImpulses = 10;  // per stream
@@ -351,7 +355,7 @@ void require_valid_team_options(const Options& options) {
   refuse(!options.resume.empty(), "--resume");
 }
 
-/// Collects the streams of all processes in the first one.
+/// Collects the streams of all processes in the first process.
 /// @return whether this process is the first one
 bool gather(const Team& team, Simulation& simulation) {
   if (team.parts == 1) return true;
@@ -396,8 +400,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   solution.identity = identity(options);
   const Plan plan = make_plan(problem, options);
   require_valid_team_options(options);
-  // Kicks at even times would lift the particle off the wall after each interval. The result would
-  // depend on the interval and converge to no defined motion.
+  // Evenly spaced kicks would lift the mass off the wall after each interval. The result would
+  // depend on the interval and would not converge as the interval tends to 0.
   solution.reason = problem::collapse_unsupported_reason(problem, options.equation);
   if (!solution.reason.empty()) return result;  // status failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {

@@ -18,7 +18,7 @@ void add_metrics(MetricBuilder& builder, const std::string& path, const Estimate
   builder.error(error_path, estimate.standard_error);
 }
 
-/// Adds the items of a list, each by `put(path of the item, item, index)`.
+/// Adds the metrics of each item of a list by calling `put(path of the item, item, index)`.
 template <class Item, class Put>
 void add_metric_list(MetricBuilder& builder, const std::string& path,
                      const std::vector<Item>& items, Kind kind, Put put) {
@@ -51,7 +51,7 @@ void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
 
 void add_rate_metrics(MetricBuilder& builder, const std::string& path,
                       const std::vector<LevelRate>& rates) {
-  // Below about a hundred events the standard error itself is poorly known.
+  // With fewer than about a hundred events the standard error itself is inaccurate.
   constexpr double kRare = 0.1;
   add_metric_list(
       builder, path, rates, Kind::result,

@@ -59,7 +59,7 @@ void require_bins(const std::string& name, const SmoothBins& bins) {
 
 using Coefficients = std::vector<double>;  // coefficients of 1, t, t^2, ..
 
-/// a p + (b + c t) q
+/// The polynomial a p + (b + c t) q.
 Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
                                  const Coefficients& q) {
   Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
@@ -93,7 +93,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   return functions;
 }
 
-/// Appends the coefficients, highest power first, all polynomials of a power together.
+/// Appends the coefficients of the polynomials: highest power first, and for each power the
+/// coefficients of all polynomials.
 void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
   for (int n = highest; n >= 0; --n) {
     for (int l = 0; l < kEight; ++l) {
@@ -123,7 +124,7 @@ std::vector<double> lagrange_polynomials() {
 }
 
 std::vector<double> cubic_pieces() {
-  // The cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  // Coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
   std::vector<double> table;
   append(table,
          {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
@@ -164,7 +165,7 @@ SplinePieces::SplinePieces(const std::vector<double>& knots)
     std::vector<double> table;
     append(table, functions, kDegree);
     append(table, slopes, kDegree - 1);
-    // Spans with the same coefficients, but for rounding, share one table.
+    // Spans whose coefficients agree up to rounding share one table.
     int place = 0;
     const auto has_same_coefficients = [&](int from) {
       return std::equal(table.begin(), table.end(), coefficients_.begin() + from,

@@ -26,11 +26,11 @@ struct Interval {
   double lower, upper;
 };
 
-/// Densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance is
-/// proportional to the density, since the visits to a bin are nearly a Poisson process. This is the
-/// score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) in the limit of rare events. For
-/// few visits the density is more often above the mean than below; mean +- t error then misses the
-/// density.
+/// Confidence interval of the densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean.
+/// The variance is proportional to the density, since the visits to a bin are nearly a Poisson
+/// process. This interval is the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) in
+/// the limit of rare events. After few visits the true density is more often above the estimated
+/// mean than below, and the interval mean +- t error then often misses the true density.
 Interval score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
@@ -48,11 +48,11 @@ double expected_l1(const BinErrors& errors) {
   return sum;
 }
 
-// Multiplier bootstrap: multiplies the error contribution of each stream by a random normal factor.
-// The replicates have the distribution of the sampling error.
+// Multiplier bootstrap: a replicate multiplies the error contribution of each stream by a random
+// normal factor. The L1 norms of the replicates have the distribution of the L1 sampling error.
 SamplingL1 sampling_l1(const BinErrors& errors) {
   constexpr int kReplicates = 400;
-  constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: a run is reproducible
+  constexpr std::uint64_t kSeed = 20240501;  // arbitrary, but fixed: runs are reproducible
   SamplingL1 result{.expected = expected_l1(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
   boost::random::mt19937_64 engine(kSeed);
@@ -98,8 +98,8 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate(densities);
     const double density = std::max(mean, 0.0);  // see estimate_joint_density
-    // No visit in n independent draws: the probability is below 3/n at 95 % confidence ("rule of
-    // three").
+    // If none of n independent draws is in the bin, the probability of the bin is below 3/n at 95 %
+    // confidence ("rule of three").
     const Interval interval = density > 0
                                   ? score_interval(density, error, weights.interval_factor())
                                   : Interval{0, 3 / (effective_samples * width)};

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kProbabilities{1e-4, 1e-3, 0.01, 0.05,  0.25,  0.5,
                                     0.75, 0.95, 0.99, 0.999, 0.9999};
 
-/// A distribution function, monotone at the edges.
+/// A distribution function, given by nondecreasing values at the edges of bins.
 class DistributionFunction {
  public:
   DistributionFunction(const std::vector<double>& edges, std::vector<double> below)
@@ -24,7 +24,8 @@ class DistributionFunction {
 
   bool is_in_range(double p) const { return p > below_.front() && p < below_.back(); }
 
-  /// Inverse of the cubic through four edges, restricted to the two middle edges.
+  /// Quantile of the probability p: inverts the cubic through the values at four edges, between the
+  /// two middle edges.
   double inverse(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());

@@ -42,7 +42,8 @@ double AmplitudePieces::operator()(double u) const {
                                       [](double x, const Piece& p) { return x < p.upper_end; });
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
   const double t = (u - from) / (piece->upper_end - from);
-  // t (f + g) = 2 f s + (g - f) s^2 with the densities f and g; the root without cancellation
+  // With the densities f and g at the ends, s solves t (f + g) = 2 f s + (g - f) s^2. This form of
+  // the root has no cancellation.
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -51,7 +52,7 @@ double AmplitudePieces::operator()(double u) const {
 }
 
 std::uint64_t AmplitudePieces::checksum() const {
-  std::uint64_t sum = 0xcbf29ce484222325;  // FNV-1a, by words
+  std::uint64_t sum = 0xcbf29ce484222325;  // FNV-1a hash, applied to words of 64 bits
   const auto add = [&](double x) { sum = (sum ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3; };
   for (const Piece& piece : pieces_) {
     add(piece.upper_end);
@@ -79,14 +80,14 @@ AmplitudePieces pieces_from_ranges(const std::vector<AmplitudeRange>& ranges) {
 }
 
 AmplitudePieces pieces_from_quantile(const std::function<double(double, double)>& quantile) {
-  std::vector<double> ends;  // increasing, up to 1/2
+  std::vector<double> ends;  // ends of the pieces, increasing, up to 1/2
   for (int octave = kOctaves; octave > 0; --octave) {
     for (int part = 0; part < kParts; ++part) {
       ends.push_back(std::ldexp(1 + static_cast<double>(part) / kParts, -octave - 1));
     }
   }
   ends.push_back(0.5);
-  // No random number is below the first end or above the last: a constant suffices there.
+  // No random number is below the first end or above the last end, so a constant suffices there.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

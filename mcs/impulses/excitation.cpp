@@ -37,7 +37,8 @@ std::vector<AmplitudeRange> amplitude_ranges(const Law& law) {
   return ranges;
 }
 
-// Pieces of a law of problem:: whose StandardAmplitude is DrawnFromPieces; null for other laws.
+// Quantile function of an amplitude law whose StandardAmplitude is DrawnFromPieces; null for other
+// laws.
 std::shared_ptr<const AmplitudePieces> make_pieces(const problem::ImpulseLaw::Kind& law) {
   return std::visit(
       []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {

@@ -9,8 +9,9 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Fraction of the velocity scale below which bounces are summed with the force at the wall. The
-// neglected change of the force is of second order, 1e-6 of E[y'^2] and of the time.
+// Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
+// with the constant force at the wall. The neglected change of the force has an effect of second
+// order, 1e-6 of E[y'^2] and of the time.
 constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::Scales& scales) {

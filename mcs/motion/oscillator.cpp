@@ -20,7 +20,8 @@ Polynomial make_slope_bound(const Polynomial& force) {
   return Polynomial(magnitudes).derivative();
 }
 
-/// The ratio U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m, m the degree of U.
+/// Coefficients r_j of U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m and the
+/// degree m of U.
 Polynomial ratio_to_last_term(const Polynomial& potential) {
   const std::size_t m = potential.degree();
   Polynomial::Coefficients r{};
@@ -30,15 +31,15 @@ Polynomial ratio_to_last_term(const Polynomial& potential) {
   return Polynomial(r);
 }
 
-/// The terms of one sign, as positive numbers.
+/// Absolute values of the terms with one sign.
 Polynomial terms(const Polynomial& p, double sign) {
   Polynomial::Coefficients part{};
   for (std::size_t j = 0; j < part.size(); ++j) part[j] = std::max(0.0, sign * p.coefficient(j));
   return Polynomial(part);
 }
 
-/// Value of w above which the last term of `ratio`, a positive one, exceeds all negative terms
-/// together.
+/// Value of w above which the last term of `ratio`, which is positive, exceeds the sum of all
+/// negative terms.
 double dominance_threshold(const Polynomial& ratio) {
   const std::size_t last = ratio.degree();
   double w = 0;
@@ -50,16 +51,16 @@ double dominance_threshold(const Polynomial& ratio) {
   return w;
 }
 
-/// Tight lower bound of U(y) / (u_m y^m) over y > 0: 1 without negative terms; not positive where
-/// the energy does not bound the motion.
+/// Tight lower bound of U(y) / (u_m y^m) over y > 0. Without negative terms the bound is 1. If the
+/// energy does not bound the motion, the bound is 0 or negative.
 double ratio_lower_bound(const Polynomial& potential) {
   constexpr double kFineness = 1.001, kNegligible = 1e-3;
   const Polynomial ratio = ratio_to_last_term(potential);
   const Polynomial positive = terms(ratio, 1), negative = terms(ratio, -1);
   if (negative.degree() == 0) return 1;
   if (ratio.coefficient(ratio.degree()) < 0) return 0;
-  // Both parts increase with w: on [a, b] the sum is at least positive(a) - negative(b). Near w = 0
-  // the positive part is 1.
+  // The sums of positive and of negative terms both increase with w. On [a, b] the ratio is
+  // therefore at least positive(a) - negative(b). Near w = 0 the positive part is 1.
   double least = 1 - kNegligible;
   for (double b = dominance_threshold(ratio); negative(b) > kNegligible && least > 0;
        b /= kFineness) {

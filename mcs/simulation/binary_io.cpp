@@ -7,7 +7,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::uint64_t kLargestFreeSize = 100000;  // limit where the number of entries is free
+constexpr std::uint64_t kLargestFreeSize = 100000;  // limit if any number of entries is accepted
 
 void require(bool holds) {
   if (!holds) throw InputError("wrong number of entries");

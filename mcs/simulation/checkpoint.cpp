@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view kFormatPrefix = "fpkcheck mcs checkpoint ";
 constexpr std::string_view kFormatLine = "fpkcheck mcs checkpoint 4\n";
 
-/// FNV-1a hash.
+/// FNV-1a hash of a text.
 std::uint64_t checksum(std::string_view text) {
   std::uint64_t sum = 14695981039346656037u;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;
@@ -41,7 +41,7 @@ std::string write_failure_message(const std::string& path, const std::string& wh
 constexpr const char* kUnwritableReason =
     "the directory is missing, write-protected or full; check it";
 
-/// @return why the checkpoint was not written; empty after success
+/// @return error message if the checkpoint was not written; empty after success
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
                              const Simulation& simulation) {
   std::ostringstream contents;
@@ -110,7 +110,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   const auto there = fs::status(path_, ignored);
   if (fs::is_directory(there))
     throw InputError(write_failure_message(path_, "it is a directory; name a file"));
-  // Refuse to overwrite a case file named by mistake, or a device.
+  // A case file that was named by mistake, or a device, is not overwritten.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
     throw InputError(write_failure_message(
         path_, "the file is no checkpoint and would be lost; name another file"));

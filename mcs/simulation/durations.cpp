@@ -6,28 +6,29 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// In decay times of the slowest mode.
+// Times in units of the decay time of the slowest mode.
 constexpr double kAutomaticTime = 1.6e6;
 constexpr double kBurnIn = 20;      // leaves exp(-20) of the initial deviation
 constexpr double kLeastBurnIn = 5;  // least burn-in of a converged solution
-// 99 % quantile of the L1 error of p(y) or p(y'), times the root of the time. It is 0.6 to 2.3 in
-// the shipped cases without several wells and without strong losses, and up to 4.3 in the others
-// (`fpkcheck mcs CASE --json`: sampling_l1 and time).
+// 99 % quantile of the L1 sampling error of p(y) or p(y'), times the square root of the simulated
+// time in decay times. This product is 0.6 to 2.3 in the shipped cases with a single well and
+// without strong losses, and up to 4.3 in the other cases (`fpkcheck mcs CASE --json`: sampling_l1
+// and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
-constexpr double kTailsShare = 1.0 / 32;      // branches take several times as long
-constexpr double kControlledShare = 1.0 / 8;  // L1 sampling error in smooth bins about 2e-6
+constexpr double kTailsShare = 1.0 / 32;      // splitting makes the work several times larger
+constexpr double kControlledShare = 1.0 / 8;  // L1 error in smooth bins about 2e-6
 
-// Impulses and flights in all streams. One processor simulates 2e7 to 3e7 per second.
+// Numbers of impulses and flights in all streams. One processor simulates 2e7 to 3e7 per second.
 constexpr double kDefaultEvents = 4e7;  // any oscillator: some seconds
 constexpr double kMostRunEvents = 2e9;  // one minute
-// Of the main branches under splitting: half a minute (`fpkcheck_random --tails --family --count
-// 40`). The other branches are up to 17 times as many, have more flights per unit time, and leave
-// half of the SIMD lanes idle.
+// Number of impulses and flights of the main branches with splitting, simulated in half a minute
+// (`fpkcheck_random --tails --family --count 40`). There are up to 17 times as many other branches.
+// They have more flights per unit time and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
 constexpr double kMostAutomaticTimes = 1e4;  // with Options::samples or Options::target_error
-constexpr double kLongestBurnIn = 1.0 / 8;   // of the default time
+constexpr double kLongestBurnIn = 1.0 / 8;   // fraction of the default time
 
 double automatic_time(const Options& options, const EventRates& rates) {
   const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
@@ -37,7 +38,8 @@ double automatic_time(const Options& options, const EventRates& rates) {
       rates.any_oscillator ? kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.events()
                            : most;
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // Options::accuracy is out of reach within the full time, or within a minute with several wells.
+  // Options::accuracy cannot be reached within the full time, or within a minute with several
+  // wells.
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));

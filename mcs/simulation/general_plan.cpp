@@ -11,8 +11,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// In radians. At strong impact losses the noise near the wall determines the motion, and the kicks
-// must resolve the noise there (docs/simulation.md has the measurements).
+// Intervals between kicks in radians. At strong impact losses the noise near the wall determines
+// the motion, and the kicks must resolve this noise (measurements: docs/simulation.md).
 constexpr double kAutomaticKickStep = 0.2, kKickStepWithStrongLosses = 0.05;
 constexpr double kStrongLosses = 0.6;
 

@@ -12,15 +12,15 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr double kRarest = 1e-10;
-constexpr double kFewestVisits = 1000;  // visits of branches that define a threshold
+constexpr double kFewestVisits = 1000;  // number of visits of branches that define a threshold
 constexpr int kMostPilots = 30;
 constexpr double kPilotTime = 0.5;                    // least pilot time, in burn-ins
-constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number in all streams
+constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number of impulses in all streams
 constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
-// Potential of the energy that is split. In the paper's class that of the spring. Outside that
-// class the mean of the impulses contributes, since without it the potential may be unbounded
-// below.
+// Potential of the energy whose thresholds split branches. In the paper's class this is the
+// potential of the spring. Outside that class the mean force of the impulses contributes, since
+// without this force the potential may have no lower bound.
 numerics::Polynomial splitting_potential(const problem::Problem& problem, const Plan& plan) {
   if (!plan.general) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
@@ -35,7 +35,7 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   Plan pilot = plan;
-  pilot.seed = ~plan.seed;  // random numbers that no simulation with this seed uses
+  pilot.seed = ~plan.seed;  // gives random numbers that a simulation with plan.seed does not use
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
                                                                          plan.excitation.interval) /

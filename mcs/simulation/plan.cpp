@@ -15,15 +15,15 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr double kMostSamples = 1e15;  // per stream
+constexpr double kMostSamples = 1e15;  // samples per stream
 
 constexpr int kAutomaticBins = 140;
 constexpr double kAutomaticExtent = 7;        // standard deviations
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
-// 50 samples per period reduce the noise of the bins by a seventh, at higher cost.
+// 50 samples per period would reduce the sampling noise of the bins by a seventh, at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
-// Progress and interruptions occur between rounds. A round takes a fortieth of the default time,
-// about a tenth of a second, or an eighth of the requested time, whichever is least.
+// Progress reports and interruptions occur between rounds. A round takes the least of a fortieth of
+// the default time, an eighth of the requested time, and about a tenth of a second.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
 constexpr double kMostEvents = 2e7;  // impulses and flights per round in all streams
@@ -50,8 +50,8 @@ Rounds choose_rounds(const Options& options, const Durations& durations, double 
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
-  // The length of a round is independent of the requested time, unless this is short. A longer
-  // simulation can therefore resume from the checkpoint of a shorter one.
+  // The length of a round is independent of the requested time, unless the requested time is short.
+  // A longer simulation can therefore resume from the checkpoint of a shorter simulation.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
@@ -63,7 +63,7 @@ Rounds choose_rounds(const Options& options, const Durations& durations, double 
   return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
 }
 
-/// Checks options where the domain is not y >= 0: edges may begin anywhere.
+/// Checks the options of a problem whose domain is not y >= 0: bin edges may begin anywhere.
 void validate_for_any_domain(const Options& options) {
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   Options others = options;
@@ -75,8 +75,9 @@ Plan make_plan_for_any_oscillator(const problem::Problem& problem, const Options
   validate_for_any_domain(options);
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
-  // The frequency belongs to the mean energy. If the mass is mostly at rest in contact, this is
-  // the frequency of tiny bounces, and the sampling interval is limited by the rate of impulses.
+  // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
+  // rest in contact, this is the frequency of tiny bounces. The rate of impulses then gives a lower
+  // limit of the sampling interval.
   constexpr double kSamplesPerRest = 50;
   const double least =
       general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;

@@ -17,9 +17,10 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr std::size_t kGroup = 8;  // streams per task of a thread
+constexpr std::size_t kGroup = 8;  // number of streams that a thread advances together
 
-// A forged checksum is no protection, and a simulation from impossible numbers may never end.
+// Every number is checked, since a checksum can be forged and a simulation from impossible numbers
+// may never end.
 void require_valid_state(bool holds) {
   if (!holds) throw InputError("impossible numbers in the saved state");
 }
@@ -48,10 +49,12 @@ bool is_valid_state(const GeneralBranch& branch, const GeneralKicks& kicks) {
   return waits && branch.time_to_rest >= -1;
 }
 
-/// Whether a branch between two rounds is within the range of the motion and of the random numbers.
+/// Whether the state of a branch between two rounds is possible: within the range of the motion and
+/// of the random numbers.
 bool is_valid_state(const Branch& branch, const Plan& plan) {
-  constexpr double kFarthest = 1e4;  // in units of the deviation plus the largest impulse
-  // In mean waiting times, or widths of the law: such a draw has the probability exp(-1000).
+  constexpr double kFarthest = 1e4;  // in units of the velocity deviation plus the largest impulse
+  // In mean waiting times, or in widths of the law: a larger random number has the probability
+  // exp(-1000).
   constexpr double kRarestDraws = 1e3;
   const Excitation& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
@@ -65,8 +68,8 @@ bool is_valid_state(const Branch& branch, const Plan& plan) {
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
 }
 
-/// A stream at its initial state.
-/// @param source of the impulses after the first one
+/// Makes a stream at its initial state.
+/// @param source generator of the impulses
 Stream make_stream(const State& start, const Impulse& first, const ImpulseSource& source,
                    const Plan& plan) {
   return {.branch = {.y = start.y,
@@ -131,8 +134,8 @@ void Simulation::start_general_streams(const problem::Problem& problem,
     made.noise = NoiseSource(plan.seed, stream);
     made.record.general.emplace();
     if (general.kicks.is_present()) {
-      // A random phase of the kicks: on average the samples are evenly distributed over the
-      // interval.
+      // The first kick has a random phase, so that on average the samples are evenly distributed
+      // over the interval between kicks.
       const double share = uniforms(plan.seed, stream, Purpose::start, kBlockSize).third[1];
       made.general.kick_interval = general.kicks.longest_interval;
       made.general.until_kick = share * general.kicks.longest_interval;
@@ -230,7 +233,7 @@ void Simulation::save(std::ostream& out) const {
 
 void Simulation::load(std::istream& in) {
   read_binary(in, rounds_);
-  // Only a manipulated file has more rounds.
+  // No simulation reaches this number of rounds: a file with more rounds is manipulated.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_valid_state(rounds_ <= kMostRounds);
   for (Stream& stream : streams_) load_stream(in, stream);

@@ -8,7 +8,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Bins whose width grows by 2 % from one to the next, over eight decades.
+/// Energy bins over eight decades; the width grows by 2 % from one bin to the next.
 std::vector<double> energy_edges(double largest) {
   constexpr int kBins = 930;
   std::vector<double> edges;
@@ -16,7 +16,7 @@ std::vector<double> energy_edges(double largest) {
   return edges;
 }
 
-/// Branch::split with the bits of the thresholds first + 1 .. last.
+/// Value of Branch::split in which the bits of the thresholds first + 1 .. last are set.
 std::uint64_t bits(int first, int last) {
   return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
 }
@@ -52,7 +52,7 @@ void Splitting::split(Stream& stream, int from, bool at_impulse) const {
   const Branch origin = stream.branch;
   const GeneralBranch general = stream.general;
   stream.waiting.push_back({.branch = origin, .general = general});
-  // Above threshold i + 1 each of the branches so far becomes kCopies branches.
+  // At threshold i + 1 each of the present branches becomes kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
     Branch copy = origin;
@@ -95,7 +95,8 @@ void resume_next_branch(Stream& stream) {
   stream.general = next.general;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next();
-    // Copies made between impulses share the time of the next impulse, but not its amplitude.
+    // Copies made between impulses have the time of the next impulse in common, but not the
+    // amplitude.
     if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
     stream.branch.amplitude = impulse.amplitude;
     --next.copies;
