@@ -20,7 +20,7 @@ struct Hotelling {
 /// as many as there are streams
 Hotelling hotelling_test(const Eigen::MatrixXd& values);
 
-/// Checks of the simulated motion, impacts and impulses against the coefficients of the problem.
+/// Results of the checks that compare the simulated motion, impacts and impulses with the problem.
 struct Checks {
   /// Test of E[L B] = 0 for the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4: whether flights,
   /// impacts and impulses together follow the generator L. The means have the sampling error of the

@@ -54,8 +54,7 @@ const Description<Options>& description() {
                strictly_between(0, 1))
           .add("accuracy", &Options::accuracy,
                {"L1",
-                "tolerance for the L1 sampling errors of p(y) and p(y'), of which it limits the "
-                "99 % quantile"},
+                "tolerance for the 99 % quantiles of the L1 sampling errors of p(y) and p(y')"},
                positive().with_reason("no simulation is exact"))
           .with_default(Options{}.accuracy)
           .add("seed", &Options::seed,

@@ -17,7 +17,7 @@ struct RunOutcome {
 
 /// Simulates round by round until the requested time, samples or error are reached, or until
 /// Options::stop returns true. Writes checkpoints and reports progress between rounds.
-/// @param fingerprint text of fingerprint() for the checkpoints
+/// @param fingerprint text that simulation_fingerprint() returns, for the checkpoints
 RunOutcome run_until(Simulation& simulation, const Options& options, CheckpointWriter& checkpoints,
                      const std::string& fingerprint);
 

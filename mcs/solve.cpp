@@ -346,7 +346,7 @@ void require_valid_team_options(const Options& options) {
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
     throw InputError(fmt::format(
-        "mcs {} with several processes: all of them simulate the same --time; omit the option",
+        "mcs {} with several processes: all processes simulate the same --time; omit the option",
         option));
   };
   refuse(options.target_error.has_value(), "--target-error");

@@ -8,12 +8,12 @@ const Description<Options>& description() {
   static const auto options =
       Description<Options>("bounds ")
           .add("width", &Options::relative_half_width,
-               {"W", "refine until every half-width is below W times the value, or the time limit"},
+               {"W", "refine the grid until every half-width is below W times the value"},
                non_negative())
           .add("absolute_width", &Options::half_width,
-               {"W", "refine until every half-width is below W, or the time limit"}, non_negative())
+               {"W", "refine the grid until every half-width is below W"}, non_negative())
           .add("seconds", &Options::seconds,
-               {"S", "time limit: start no grid that would end later, except the first"},
+               {"S", "time limit: start no grid that would end after the limit, except the first"},
                non_negative())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
                between(1, 4096));

@@ -52,7 +52,7 @@ class Simulation {
   /// @throws InputError where the input is not the state of this number of streams and bins
   void load(std::istream& in);
 
-  /// Write the streams of this part, and read the streams of another part (share()).
+  /// Write the streams of this part, and read the streams of another part.
   void save_part(std::ostream& out) const;
   void load_part(std::istream& in, int part);
 

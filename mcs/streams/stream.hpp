@@ -132,7 +132,7 @@ struct Stream {
   Branch branch;
   ImpulseSource source;
   StreamRecord record;
-  /// Pending branches, the main branch first. The comment of Splitting bounds their number.
+  /// Pending branches, the main branch first. ImportanceSplitting bounds their number.
   std::vector<WaitingBranch> waiting{};
   GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
