@@ -32,7 +32,7 @@ TEST(Coverage, OfTheIntervalsIsNominal) { EXPECT_GE(covered(tests::case_1(), kRu
 TEST(Coverage, OfTheIntervalsIsNominalWithWrongControlFunctions) {
   const int count = covered(tests::case_1().with_scaled_control(1.1), kRuns);
   EXPECT_GE(count, kFewest);
-  EXPECT_LT(count, 2 * kRuns);  // no coverage of 100 %, which means too wide intervals
+  EXPECT_LT(count, 2 * kRuns);  // a coverage of 100 % would mean too wide intervals
 }
 
 }  // namespace

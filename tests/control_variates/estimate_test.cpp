@@ -67,7 +67,8 @@ TEST(ControlVariates, SmoothBinsAgreeWithTheExactLinearDensity) {
   const tests::PreparedCase linear(tests::linear_problem());
   const Result result = linear.run(2e5);
   const exact::LinearDensity density(linear.problem);
-  // Averages over fine bins, weighted by the spline at their centres: an error of second order.
+  // Averages over fine bins, weighted by the spline at the bin centres, have an error of second
+  // order.
   const auto compare = [&](const BinEstimates& bins, double from, const auto& averages) {
     constexpr int kFine = 200;
     for (int b = 0; b < bins.bins.count; ++b) {

@@ -22,7 +22,7 @@ struct PreparedCase {
     o.deposit = setup.deposit_layout.grid;
     return o;
   }
-  /// @param simulated another problem than that of the control functions
+  /// @param simulated simulated problem, which may differ from the problem of the control functions
   control_variates::Result run(const problem::Problem& simulated,
                                const mcs::Options& options) const {
     return control_variates::make_result(setup, mcs::solve(simulated, options));

@@ -15,7 +15,7 @@ namespace {
 using Names = std::vector<std::string>;
 constexpr double kTime = 2e5;
 
-/// Simulates another problem than that of the control functions.
+/// Simulates a problem that differs from the problem of the control functions.
 Result faulty(const tests::Parameters& parameters, double time = kTime) {
   const auto& setup = tests::case_1();
   return setup.run(tests::make_problem(parameters), setup.options(time));
@@ -74,7 +74,7 @@ TEST(Checks, FindImpulsesThatComeTooOften) {
   EXPECT_GT(result.checks.rate, 4);
 }
 
-/// Flights and impacts in a separate loop, with every impact located late.
+/// Simulates flights and impacts in a separate loop, in which every impact is located too late.
 mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Problem& problem,
                                 std::uint32_t s, double late, double time) {
   const mcs::Oscillator oscillator(problem.system);
@@ -155,7 +155,7 @@ TEST(Checks, FindImpactsLocatedLateByAMillionth) {
 }
 
 TEST(HotellingTest, HasItsNominalLevelAndDetectsAShiftedMean) {
-  // Rows of a fixed, nearly independent sequence of numbers.
+  // Random vectors: rows of a fixed, nearly independent sequence of numbers.
   Eigen::MatrixXd values(3, 40);
   std::uint64_t state = 1;
   const auto uniform = [&] {
@@ -169,7 +169,7 @@ TEST(HotellingTest, HasItsNominalLevelAndDetectsAShiftedMean) {
     rejected += hotelling_test(values).p_value < 0.05;
   }
   EXPECT_NEAR(rejected, 0.05 * kRuns, 4 * std::sqrt(0.05 * kRuns));
-  // Affine invariance, and a nonzero mean.
+  // The statistic is invariant to affine maps, and detects a nonzero mean.
   const double before = hotelling_test(values).statistic;
   Eigen::MatrixXd mixed = values;
   mixed.row(0) = 1e6 * values.row(0) + values.row(1);

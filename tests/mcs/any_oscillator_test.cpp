@@ -105,7 +105,8 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
   }
 }
 
-// The balance of power is a small difference of large terms: an error of 1e-3 in a rule is visible.
+// The balance of power is a small difference of large terms. An error of 1e-3 in the rule for one
+// of these terms is detected.
 TEST(AnyOscillator, OnARingHasCaugheysLaw) {
   const System ring({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNoWall);
   const Problem problem = with_noise(ring, 0.4);
@@ -246,8 +247,9 @@ TEST(AnyOscillator, PassesLevelsAtTheRateOfItsLaw) {
   EXPECT_TRUE(result.summary.peaks.empty());
 }
 
-// A ball leaves the floor with |Y| or r |Y| and rests until the next impulse. Its time aloft is
-// (2/g) (1 + r + ..) times the first speed, so 1 - P0 = lambda E|Y| (1+r)/(g (1-r)) as lambda -> 0.
+// A ball leaves the floor with the speed |Y| or r |Y| and then rests until the next impulse. Its
+// time aloft is (2/g) (1 + r + ..) times the first speed, so 1 - P0 = lambda E|Y| (1+r)/(g (1-r))
+// as lambda -> 0.
 TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const double r = 0.7, rate = 0.01, gravity = 1;
   const Problem problem = with_impulses(
@@ -296,8 +298,8 @@ TEST(AnyOscillator, RestsAtBothStopsOfADoubleWellAlike) {
   EXPECT_NEAR(moving.solution.mass, 1, 1e-4);
 }
 
-// The kick intervals decrease near the wall. With fixed intervals the kicks would determine the
-// distance from rest.
+// The kick intervals decrease near the wall. With fixed intervals the strength of the kicks would
+// limit how near to rest the mass comes.
 TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
   const Problem gap =
       with_noise(System({.damping = 0.1, .stiffness = 1}, left_wall(-0.5, 0.5)), 0.1);

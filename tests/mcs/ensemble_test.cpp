@@ -72,7 +72,7 @@ TEST(Ensemble, DoesNotDependOnThreadsNorOnTheTimesBetween) {
   EXPECT_EQ(simulate_ensemble(problem, three).back().moments.y2, first);
   EXPECT_NE(simulate_ensemble(problem, other_seed).back().moments.y2, first);
   EnsembleOptions watched = one;
-  watched.times = {0.5, 1, 2};  // shorter flights differ by their rounding
+  watched.times = {0.5, 1, 2};  // shorter flights have other rounding errors
   EXPECT_NEAR(simulate_ensemble(problem, watched).back().moments.y2, first, 1e-7);
 }
 

@@ -11,8 +11,8 @@
 #include "statistics.hpp"
 #include "uniform_edges.hpp"
 
-// All estimates against the exact stationary density of the linear oscillator with r = 1 under
-// impulses.
+// Compares all estimates with the exact stationary density of the linear oscillator with r = 1
+// under impulses.
 namespace fpkcheck::mcs {
 namespace {
 

@@ -72,7 +72,7 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   EXPECT_NEAR(result.solution.mass, mass, 1e-15);
   EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
   EXPECT_GT(result.summary.outside_fraction, 0.1);
-  // A marginal counts all samples of its variable, for any value of the other one.
+  // A marginal density counts all samples of its variable, for any value of the other variable.
   const double inside_y = integral(estimated(result, Variable::y));
   const double inside_v = integral(estimated(result, Variable::ydot));
   EXPECT_GT(inside_y, mass + 0.02);
@@ -184,7 +184,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
   ASSERT_EQ(fractions.size(), result.summary.rounds);
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_EQ(fractions.back(), 1.0);
-  // The last progress equals the errors of the solution.
+  // The errors in the last progress report equal the errors of the solution.
   EXPECT_EQ(all.back().y_l1, result.solution.sampling->y);
   EXPECT_EQ(all.back().ydot_l1, result.solution.sampling->ydot);
   EXPECT_GT(*all.front().y_l1, *all.back().y_l1);
@@ -231,7 +231,7 @@ TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
-// Three processes in sequence: each simulates its groups of streams only.
+// Three processes, simulated in sequence: each process simulates its groups of streams only.
 TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   const auto problem = tests::paper_case(1);
   Options options{.time = 2e4, .streams = 43};

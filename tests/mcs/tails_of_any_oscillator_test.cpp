@@ -107,7 +107,8 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
 }
 
 // One impulse changes the energy from the centre of the density to its far tail, across a dozen
-// thresholds. Without bounds 4^12 branches of one state took gigabytes and did not end.
+// thresholds. Without the limits of ImportanceSplitting 4^12 branches of one state took gigabytes
+// and did not end.
 TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulation) {
   const System system({.damping = 0.2, .stiffness = 1, .cubic = 0.3},
                       WallParameters{.left = -0.3, .left_restitution = 0.7});

@@ -31,7 +31,8 @@ TEST(Bounds, OfCase1ContainTheReferenceAndExcludeWrongModels) {
   EXPECT_TRUE(b[1].contains(0.4415122125));
   EXPECT_LT(b[0].half_width(), 3e-6);
   EXPECT_LT(b[1].half_width(), 3e-6);
-  // Values with white noise, with the impact to first order, with km4-pade and on 20 x 40 cells.
+  // Wrong values of the moments: with white noise, with the impact condition to first order, with
+  // km4-pade, and by finite volumes on 20 x 40 cells.
   for (const double fault : {0.39700, 0.39416, 0.394545, 0.394560}) {
     EXPECT_FALSE(b[0].contains(fault)) << fault;
   }

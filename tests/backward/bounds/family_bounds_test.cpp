@@ -46,7 +46,7 @@ TEST(FamilyBounds, WithoutAWallContainTheCumulants) {
     const auto problem = driven(kLinear, {.none = true}, law, 0.1);
     const auto found = first_grid(problem);
     EXPECT_EQ(found.status, BoundsStatus::ok) << found.reason;
-    ASSERT_EQ(found.each.size(), 5u);  // no momentum of impacts
+    ASSERT_EQ(found.each.size(), 5u);  // without the impact momentum w1
     const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
     const double y = kappa(1, 0);
     const std::vector<std::pair<std::string, double>> known{
@@ -124,7 +124,7 @@ TEST(FamilyBounds, HaveAReasonForUnsupportedProblems) {
       "two walls");
 }
 
-// No wall, and a rough certificate with a large residual.
+// A problem without a wall, and an inaccurate certificate with a large residual.
 struct OpenExample {
   problem::Problem problem =
       driven({.damping = 0.3, .stiffness = 1, .cubic = 0.2}, {.none = true}, "gaussian", 0.05);

@@ -12,7 +12,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A rough certificate: its residual is large and varies.
+// An inaccurate certificate: the residual is large and varies.
 struct Example {
   problem::Problem problem;
   Weight tau;
@@ -135,7 +135,7 @@ TEST(OuterResidual, BoundsAllSamplesOutsideTheBox) {
 }
 
 TEST(OuterResidual, DependsOnSlopesInVPastTheLargestDisplacement) {
-  // Small y_end, and V a steep function of v alone: f and the jump term are small.
+  // With a small y_end, and V a steep function of v alone, f and the jump term are small.
   Example e("gaussian", 4, 12);
   for (int b = 0; b < e.coefficients.cols(); ++b)
     e.coefficients.col(b).setConstant(1e3 * std::sin(b));
@@ -155,7 +155,7 @@ TEST(OuterResidual, DependsOnSlopesInVPastTheLargestDisplacement) {
 }
 
 TEST(OuterResidual, DependsOnSlopesInYPastTheLargestSpeeds) {
-  // Small u_end, and V a steep function of y alone: L V = v V_y.
+  // With a small u_end, and V a steep function of y alone, L V = v V_y.
   Example e("gaussian", 9, 7);
   for (int a = 0; a < e.coefficients.rows(); ++a)
     e.coefficients.row(a).setConstant(1e3 * std::sin(a));

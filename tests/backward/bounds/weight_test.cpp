@@ -15,7 +15,7 @@ problem::Problem linear(const std::string& law) {
                             {"system.cubic=0", "system.restitution=1", "impulse.law=" + law});
 }
 
-// E[z^p v^q], p + q = 4, from cumulants of a symmetric law.
+// Moments E[z^p v^q], p + q = 4, computed from cumulants of a symmetric law.
 double fourth_moment(const problem::Problem& problem, int p) {
   const auto second = [&](bool a, bool b) {  // true for z, false for v
     return exact::linear_cumulant(problem, a + b, 2 - a - b);

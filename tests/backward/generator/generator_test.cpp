@@ -10,7 +10,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Splines for case 1 with a mean, so wide that jumps from near the origin do not reach the ends.
+// Splines for case 1 with a mean amplitude. The range is so wide that jumps from near the origin do
+// not reach the ends.
 struct Generator {
   problem::Problem problem = problem::load_case(
       "case1",

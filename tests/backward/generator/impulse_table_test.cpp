@@ -53,7 +53,8 @@ double point(const VelocityPiece& piece, double t) {
   return piece.from.lower() + t * (piece.to.upper() - piece.from.lower());
 }
 
-// E[V(v + Y)] by Gauss quadrature between all kinks of the integrand, plus the sum over atoms.
+// E[V(v + Y)] by Gauss quadrature between all points where the integrand is not smooth, plus the
+// sum over atoms.
 double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw& law, double v) {
   double sum = 0;
   for (const problem::Atom& atom : law.atoms()) {

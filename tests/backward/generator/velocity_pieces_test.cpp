@@ -57,7 +57,7 @@ TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
 
 TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
   // The impact condition in exact arithmetic: the enclosures of the Bernstein coefficients on
-  // mirrored spans overlap, whatever the rounding of r u.
+  // mirrored spans overlap, even if r u is rounded.
   const ImpactBasis basis = example(0.98);
   numerics::with_upward_rounding([&] {
     const std::vector<VelocityPiece> spans = velocity_pieces(basis, {}, 100);
@@ -103,7 +103,8 @@ TEST(VelocityPieces, OverhangIsPartOfTheError) {
     EXPECT_EQ(across.side, VelocitySide::incoming);
     EXPECT_GE(across.overhang, 1e-3);
     const PieceFunctions functions = piece_functions(basis, across);
-    // The polynomial of the centre function continues above 1, but its true value decreases.
+    // On the overhang the polynomial of the central function exceeds 1, but the function itself
+    // decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
     c(basis.centre()) = 1;
     for (std::size_t l = 0; l < functions.index.size(); ++l) {

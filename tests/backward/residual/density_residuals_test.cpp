@@ -21,7 +21,7 @@ using tests::gaussian_density;
 using tests::kSigmaV;
 using tests::kSigmaY;
 
-/// Exact moments of the Gaussian; they differ from those of the cases by some per cent.
+/// Exact moments of the Gaussian, which differ from the moments of the cases by some per cent.
 const transform::Moments kBellMoments{.y1 = kSigmaY * std::sqrt(2 / std::numbers::pi),
                                       .y2 = kSigmaY * kSigmaY,
                                       .y4 = 3 * std::pow(kSigmaY, 4),
@@ -79,7 +79,7 @@ TEST(DensityResiduals, CorrectAnyDensityIntoTheGuaranteedBounds) {
       const double value = found.corrected.*moments[k];
       EXPECT_TRUE(bounds[k].contains(value)) << name(functionals[k]) << ' ' << value << " in "
                                              << bounds[k].lower << ' ' << bounds[k].upper;
-      // The bounds are narrow: half-width below a fourth of the error.
+      // The bounds are narrow: their half-width is below a fourth of the error.
       EXPECT_GT(std::abs(found.error.*moments[k]), 4 * bounds[k].half_width());
     }
     EXPECT_NEAR(found.corrected.v1, 0, 1e-9);
@@ -104,7 +104,7 @@ TEST(DensityResiduals, OfCellAveragesConvergeToThoseOfTheFunction) {
     EXPECT_GT(order, 6.2) << worst[k] << ' ' << worst[k + 1];
     EXPECT_LT(order, 9.5) << worst[k] << ' ' << worst[k + 1];
   }
-  // Averages by three Gauss points are of sixth order.
+  // Averages computed with three Gauss points have an error of sixth order.
   const auto average_over_cells =
       transform::average_over_cells(gaussian_density(), tests::uniform_edges(0, 8 * kSigmaY, 72),
                                     tests::uniform_edges(-8 * kSigmaV, 8 * kSigmaV, 144));
@@ -170,7 +170,7 @@ TEST(DensityResiduals, EstimateTheL1ErrorsOfMarginals) {
 }
 
 TEST(DensityResiduals, OnWideCellsDifferByLessThanTheUnresolvedResidual) {
-  // Strong losses: few cells do not resolve the backward equation.
+  // With strong losses few cells do not resolve the backward equation.
   const auto problem = tests::make_problem({.restitution = 0.5, .rate = 0.5});
   const DensityResiduals fine(problem), wide(problem, {.y = 32, .v = 64});
   const auto known = fine.estimate_errors(gaussian_density()),
@@ -193,11 +193,11 @@ TEST(ErrorEstimate, IncreasesWithTheUnresolvedResidual) {
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0), 0.01);
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
   EXPECT_DOUBLE_EQ(error_estimate(0.5, 0.02), 0.54);         // at most twice the unresolved part
-  EXPECT_DOUBLE_EQ(error_estimate(0, 0.2), 0.4);             // unresolved only
+  EXPECT_DOUBLE_EQ(error_estimate(0, 0.2), 0.4);             // unresolved part only
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0, 0.5),
                    0.02);  // residuals contain half of the wells' error
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0.02, 0.3), 0.02);  // t = 0.01 + 10 t 0.02 + 0.3 t
-  EXPECT_EQ(error_estimate(0, 0.7), -1);     // would reach 2, the largest L1 distance
+  EXPECT_EQ(error_estimate(0, 0.7), -1);     // the estimate would reach 2, the largest L1 distance
   EXPECT_EQ(error_estimate(0, 0, 0.6), -1);  // contrast above kMaxContrast
 }
 

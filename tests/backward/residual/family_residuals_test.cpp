@@ -57,7 +57,7 @@ const std::vector<Exact> kExact{
      {.none = true},
      0.6}};
 
-/// The exact density of a problem, in its coordinates.
+/// The exact density of a problem, in the coordinates of the problem.
 transform::SmoothDensity density_of(const problem::Problem& problem) {
   const auto law = std::make_shared<const exact::EnergyLaw>(problem);
   const auto scales = problem::scales(problem);
@@ -100,7 +100,7 @@ TEST(FamilyResiduals, EstimateTheErrorsOfALawWithStrongerNoise) {
     const auto right = density_of(problem),
                wrong = density_of(tests::in_wall_coordinates(one.problem(kStronger)));
     const auto found = DensityResiduals(problem, {.y = 28, .v = 60}).estimate_errors(wrong);
-    // In physical coordinates.
+    // Moments in physical coordinates.
     const auto known = moments_of(one.problem()), of_wrong = moments_of(one.problem(kStronger));
     for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       const double error = of_wrong.*moment - known.*moment;
@@ -183,7 +183,8 @@ TEST(FamilyResiduals, BoundTheErrorOfTheProbabilitiesOfWells) {
     };
     return mass(0) / mass(p.y_min);
   };
-  // The exchange rate is of order exp(-height): resolved for 10, not resolved for 25.
+  // The exchange rate between the wells is of order exp(-height). The fit resolves this rate for a
+  // height of 10, not for 25.
   for (const double height : {10.0, 25.0}) {
     const auto wells = deep_wells(height);
     const DensityResiduals residuals(wells.problem());
@@ -201,8 +202,8 @@ TEST(FamilyResiduals, BoundTheErrorOfTheProbabilitiesOfWells) {
   }
 }
 
-/// Tilted quartic and sextic wells, some cut by a wall, with barriers of 1 to 12 mean energies per
-/// degree of freedom and damping .02 to 2.
+/// Asymmetric quartic and sextic potentials with several wells, some with a wall within a well. The
+/// barriers are 1 to 12 mean energies per degree of freedom, and the damping is 0.02 to 2.
 Exact random_wells(std::uint64_t number) {
   boost::random::mt19937_64 engine(number);
   boost::random::uniform_01<double> unit;

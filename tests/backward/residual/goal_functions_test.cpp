@@ -15,7 +15,7 @@ TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
   const auto goal = goal_functions(splines.y, splines.v);
   ASSERT_EQ(goal.moments, 6);
   ASSERT_EQ(goal.all.size(), static_cast<std::size_t>(goal.moments + goal.y_bins + goal.v_bins));
-  EXPECT_EQ(goal.y_bins, 16 + 5);  // cells and degree
+  EXPECT_EQ(goal.y_bins, 16 + 5);  // number of cells plus degree
   EXPECT_EQ(goal.v_bins, 32 + 5);
   for (const auto& [y, v] : {std::pair{0.0, 0.0}, {0.013, -0.4}, {1.1, 2.3}, {80.0, -90.0}}) {
     const auto value = [&, y = y, v = v](std::size_t k) {

@@ -49,7 +49,8 @@ TEST(UnresolvedResidual, IsZeroForExactSolutions) {
   const UnresolvedResidual solved(control_fit(problem, residuals), f,
                                   {-linear(residuals, false), {0}});
   EXPECT_NEAR(solved.mean_residuals(weak)(0), 0, 1e-12);
-  // The wrong sign leaves the residual 2 v, a wrong mean leaves its error.
+  // With the wrong sign the residual is 2 v, with a wrong mean the residual is the error of the
+  // mean.
   const UnresolvedResidual wrong(control_fit(problem, residuals), f,
                                  {linear(residuals, false), {0}});
   EXPECT_NEAR(wrong.mean_residuals(weak)(0), 2 * kSigmaV * std::sqrt(2 / std::numbers::pi), 5e-3);

@@ -22,7 +22,7 @@ WeakResiduals residuals_of(const problem::Problem& problem) {
           numerics::QuinticBSplines(numerics::graded_knots(-7, 7, 4, 28, 3))};
 }
 
-/// A density without symmetry; 1e-11 of its peak at the ends.
+/// A density without symmetry, whose value at the ends is 1e-11 of the peak.
 double skew_bell(double y, double v) {
   return std::exp(-y * y - 0.8 * (v - 0.3) * (v - 0.3) - 0.4 * y * v) * (1 + 0.5 * y);
 }
@@ -104,7 +104,8 @@ TEST(WeakResiduals, MatchTheirDefinitionForEveryLaw) {
         {.damping = 0.3, .restitution = 0.7, .rate = 1.7, .mean = 0.1, .law = law});
     const auto residuals = residuals_of(problem);
     const auto weak = residuals(skew_density());
-    // Functions at the wall: incoming, outgoing and at v = 0; inside; the last in y.
+    // Indices of functions at the wall (incoming, outgoing and at v = 0), inside, and of the last
+    // function of y.
     for (const auto& [i, j] : {std::pair{0, 13}, {0, 19}, {0, 16}, {4, 12}, {7, 20}, {1, 18}}) {
       EXPECT_NEAR(weak.mass * weak.residuals(i, j), by_definition(problem, residuals, i, j), 1e-8)
           << law << ' ' << i << ' ' << j;

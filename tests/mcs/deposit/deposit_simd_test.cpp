@@ -15,7 +15,7 @@ std::vector<double> even_knots(double from, double to, int cells) {
   return all;
 }
 
-// Nonfinite states make a simulation fail, without undefined behaviour.
+// States with NaN or infinity make a simulation fail, but cause no undefined behaviour.
 TEST(DepositLanes, AcceptsNonfiniteAndDistantStates) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                    kInfinity = std::numeric_limits<double>::infinity();

@@ -76,7 +76,8 @@ double applied(const DepositGrid& g, const Deposit& d, int p, int q,
   return sum;
 }
 
-/// The same sum from the scalar trajectory, for h = y^p v^q, E[Y] = 0 and E[Y^2] = variance.
+/// The sum of flow and lattice, computed from the scalar trajectory for h = y^p v^q, E[Y] = 0 and
+/// E[Y^2] = variance.
 struct Tally {
   int p, q;
   double variance;

@@ -13,7 +13,8 @@ namespace {
 
 const double kMeanOfAbsolute = std::sqrt(2 / std::numbers::pi);
 
-// One bin, or fully correlated bins: the distance is the absolute value of one normal variable.
+// With one bin, or with fully correlated bins, the distance is the absolute value of one normal
+// variable.
 TEST(SamplingL1, OfCorrelatedErrorsScattersMost) {
   const std::vector<std::vector<double>> together(50, std::vector<double>(16, 0.01));
   const double deviation = 50 * 0.01 * 4;
@@ -22,7 +23,7 @@ TEST(SamplingL1, OfCorrelatedErrorsScattersMost) {
   EXPECT_NEAR(distance.quantile_99, 2.576 * deviation, 0.35 * deviation);
 }
 
-// Independent bins: the distance is a sum of many terms and close to its mean.
+// With independent bins the distance is a sum of many terms and close to its mean.
 TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
   std::vector<std::vector<double>> apart(400, std::vector<double>(400, 0.0));
   for (std::size_t b = 0; b < apart.size(); ++b) apart[b][b] = 0.01;
@@ -33,8 +34,8 @@ TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
   EXPECT_NEAR(distance.quantile_99, kMeanOfAbsolute * 4 + 2.33 * 0.603 * 0.01 * 20, 0.1);
 }
 
-// The stated quantile against 20 runs: at most two of the forty distances from the mean of all runs
-// exceed the 99 % quantile.
+// Compares the stated quantile with 20 runs: at most two of the 40 distances from the mean of all
+// runs exceed the 99 % quantile.
 TEST(SamplingL1, PredictsTheErrorsOfIndependentRuns) {
   std::vector<Result> runs;
   constexpr int kRuns = 20;

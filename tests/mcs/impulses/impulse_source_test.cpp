@@ -59,7 +59,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
   }
 }
 
-// The characteristic function tests the centre of the law and its ends, which moments hardly
+// The characteristic function tests the centre and the ends of the law, which moments hardly
 // resolve.
 TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
   for (const std::string& name : tests::law_names_without_table()) {

@@ -93,7 +93,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
   const Oscillator oscillator = with_spring({1});
   const double w = std::sqrt(1 - 0.05 * 0.05);
   for (const double before : {0.6, 0.1, 1e-3, 1e-9}) {
-    // A motion with an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
+    // Motion that has an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
     const State start{std::sin(w * before),
                       -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
@@ -149,7 +149,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
   }
 }
 
-// The closed formulas for k y + mu y^3 against the loops for any spring.
+// Compares the closed formulas for k y + mu y^3 with the loops for any spring.
 TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
   const Oscillator duffing = with_spring({1, 0, 0.7});
   Oscillator any = duffing;

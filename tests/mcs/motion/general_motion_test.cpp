@@ -135,7 +135,7 @@ GeneralOscillator across_a_gap() {
           .left = {.exists = true, .position = 0, .restitution = 1, .contact_force = -1}};
 }
 
-// Signs of y at the ends of a flight do not show these impacts.
+// These impacts cannot be found from the signs of y at the ends of a flight.
 TEST(GeneralMotion, FindsImpactsWithinAFlight) {
   const double a = 1.01, u = std::sqrt(a * a - 1);
   const double period = 2 * std::acos(-1 / a);  // from impact to impact
@@ -150,7 +150,7 @@ TEST(GeneralMotion, FindsImpactsWithinAFlight) {
     EXPECT_NEAR(stream.record.impact_speed, 100 * u, 1e-3);
     EXPECT_NEAR(stream.record.impact_energy, 100 * u * u, 1e-3);
   }
-  // The mirror image, with the wall on the other side.
+  // The mirror image of this motion, with the wall on the other side.
   GeneralOscillator mirrored{
       .force = {-1, 1, 0, 0, 0, 0},
       .right = {.exists = true, .position = 2, .restitution = 1, .contact_force = -1}};
@@ -168,7 +168,8 @@ TEST(GeneralMotion, MovesBetweenTwoWalls) {
   GeneralOscillator box{.left = {.exists = true, .position = 0, .restitution = r},
                         .right = {.exists = true, .position = b, .restitution = s}};
   FreeStreams free(box, {{0, u}});
-  // b/u to the right, b/(s u) back, b/(r s u) to the right again, and half of the way back.
+  // The times are b/u to the right, b/(s u) back, b/(r s u) to the right again, and half of the way
+  // back.
   free.advance(b / u * (1 + 1 / s + 1 / (r * s) + 0.5 / (r * s * s)));
   const Stream& stream = free[0];
   EXPECT_EQ(stream.record.impacts, 3);

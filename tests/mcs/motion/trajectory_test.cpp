@@ -85,7 +85,8 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
 }
 
 TEST(Trajectory, SatisfiesTheEnergyBalance) {
-  // d/dt E = -c v^2 along flights, by Simpson's rule; impulses and impacts add their energy.
+  // Balance of the energy: d/dt E = -c v^2 along flights, integrated by Simpson's rule, and the
+  // energy changes at impulses and impacts.
   struct Ledger {
     const Oscillator& oscillator;
     double balance = 0, dissipated = 0;

@@ -108,7 +108,7 @@ TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   refused([](auto&) {});
 }
 
-// Same rate, mean and intensity: the impulses differ in skewness only.
+// Impulses of the same rate, mean and intensity that differ in skewness only.
 TEST_F(Checkpoint, OfAnotherSkewnessIsRefused) {
   const auto under = [](double skewness) {
     return problem::ImpulseTrain(
@@ -175,7 +175,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
       expect_refused(options, "impossible");
     }
   }
-  // The sums follow the branch and the number of impulses.
+  // In the file the sums are stored after the branch and the number of impulses.
   for (const double number : {HUGE_VAL, std::nan("")}) {
     write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 1, number));
     expect_refused(options, "impossible");

@@ -34,8 +34,9 @@ double time_of(const Plan& plan) {
   return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
 }
 
-// 1e4 impulses per unit time: enough for the accuracy, in at most a minute, after a sufficient
-// burn-in. The full time of the paper's class would have 3e11 impulses.
+// With 1e4 impulses per unit time the default time suffices for the accuracy, takes at most a
+// minute, and follows a sufficient burn-in. The full time of the paper's class would have 3e11
+// impulses.
 TEST(Plan, OfFrequentImpulsesIsBoundedAndEnough) {
   for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {
     const Plan plan = make_plan(problem, {});

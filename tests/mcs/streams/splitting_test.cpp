@@ -26,7 +26,8 @@ Stream make_stream(const problem::Problem& problem, double y, double v) {
       .record = StreamRecord(bins, bins)};
 }
 
-/// Resumes every branch without advancing it: the number of branches and the sum of their weights.
+/// Resumes every branch without advancing it. The results are the number of branches and the sum of
+/// their weights.
 struct Followed {
   std::size_t branches = 1;
   double weight = 0;
@@ -63,7 +64,7 @@ TEST(Splitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   splitting.begin(stream);
   stream.branch.v = 0;  // E = 1.5
   splitting.update_after_impulse(stream);
-  EXPECT_EQ(stream.branch.energy_level, 1);  // of the next branch
+  EXPECT_EQ(stream.branch.energy_level, 1);  // energy level of the next branch
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
