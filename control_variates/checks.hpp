@@ -27,8 +27,8 @@ struct Checks {
   /// plain estimate.
   Hotelling generator;
   /// Means of (y'' + c y' + g(y)) phi along the polynomials of the flights, relative to c (E[y'^2]
-  /// E[phi^2])^1/2, for phi = 1, y, y'. The means are the error of the flights relative to the
-  /// damping and have no sampling error.
+  /// E[phi^2])^1/2, for phi = 1, y, y' (in this order). The means are the error of the flights
+  /// relative to the damping and have no sampling error.
   double momentum = 0, virial = 0, power = 0;
   /// Restitution error: mean of y'(+) divided by mean of -y'(-), less r. Without impacts
   /// `restitution` and `wall_distance` are 0.

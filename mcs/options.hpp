@@ -33,7 +33,7 @@ struct Progress {
 struct Team {
   int part = 0, parts = 1;
   /// Function that sends the streams of this process to the first process.
-  /// @param own streams of this process, serialised; ignored in the first process
+  /// @param own serialised streams of this process; ignored in the first process
   /// @return in the first process the streams of each other process, in the order of the processes;
   /// in the other processes empty
   std::function<std::vector<std::string>(const std::string& own)> gather = {};
@@ -88,7 +88,7 @@ struct Options {
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};
   /// Grid on which samples are deposited (Summary::deposits), for `kf` without `tails` only. All
-  /// other results are independent of it.
+  /// other results are independent of this grid.
   std::optional<DepositGrid> deposit{};
   /// Checkpoint file, written every half minute and at the end; if empty, no checkpoint is written.
   /// If the path cannot be written, the simulation does not begin. Later write errors are reported

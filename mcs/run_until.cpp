@@ -51,8 +51,8 @@ RunProgress run_progress(const Simulation& simulation, const Options& options) {
                   .goal_reached = false};
   if (simulation.rounds() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
-  // With several processes each one has a part of the streams only, from which the errors of the
-  // complete result cannot be computed.
+  // Each of several processes has only a part of the streams, from which the errors of the complete
+  // result cannot be computed.
   if (options.team.parts > 1) return now;
   if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
   if (options.target_error) {

@@ -356,7 +356,7 @@ void require_valid_team_options(const Options& options) {
 }
 
 /// Collects the streams of all processes in the first process.
-/// @return whether this process is the first one
+/// @return whether this process is the first process
 bool gather(const Team& team, Simulation& simulation) {
   if (team.parts == 1) return true;
   std::ostringstream own;

@@ -23,9 +23,9 @@ struct Result {
 
 /// Simulates `options.streams` independent realisations and averages them with the weights of
 /// StreamWeights. In the paper's class a realisation starts from the Gaussian of equivalent
-/// linearisation, folded to y >= 0. Its burn-in is 20 decay times of the slowest mode. Outside that
-/// class the initial states follow the energy-averaged law, with the mass of each well
-/// (InitialStateSampler).
+/// linearisation, folded to y >= 0. The burn-in of a realisation is 20 decay times of the slowest
+/// mode. Outside that class the initial states follow the energy-averaged law, with the mass of
+/// each well (InitialStateSampler).
 ///
 /// Problems, densities, marginal densities and atoms are in wall coordinates (problem/frame.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
@@ -44,7 +44,8 @@ Result solve(const problem::Problem& problem, const Options& options);
 /// this option control_variates::solve() calls it after the estimates in smooth bins.
 void require_accuracy(const Options& options, transform::Solution& solution);
 
-/// Checks options and problem as solve() does before it begins, except the files of checkpoints.
+/// Makes the checks of options and problem that solve() makes before the simulation begins, except
+/// those of checkpoint files.
 /// @throws InputError as solve()
 void require_solvable(const problem::Problem& problem, const Options& options);
 

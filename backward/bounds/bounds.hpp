@@ -37,9 +37,10 @@ struct Bound {
 struct GridRecord {
   SplineGrid grid;
   int unknowns;
-  double seconds;                           ///< wall-clock time
-  std::vector<std::size_t> each;            ///< indices of the functionals bounded on this grid
-  std::vector<numerics::Enclosure> values;  ///< bounds of these functionals from this grid alone
+  double seconds;                 ///< wall-clock time
+  std::vector<std::size_t> each;  ///< indices of the functionals bounded on this grid
+  /// Bounds of the functionals in `each`, from this grid alone
+  std::vector<numerics::Enclosure> values;
 };
 
 struct Bounds {

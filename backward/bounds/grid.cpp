@@ -74,8 +74,8 @@ std::span<const SplineGrid> grid_sequence(WidthLimit limit) {
                                            {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                            {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                            {72, 72, 2.5e-6, 0.15, 8}};
-  // For higher powers the normal equations lose these digits on coarser grids. The last grids of
-  // this sequence therefore have wider cells at the origin and a larger box.
+  // For higher powers the normal equations lose digits already on coarser grids. The last grids of
+  // the sequence kTails therefore have wider cells at the origin and a larger box.
   static constexpr SplineGrid kTails[] = {kOrigin[0],
                                           kOrigin[1],
                                           kOrigin[2],

@@ -24,8 +24,8 @@ struct BoxEnds {
   bool left_open = false, right_open = true;
 };
 
-/// Splines of y from wall to wall. On a side without a wall they end where G at y' = -c y/2 equals
-/// SplineGrid::edge times h0.
+/// Splines of y from wall to wall. On a side without a wall the splines end where G at y' = -c y/2
+/// equals SplineGrid::edge times h0.
 numerics::SplineBasis displacement_basis(const SplineGrid& grid, const Weight& weight,
                                          const problem::System& system);
 BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system);
@@ -39,8 +39,8 @@ enum class WidthLimit {
 };
 WidthLimit width_limit(const Functional& functional);
 
-/// The sequence of grids for functionals whose bounds are limited by this feature, from coarse to
-/// fine. The first grids of `origin` and `tails` are equal.
+/// The sequence of grids, from coarse to fine, for functionals whose bounds are limited by the
+/// feature `limit`. The first grids of `origin` and `tails` are equal.
 std::span<const SplineGrid> grid_sequence(WidthLimit limit);
 /// Upper limit of the ratio of the computing times of consecutive grids of a sequence.
 inline constexpr double kGridCostRatio = 2.5;

@@ -19,7 +19,7 @@ struct Options {
   /// Time limit in seconds (wall clock). No grid is started whose computation would probably end
   /// after the limit, except the first grid.
   double seconds = 10;
-  /// Number of threads; default: one per processor. No effect on the bounds
+  /// Number of threads. Default: one per processor. The bounds are independent of this number.
   std::optional<int> threads{};
 };
 

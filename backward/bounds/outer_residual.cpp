@@ -139,8 +139,8 @@ class OuterResidual {
   }
 
   // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
-  // bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. Its ratio to G^m
-  // is largest at the least G.
+  // bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. The ratio of
+  // this polynomial to G^m is largest at the least G.
   double region_bound(const Region& region) const {
     const double least = region.energy.lower();
     if (!(least > 0)) return HUGE_VAL;

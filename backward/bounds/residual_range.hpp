@@ -8,7 +8,7 @@ namespace fpkcheck::backward {
 
 struct ResidualRange {
   double least = 0, largest = 0;  ///< least <= 0 <= largest
-  /// False if the bisection stopped at its limit; the range is then wider, but valid.
+  /// Whether the bisection reached its tolerance. Otherwise the range is wider, but still valid.
   bool is_converged = true;
   long boxes = 0;  ///< number of sub-boxes processed by the bisection
 };
@@ -17,8 +17,8 @@ struct ResidualRange {
 /// piece and a v piece the range is bounded by the Bernstein coefficients of the residual, divided
 /// by the least tau. Bisection stops when the bounds are within the relative tolerance of attained
 /// values.
-/// @param expected (least, largest) values that are probably attained: they reduce the number of
-/// bisections and do not affect the validity of the range
+/// @param expected (least, largest) values that are probably attained. Good values reduce the
+/// number of bisections; wrong values do not make the range invalid
 /// @pre inside with_upward_rounding
 ResidualRange residual_range(const CertificateContext& context, const Functional& functional,
                              const Certificate& certificate, std::pair<double, double> expected,

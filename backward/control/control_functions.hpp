@@ -28,8 +28,8 @@ struct ControlFit {
   double wall_weight;
 };
 
-/// Approximate solutions h of the backward equation L h = U - f. They need not satisfy the impact
-/// condition.
+/// Approximate solutions h of the backward equation L h = U - f. The functions h need not satisfy
+/// the impact condition.
 struct ControlFunctions {
   /// Coefficients of A_i(y) B_j(v) in row i * v.size() + j, one column for each functional.
   Eigen::MatrixXd coefficients;

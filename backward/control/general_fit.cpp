@@ -25,12 +25,12 @@ constexpr double kCellGrowth =
 constexpr int kCornerKnots = 3;  // multiplicity of the knot at v = 0 with a wall
 constexpr double kWeightTemperature = 2;  // temperature of the weight, in variances of y'
 // Temperature of the weight with several wells. The slowest solution of the backward equation is
-// nearly constant in each well and varies on the barrier. Its magnitude is the exchange time
-// between the wells, exp(barrier / T). If the weight is wider than the density, the residual on the
-// barrier adds more to the weighted sum than a wrong mean in each well does, and the fit omits this
-// solution. Of 30 random problems the fit contains the slowest solution in 14 at temperature 2 and
-// in 18 at 0.7 (RandomWells in tests/backward/residual). In ten of these problems the unresolved
-// residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
+// nearly constant in each well and varies on the barrier. The magnitude of this solution is the
+// exchange time between the wells, exp(barrier / T). If the weight is wider than the density, the
+// residual on the barrier adds more to the weighted sum than a wrong mean in each well does, and
+// the fit omits this solution. Of 30 random problems the fit contains the slowest solution in 14 at
+// temperature 2 and in 18 at 0.7 (RandomWells in tests/backward/residual). In ten of these problems
+// the unresolved residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
 

@@ -7,14 +7,14 @@
 
 namespace fpkcheck::backward {
 
-/// Splines of the control functions for any problem, determined by its scales alone
+/// Splines of the control functions for any problem, determined by the scales of the problem alone
 /// (problem/scales.hpp).
 /// - y: from wall to wall, but not beyond the points at exp(-9^2/2) of the peak of the
 ///   energy-averaged density.
 /// - y': to 1.5 times the velocity at exp(-7^2/2) of the peak of the energy-averaged density.
-/// - Both ranges are wider if a single impulse moves the oscillator farther.
+/// - The ranges of y and y' are wider if a single impulse moves the oscillator farther.
 /// - Cells have about equal widths, wider towards an open end, narrower towards walls and, with
-///   walls, towards v = 0. There grazing impacts cause a corner of h, and the knot is triple.
+///   walls, towards v = 0. At v = 0 grazing impacts cause a corner of h, and the knot is triple.
 /// @param cells numbers of cells; without a left wall y has twice the given number of cells
 ControlSplines general_splines(const problem::Problem& problem, const ControlCells& cells);
 

@@ -14,7 +14,8 @@ namespace fpkcheck::backward {
 /// as enclosed Bernstein coefficients on every piece. Derivatives are expressed by differences of
 /// coefficients: with S_l = B_l + B_{l+1} + .. over the functions of a piece, where S_0 = 1, sum_l
 /// c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. On small cells neighbouring coefficients are nearly
-/// equal. This form keeps the rounding error small relative to their differences.
+/// equal. The form with S_l' keeps the rounding error small relative to the differences of
+/// coefficients.
 struct VelocityOperators {
   std::vector<VelocityPiece> pieces;
   std::vector<std::vector<int>> index;  ///< for each piece, the functions that do not vanish there

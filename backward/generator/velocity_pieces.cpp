@@ -106,7 +106,8 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double longest) {
-  // Cuts closer than this to a break are omitted; the overhang of the pieces covers them.
+  // Cuts closer than this distance to a break are omitted; the overhang of the pieces covers such
+  // cuts.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;
   const auto add_span = [&](VelocitySide side, int span) {

@@ -60,10 +60,11 @@ struct DensityErrors {
 ///                   = -sum_ij h_ij rho_ij,
 ///
 /// with the weak residuals rho_ij of p (WeakResiduals). The error of p needs no other density
-/// (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves its equations only
-/// approximately (fit_control_functions); the remaining error is a product of two small quantities,
-/// the residual of h and the error of p. A constant added to h changes the contributions but not
-/// their sum; the normalisation E_p[h] = 0 makes the contributions comparable.
+/// (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves the equations L h = E[f]
+/// - f only approximately (fit_control_functions); the remaining error is a product of two small
+/// quantities, the residual of h and the error of p. A constant added to h changes the
+/// contributions but not their sum; the normalisation E_p[h] = 0 makes the contributions
+/// comparable.
 ///
 /// The reference of the error is the full problem with impulses, even if p solves an approximate
 /// equation: the error of a solution of the white-noise equation includes the model error. Moments
@@ -75,8 +76,8 @@ class DensityResiduals {
   /// y: with kCells the bins resolve less than half of an error within a well. The fit takes as
   /// long as with kCells (docs/residuals.md).
   static constexpr ControlCells kWellCells{.y = 80, .v = 64};
-  /// Numbers of cells for several wells without Gaussian noise. There solutions of the backward
-  /// equation have a sharp bend along the orbits that end on top of a barrier.
+  /// Numbers of cells for several wells without Gaussian noise. Without noise solutions of the
+  /// backward equation have a sharp bend along the orbits that end on top of a barrier.
   static constexpr ControlCells kSharpWellCells{.y = 56, .v = 112};
 
   /// Fits h. The fit takes most of the computing time of an error estimate.

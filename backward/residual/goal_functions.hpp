@@ -9,8 +9,8 @@
 namespace fpkcheck::backward {
 
 /// Splines for the solutions of the backward equation that weight the residuals. Errors of
-/// densities concentrate where impacts are slow and the motion has decayed. The cells there are
-/// narrower by a factor of 40. The ends and the triple knot at v = 0 are those of
+/// densities concentrate where impacts are slow and the motion has decayed. In these regions the
+/// cells are narrower by a factor of 40. The ends and the triple knot at v = 0 are those of
 /// paper_class_splines(). If the mean of the impulses keeps the oscillator off the wall, the
 /// splines are paper_class_splines(). Outside the paper's class the splines are general_splines().
 ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells);

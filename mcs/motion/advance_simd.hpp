@@ -13,7 +13,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Applies one impulse, paper (3), and draws the next one.
+/// Applies one impulse, paper (3), and draws the next impulse.
 template <bool kRecords>
 void apply_impulse(const Motion& motion, Stream& stream) {
   Branch& b = stream.branch;

@@ -27,10 +27,10 @@ class BasicFlight {
   /// Longest time for which the polynomial is used: `phase` radians of the highest possible
   /// frequency.
   ///
-  /// For phase < pi this time contains at most one impact, and none if the flight starts at the
-  /// wall with v >= 0. By Sturm's comparison theorem, zeros of a solution of
-  /// y'' + c y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So an impact occurs
-  /// exactly if y < 0 at the end, and impacts cannot accumulate.
+  /// For phase < pi a flight of this time has at most one impact, and no impact if the flight
+  /// starts at the wall with v >= 0. By Sturm's comparison theorem, zeros of a solution of y'' + c
+  /// y' + (g(y)/y) y = 0 are at least pi / sqrt(max g(y)/y) apart. So an impact occurs exactly if y
+  /// < 0 at the end, and impacts cannot accumulate.
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
   /// State (y, v) at the time s after the start of the flight.

@@ -24,7 +24,7 @@ inline void count_turning_point(const GeneralMotion& motion, Stream& stream, dou
     stream.record.troughs[(*motion.y_bins)(y)] += counted_weight;
 }
 
-/// Applies one impulse, paper (3), and draws the next one.
+/// Applies one impulse, paper (3), and draws the next impulse.
 inline void apply_general_impulse(const GeneralMotion& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
@@ -52,7 +52,7 @@ inline void apply_kick(const GeneralMotion& motion, Stream& stream) {
   const double time = (g.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
-  // 2 D time (1 - exp(-2x)) / (2x), by its series where the difference loses digits
+  // (1 - exp(-2x)) / (2x), computed by its series if the difference loses digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
@@ -64,7 +64,7 @@ inline void apply_kick(const GeneralMotion& motion, Stream& stream) {
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     stream.record.general->kicks += 1;
-    // This work has expectation 0 for any motion.
+    // The work of a kick as counted here has expectation 0 for any motion.
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }

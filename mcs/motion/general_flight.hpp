@@ -32,7 +32,7 @@ class GeneralFlight {
   /// since the energy may grow.
   ///
   /// The velocity of a flight obeys a linear equation with the coefficient g'(y). Within less than
-  /// half a period (phase < pi) it changes its sign at most once (Sturm).
+  /// half a period (phase < pi) the velocity changes its sign at most once (Sturm).
   FPKCHECK_INLINE Real max_step(double phase) const {
     const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;

@@ -16,7 +16,7 @@ struct GeneralWall {
   double restitution = 1;
   /// Contact force towards the wall; if 0 or negative, the mass lifts off
   double contact_force = 0;
-  /// Below this impact speed the series of bounces is summed, and the mass stays at the wall.
+  /// Impact speed below which the series of bounces is summed and the mass stays at the wall.
   double rest_speed = 0;
 };
 
@@ -37,7 +37,8 @@ struct GeneralOscillator {
   Kind kind = Kind::linear;
   GeneralWall left{}, right{};
   double length = 1;  ///< length scale of the motion, for relative errors of the flights
-  /// Frequency scale; the frequency of a flight is at least a hundredth of this
+  /// Frequency scale of the motion. The frequency that limits a flight is at least a hundredth of
+  /// this scale.
   double frequency = 1;
 };
 

@@ -10,9 +10,10 @@ namespace fpkcheck::mcs {
 /// Observer of a trajectory that ignores all events, for the burn-in. Other observers have the same
 /// member functions.
 struct NullObserver {
-  void flight(const Flight&, double /*duration*/) {}  ///< free motion of this duration
-  void impact(double /*velocity before*/) {}          ///< impact, paper (2)
-  void impulse(double /*velocity before*/, double /*amplitude*/) {}  ///< impulse, paper (3)
+  void flight(const Flight&, double /*duration*/) {}  ///< after a free motion of this duration
+  void impact(double /*velocity before*/) {}          ///< before an impact, paper (2)
+  /// Called before an impulse, paper (3).
+  void impulse(double /*velocity before*/, double /*amplitude*/) {}
 };
 
 /// One realisation of paper (1)-(2) on y >= 0, advanced event by event: flights end exactly at

@@ -21,11 +21,11 @@ class CheckpointWriter {
   /// @param path checkpoint file; if empty, no checkpoints are written
   /// @param warn called with one line after the first of consecutive write errors, and after an
   ///        error of the last checkpoint
-  /// @throws InputError where the path cannot be written
+  /// @throws InputError if the path cannot be written
   CheckpointWriter(std::string path, std::function<void(const std::string&)> warn);
 
   void write(const std::string& fingerprint, const Simulation& simulation);
-  /// Writes a checkpoint if the last one is at least half a minute old.
+  /// Writes a checkpoint if the last checkpoint is at least half a minute old.
   void write_when_due(const std::string& fingerprint, const Simulation& simulation);
   void write_last(const std::string& fingerprint, const Simulation& simulation);
 

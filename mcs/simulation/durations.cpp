@@ -24,7 +24,7 @@ constexpr double kDefaultEvents = 4e7;  // any oscillator: some seconds
 constexpr double kMostRunEvents = 2e9;  // one minute
 // Number of impulses and flights of the main branches with splitting, simulated in half a minute
 // (`fpkcheck_random --tails --family --count 40`). There are up to 17 times as many other branches.
-// They have more flights per unit time and leave half of the SIMD lanes idle.
+// These branches have more flights per unit time and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
 constexpr double kMostAutomaticTimes = 1e4;  // with Options::samples or Options::target_error

@@ -76,8 +76,8 @@ Plan make_plan_for_any_oscillator(const problem::Problem& problem, const Options
   GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
   // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
-  // rest in contact, this is the frequency of tiny bounces. The rate of impulses then gives a lower
-  // limit of the sampling interval.
+  // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
+  // lower limit of the sampling interval.
   constexpr double kSamplesPerRest = 50;
   const double least =
       general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;

@@ -113,7 +113,8 @@ void Simulation::start_general_streams(const problem::Problem& problem,
                                        const Splitting* splitting) {
   const Plan& plan = *plan_;
   const GeneralPlan& general = *plan.general;
-  // Flights between kicks use a lower order, so their steps are shorter.
+  // Flights between kicks use a lower order of the Taylor polynomial and therefore need a smaller
+  // step limit.
   constexpr double kShorter = 0.35;
   general_ = GeneralMotion{.oscillator = general.oscillator,
                            .kicks = general.kicks,

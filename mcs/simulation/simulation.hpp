@@ -41,7 +41,8 @@ class Simulation {
   std::uint64_t rounds() const { return rounds_; }
   /// Simulated time of one stream, without the burn-in.
   double stream_time() const { return static_cast<double>(rounds_) * plan_->round_time(); }
-  /// Expected sum of the weights of the samples of one stream; without splitting the exact sum.
+  /// Expected sum of the weights of the samples of one stream. Without splitting the sum has
+  /// exactly this value.
   double stream_samples() const {
     return static_cast<double>(rounds_) * static_cast<double>(plan_->samples_per_round);
   }
@@ -49,7 +50,8 @@ class Simulation {
 
   /// Writes the complete state of the simulation; to be called between two rounds.
   void save(std::ostream& out) const;
-  /// @throws InputError where the input is not the state of this number of streams and bins
+  /// Reads a state that save() wrote.
+  /// @throws InputError if the input is not the state of this number of streams and bins
   void load(std::istream& in);
 
   /// Write the streams of this part, and read the streams of another part.

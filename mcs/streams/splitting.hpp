@@ -54,8 +54,8 @@ class Splitting {
   const std::vector<double>& thresholds() const { return thresholds_; }
   const BinFinder& energy_bins() const { return energy_bins_; }
 
-  /// After an impulse: splits the branch of the stream, or ends the branch and resumes the next
-  /// one.
+  /// After an impulse, splits the branch of the stream, or ends this branch and resumes the next
+  /// pending branch.
   void update_after_impulse(Stream& stream) const;
   /// Splits the initial state of a stream at the thresholds below its energy.
   void begin(Stream& stream) const;

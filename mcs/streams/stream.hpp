@@ -40,8 +40,8 @@ struct GeneralSums {
   double kicks = 0;  ///< number of kicks of the Gaussian noise
 };
 
-/// Statistics of one stream: sums over samples and events, with the weight of the branch (1 without
-/// splitting).
+/// Statistics of one stream: sums over samples and events. Each term has the weight of its branch,
+/// which is 1 without splitting.
 struct StreamRecord {
   Histogram histogram;
   std::vector<double> peaks;  ///< maxima of y in the bins of y, with the outer bins
@@ -94,7 +94,7 @@ void for_each_sum(Record& record, Visit visit) {
   }
 }
 
-/// Current state of a trajectory, and the times to its next events.
+/// Current state of a branch of the trajectory, and the times until its next events.
 struct Branch {
   double y;
   double v;
