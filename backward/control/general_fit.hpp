@@ -9,12 +9,13 @@ namespace fpkcheck::backward {
 
 /// Splines of the control functions for any problem, determined by the scales of the problem alone
 /// (problem/scales.hpp).
-/// - y: from wall to wall, but not beyond the points at exp(-9^2/2) of the peak of the
-///   energy-averaged density.
-/// - y': to 1.5 times the velocity at exp(-7^2/2) of the peak of the energy-averaged density.
-/// - The ranges of y and y' are wider if a single impulse moves the oscillator farther.
-/// - Cells have about equal widths, wider towards an open end, narrower towards walls and, with
-///   walls, towards v = 0. At v = 0 grazing impacts cause a corner of h, and the knot is triple.
+/// - The range of y extends from wall to wall, but not beyond the points where the energy-averaged
+///   density is exp(-9^2/2) of its peak.
+/// - The range of y' extends to 1.5 times the velocity where this density is exp(-7^2/2) of its peak.
+/// - Both ranges are wider if a single impulse moves the oscillator farther.
+/// - The cells have about equal widths. They are wider towards an open end and narrower towards
+///   walls. With walls the cells are also narrower towards v = 0, where grazing impacts cause a
+///   corner of h and the knot is triple.
 /// @param cells numbers of cells; without a left wall y has twice the given number of cells
 ControlSplines general_splines(const problem::Problem& problem, const ControlCells& cells);
 
@@ -24,7 +25,7 @@ ControlSplines general_splines(const problem::Problem& problem, const ControlCel
 ///     (0.7 variances with several wells),
 ///
 /// normalised to 1 at its maximum; each factor is at least 1e-9.
-/// @param problem, y, v referenced by the returned fit, which they must outlive
+/// @param problem, y, v must outlive the returned fit, which refers to them
 ControlFit general_fit(const problem::Problem& problem, const numerics::QuinticBSplines& y,
                        const numerics::QuinticBSplines& v, double wall_weight);
 

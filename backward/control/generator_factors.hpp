@@ -21,8 +21,8 @@ SplineValues spline_values(const numerics::QuinticBSplines& splines,
 struct ImpactWall {
   double position;
   double restitution;
-  double
-      rebound_sign;  ///< sign of the velocity after an impact: 1 at a left wall, -1 at a right wall
+  /// Sign of the velocity after an impact: 1 at a left wall, -1 at a right wall.
+  double rebound_sign;
 };
 /// The walls from left to right.
 std::vector<ImpactWall> impact_walls(const problem::System& system);

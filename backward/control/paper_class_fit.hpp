@@ -31,7 +31,7 @@ ControlSplines paper_class_splines(const problem::Problem& problem, const Contro
 ///
 /// normalised to 1 at its maximum; each factor is at least 1e-9. The term with E[Y] is present only
 /// for E[Y] > 0, a mean force directed off the wall.
-/// @param problem, y, v referenced by the returned fit, which they must outlive
+/// @param problem, y, v must outlive the returned fit, which refers to them
 ControlFit paper_class_fit(const problem::Problem& problem, const numerics::QuinticBSplines& y,
                            const numerics::QuinticBSplines& v, double wall_weight);
 

@@ -19,12 +19,12 @@ namespace fpkcheck::backward {
 struct VelocityOperators {
   std::vector<VelocityPiece> pieces;
   std::vector<std::vector<int>> index;  ///< for each piece, the functions that do not vanish there
-  /// lambda (K B - B) - c v B'; the remainder of this table includes the factor lambda
+  /// Factor lambda (K B - B) - c v B' of A. The remainder of this table includes lambda.
   ImpulseTable jump;
-  std::vector<std::vector<numerics::BernsteinCoefficients>>
-      drift;  ///< v B, shape (pieces, functions of the piece)
-  std::vector<std::vector<numerics::BernsteinCoefficients>>
-      force;  ///< -S_l', l > 0, shape (pieces, degree)
+  /// Factor v B of A', shape (pieces, functions of the piece).
+  std::vector<std::vector<numerics::BernsteinCoefficients>> drift;
+  /// Factor -S_l' of (k y + mu y^3) A for l > 0, shape (pieces, degree).
+  std::vector<std::vector<numerics::BernsteinCoefficients>> force;
 
   int order() const { return jump.order; }
 };
