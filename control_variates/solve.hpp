@@ -19,8 +19,8 @@ struct Options {
   /// cannot end before the end of the fit.
   mcs::Options simulation{};
   /// Numbers of cells of the control functions. Default: 80 x 176 cells. If so few samples are
-  /// requested that this fit would take many times as long as the simulation, the default is 40 x
-  /// 88 cells.
+  /// requested that the fit would take many times as long as the simulation, the default is 40 x 88
+  /// cells.
   std::optional<ControlCells> cells{};
 };
 

@@ -20,7 +20,7 @@ struct EnsembleOptions {
   /// 0.
   double start_displacement = 0;
   double start_velocity = 0;
-  std::vector<double> times{};  ///< increasing, the first one 0 or later
+  std::vector<double> times{};  ///< times of observation, increasing, the first time 0 or later
   std::uint32_t trajectories = 100000;
   std::uint64_t seed = 1;
   /// Number of threads. Default: one per processor. The results are independent of this number.

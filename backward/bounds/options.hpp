@@ -8,7 +8,7 @@
 
 namespace fpkcheck::backward {
 
-/// Functionals, requested widths and limits of the computation.
+/// Options of the bounds: functionals, requested widths, time limit and number of threads.
 struct Options {
   std::vector<Functional> functionals = standard_functionals();  ///< not a command-line option
   /// Requested half-widths of the bounds. Grids are refined until every half-width is below the

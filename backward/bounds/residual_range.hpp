@@ -15,8 +15,8 @@ struct ResidualRange {
 
 /// Encloses the range of (f + L V - U) / tau over the box of the splines. On each product of a y
 /// piece and a v piece the range is bounded by the Bernstein coefficients of the residual, divided
-/// by the least tau. Bisection stops when the bounds are within the relative tolerance of attained
-/// values.
+/// by the least tau. The bisection stops when the bounds of the range differ from attained values
+/// by less than the relative tolerance.
 /// @param expected (least, largest) values that are probably attained. Good values reduce the
 /// number of bisections; wrong values do not make the range invalid
 /// @pre inside with_upward_rounding

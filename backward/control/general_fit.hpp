@@ -11,7 +11,8 @@ namespace fpkcheck::backward {
 /// (problem/scales.hpp).
 /// - The range of y extends from wall to wall, but not beyond the points where the energy-averaged
 ///   density is exp(-9^2/2) of its peak.
-/// - The range of y' extends to 1.5 times the velocity where this density is exp(-7^2/2) of its peak.
+/// - The range of y' extends to 1.5 times the velocity where the energy-averaged density is
+///   exp(-7^2/2) of its peak.
 /// - Both ranges are wider if a single impulse moves the oscillator farther.
 /// - The cells have about equal widths. They are wider towards an open end and narrower towards
 ///   walls. With walls the cells are also narrower towards v = 0, where grazing impacts cause a

@@ -34,7 +34,7 @@ struct SplineValues {
 };
 
 FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double x) {
-  // NaN belongs to no cell: it is replaced by the first point.
+  // NaN belongs to no cell and is replaced by the first point.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
   const int last = pieces.cells() - 1;
@@ -77,7 +77,7 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposi
   }
 }
 
-/// Deposits one sample.
+/// Deposits one sample of (y, v): adds its terms to the sums of a deposit.
 /// @param a second derivative of the flight's polynomial
 FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
                                     double a, double weight) {

@@ -9,8 +9,8 @@ namespace fpkcheck::mcs {
 
 /// Rates of upward crossings of levels of y. The rate is the number of maxima above the level minus
 /// the number of minima above the level, per unit time. Between an upward crossing and the next
-/// downward crossing there is one maximum more than there are minima, and the minima at the wall
-/// are below all levels. Every tenth bin edge of y is a level, from the first edge above the wall.
+/// downward crossing y has one maximum more than minima above the level. The minima at the wall are
+/// below all levels. Every tenth bin edge of y is a level, from the first edge above the wall.
 std::vector<LevelRate> estimate_crossings(const Simulation& simulation,
                                           const StreamWeights& weights);
 

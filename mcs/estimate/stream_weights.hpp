@@ -11,9 +11,9 @@ namespace fpkcheck::mcs {
 /// Management Science 27, 1981) as a weighted mean.
 ///
 /// A stream whose impulses do more work than expected has y and y' above the stationary average.
-/// The impulse law alone determines the expectation of this work, for any oscillator. Let x_s be
-/// the average of stream s and b_s its excess power (mean zero). The streams form two halves A and
-/// B with means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope of
+/// The impulse law alone determines the expectation of the work, for any oscillator. Let x_s be the
+/// average of stream s and b_s its excess power (mean zero). The streams form two halves A and B
+/// with means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope of
 /// one half corrects the mean of the other half. The halves are independent, so the estimate is
 /// unbiased:
 ///

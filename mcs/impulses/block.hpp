@@ -7,7 +7,7 @@
 
 namespace fpkcheck::mcs {
 
-/// A block of consecutive impulses: waiting times and amplitudes. --
+/// A block of consecutive impulses: waiting times and amplitudes.
 struct ImpulseBlock {
   std::array<double, kBlockSize> waiting{}, amplitude{};
 };

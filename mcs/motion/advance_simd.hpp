@@ -61,7 +61,7 @@ struct LaneState {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
 
-  // Load the state from the branches of the streams, and store it there.
+  // Load the state of the lanes from the branches of the streams, and store the state there.
   FPKCHECK_INLINE void load_branches() {
     Array<double> a[6];
     for (int i = 0; i < W; ++i) {

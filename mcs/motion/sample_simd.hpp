@@ -23,7 +23,7 @@ FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
       simd::broadcast<Real>(static_cast<double>(bins.bins() + 1)));
 }
 
-/// Adds the weighted monomials kPowers of a state.
+/// Adds the monomials y^p v^q of a state, with the exponents kPowers and a weight, to `powers`.
 template <class Real>
 FPKCHECK_INLINE void add_powers(const BasicState<Real>& at, const Real& counted_weight,
                                 Real (&powers)[kPowers.size()]) {
