@@ -9,7 +9,8 @@ using transform::Solution;
 using transform::Variable;
 
 double critical_sampling_l1(double quantile_99) {
-  // Quantiles of |N|, N standard normal, at 1 - kAgreementSignificance / 2 and at 0.99.
+  // Quantiles of |N| at the probabilities 1 - kAgreementSignificance / 2 and 0.99; N is standard
+  // normal.
   constexpr double kQuantileOfLevel = 3.4808, kQuantile99 = 2.5758;
   static_assert(kAgreementSignificance == 1e-3);
   return kQuantileOfLevel / kQuantile99 * quantile_99;

@@ -11,7 +11,8 @@
 namespace fpkcheck::compare {
 namespace {
 
-// Bins of a tenth (y') or a twentieth (y) of a deviation: the density is nearly linear over a bin.
+// A bin of y' has a tenth of a standard deviation as its width, a bin of y a twentieth. The density
+// is nearly linear over such a bin.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;
@@ -23,8 +24,9 @@ std::vector<double> make_uniform_bins(double from, double to) {
   return edges;
 }
 
-// Bins from 0, or symmetric to the last digit about an edge at exactly 0, where p(y, y') jumps at
-// the wall.
+// Edges of bins over [0, end], or over [-end, end] if `symmetric`. Symmetric edges are equal in
+// magnitude to the last digit. The middle edge is exactly 0, where p(y, y') is discontinuous in y'
+// at the wall.
 std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;
@@ -76,7 +78,8 @@ transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Va
                                        const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
   transform::Marginal even{edges(uniform_axes(axes), variable), {}, {}, {}};
-  // Half-width of the interval of a merged bin: the root of the sum of squares over its parts.
+  // Half-width of the confidence interval of the mass in a merged bin: the root of the sum of the
+  // squared half-widths of its parts.
   const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
                                        std::size_t to) {
     double sum = 0;

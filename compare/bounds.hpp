@@ -10,46 +10,54 @@
 /// that violate them.
 namespace fpkcheck::compare {
 
-/// lower <= E[...] <= upper.
+/// Guaranteed bounds of the stationary expectation of one functional: lower <= E[..] <= upper.
 struct Bound {
-  std::string functional;  ///< "E[y^2]" as in transform::kMoments, or another name: "w1"
+  /// Name of the functional: a symbol of transform::kMoments such as "E[y^2]", or another name,
+  /// such as "w1".
+  std::string functional;
   double lower, upper;
 
   double half_width() const { return (upper - lower) / 2; }
   bool operator==(const Bound&) const = default;
 };
 
+/// All guaranteed bounds of one problem.
 struct Bounds {
-  /// Why the bounds are missing or wider than requested; else empty.
+  /// Reason for missing bounds, or for bounds that are wider than requested; else empty.
   std::string reason = {};
-  double seconds = 0;  ///< wall-clock time
-  std::vector<Bound> each = {};
+  double seconds = 0;            ///< wall-clock time of the computation
+  std::vector<Bound> each = {};  ///< the bounds, by functional
 };
 
-/// The bound of a moment, or null.
+/// The guaranteed bounds of a moment; null if `bounds` lacks the moment.
 const Bound* bound_of(const Bounds& bounds, double transform::Moments::*moment);
 
-/// A moment of a solution that violates its guaranteed bound.
+/// A moment of a solution outside the guaranteed bounds of that moment.
 struct BoundViolation {
   const transform::Solution* solution;
   const Bound* bound;
-  double value;           ///< the moment
-  double excess;          ///< distance from the nearer end of the bound, > 0
-  double error_estimate;  ///< error estimate; of a simulation kContradictionStandardErrors of them
+  double value;   ///< value of the moment in the solution
+  double excess;  ///< distance of the value from the nearer bound, > 0
+  /// Error estimate of the moment; for a simulation at least kContradictionStandardErrors times the
+  /// standard error of the moment.
+  double error_estimate;
 
-  /// True if the violation exceeds the error estimate: then status ok is wrong.
+  /// Whether the violation exceeds the error estimate of the moment. If so, the status ok of the
+  /// solution is wrong.
   bool is_contradiction() const { return excess > error_estimate; }
 };
 
-/// Number of standard errors beyond which a difference is not attributed to sampling.
+/// Largest difference, in standard errors, that is attributed to sampling errors.
 inline constexpr double kContradictionStandardErrors = 4;
 
-/// The violated bounds of every solution with a density, in the order of the solutions.
+/// All moments outside their guaranteed bounds, of every solution with a density, in the order of
+/// the solutions.
 std::vector<BoundViolation> bound_violations(const Bounds& bounds,
                                              std::span<const transform::Solution> solutions);
 
-/// The contradictions of solutions of the full problem (compare/reference.hpp): such a solution is
-/// wrong whatever its status.
+/// The bound violations beyond the error estimate, of those solutions that
+/// is_solution_of_full_problem() accepts. A solution in this list is wrong: guaranteed bounds hold
+/// for the full problem.
 std::vector<BoundViolation> contradictions(const Bounds& bounds,
                                            std::span<const transform::Solution> solutions);
 

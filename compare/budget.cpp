@@ -21,8 +21,8 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-// Two decades below the densities that contribute to L1; a simulation of the default length has
-// intervals within +-40 % there.
+// The tail is two decades of density, below the densities that contribute to the L1 distance. In
+// this range the 95 % intervals of a simulation of the default length are within +-40 %.
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kLinkSeparator = " + ";
 
@@ -84,7 +84,8 @@ BudgetRow make_budget_row(const Solution& closure, Variable variable,
   return row;
 }
 
-// False for a single part from the closure to a simulation, which equals the total.
+// Whether the budget splits the total. A single part from the closure to a simulation equals the
+// total.
 bool is_split(const BudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);
@@ -170,7 +171,7 @@ std::vector<std::string> part_names(std::span<const ClosureBudget> budgets) {
   std::vector<std::string> names;
   for (const auto& budget : budgets) {
     for (const BudgetRow* row : budget.rows()) {
-      // Insert a new name before the name that follows it in this row: the order of the chain.
+      // To keep the order of the chain, insert a new name before the next name of the same row.
       auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
         const auto place = std::ranges::find(names, part->name());

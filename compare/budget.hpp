@@ -11,10 +11,11 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// The error budget of a closure: its distance from the reference, split along the chain of models.
+/// The error budget of a closure: the L1 distance of the closure from the reference, split into
+/// parts along the chain of models (compare/chain.hpp).
 namespace fpkcheck::compare {
 
-/// The approximation in which consecutive models of the chain differ.
+/// The approximation that a model in the chain of models makes and the next model does not make.
 enum class Link { closure, impact, truncation, white_noise, discretisation, sampling };
 inline constexpr base::EnumEntry<Link> kLinkNames[] = {
     {Link::closure, "closure", "the closure approximation"},
@@ -26,75 +27,83 @@ inline constexpr base::EnumEntry<Link> kLinkNames[] = {
 constexpr std::span<const base::EnumEntry<Link>> names(Link) { return kLinkNames; }
 constexpr std::string_view name(Link link) { return base::name_of(link); }
 
-/// The name of joined links: "closure", "closure + impact".
+/// The names of approximations, joined by " + ": "closure", "closure + impact".
 std::string name(const std::vector<Link>& links);
-/// The links of a joined name.
-/// @throws InputError when the name contains an unknown link
+/// The approximations in a name such as "closure + impact".
+/// @throws InputError when the name contains an unknown approximation
 std::vector<Link> parse_links(std::string_view name);
 
-/// A step of the chain, from one model to the next.
+/// One part of an error budget: the distance between two consecutive models of the chain.
 struct BudgetPart {
-  std::vector<Link> links;  ///< several if the models between them are missing
-  std::string from;         ///< ids of the two models
-  std::string to;
-  double l1;
-  double tail;                          ///< as BudgetRow::total_tail; NaN without a bin
+  /// Approximations in which the two models differ; several if the models between them are missing.
+  std::vector<Link> links;
+  std::string from;  ///< id of the model with the approximations
+  std::string to;    ///< id of the model without the approximations
+  double l1;         ///< L1 distance of the two models
+  double tail;  ///< tail distance of the two models, as BudgetRow::total_tail; NaN without a bin
   std::optional<double> uncertainty{};  ///< sum of the discretisation errors of both models
-  std::optional<double> expected{};     ///< expected L1 sampling error of a step to the simulation
-  std::optional<double> quantile_99{};  ///< 99 % quantile of this sampling error
-  /// Standard error of l1, for a step to the smooth reference.
+  /// Expected L1 sampling error of the model `to`, if a simulation.
+  std::optional<double> expected{};
+  /// 99 % quantile of the L1 sampling error of the model `to`, if a simulation.
+  std::optional<double> quantile_99{};
+  /// Standard error of l1, if the model `to` is the smooth reference.
   std::optional<double> standard_error{};
 
   std::string name() const { return compare::name(links); }
-  /// True if the part consists of errors of the reference: discretisation and sampling.
+  /// Whether the part consists only of errors of the reference: discretisation and sampling errors.
   bool is_reference_error() const;
 };
 
-/// The budget of one closure in one variable. The total is at most the sum of the parts, also in
-/// the tail: both distances satisfy the triangle inequality.
+/// The error budget of one closure in one variable. The total distance is at most the sum of the
+/// parts, by the triangle inequality. The same holds for the tail distances.
 struct BudgetRow {
-  std::string solution;  ///< the closure
+  std::string solution;  ///< id of the closure
   transform::Variable variable;
-  std::string reference;  ///< the last node: "mcs", "fd-kf limit" or "fd-kf"
-  double total;           ///< L1 distance of closure and reference
-  /// Mean of |log10 p - log10 reference| over `tail_bins`; NaN without a bin.
+  std::string reference;  ///< id of the last model of the chain: "mcs", "fd-kf limit" or "fd-kf"
+  double total;           ///< L1 distance of the closure from the reference
+  /// Tail distance of the closure from the reference: the mean of |log10 p - log10 p_reference|
+  /// over the tail bins; NaN without a tail bin.
   double total_tail;
-  double tail_from, tail_to;  ///< range of the reference density that defines the tail
-  /// Number of tail bins in which every node of the chain is positive and has a narrow interval.
-  /// All parts use the same bins; otherwise the parts would not bound the total.
+  /// Range of the reference density, tail_from <= p_reference < tail_to, in tail bins.
+  double tail_from, tail_to;
+  /// Number of tail bins. In a tail bin the density of every model of the chain is positive and has
+  /// a narrow confidence interval. All parts use the same tail bins: otherwise their sum would not
+  /// be an upper bound of the total tail distance.
   int tail_bins;
-  std::vector<BudgetPart> parts;
+  std::vector<BudgetPart> parts;  ///< in the order of the chain
 
-  /// The part with this name, or null.
+  /// The part with this name; null if there is none.
   const BudgetPart* find(std::string_view part) const;
 };
 
-/// The budgets of all closures with a density, in the order of the solutions. Empty if no chain has
-/// an end, or if every chain is a single step from a closure to a simulation.
-/// @param marginals marginals of the solutions, either all over uniform or all over smooth bins
+/// The error budgets of all closures with a density, in the order of the solutions. The list is
+/// empty if no chain of models reaches the full problem, or if every budget consists of a single
+/// part, from the closure to a simulation.
+/// @param marginals marginals of the solutions: all over uniform bins, or all over smooth bins
 std::vector<BudgetRow> error_budget(const ComparisonAxes& axes,
                                     std::span<const transform::Solution> solutions,
                                     std::span<const SolutionMarginal> marginals);
 
-/// The rows of one closure.
+/// The error budgets of one closure in both variables.
 struct ClosureBudget {
-  std::string solution;
-  transform::Status status;  ///< status of the closure
-  const BudgetRow* y = nullptr;
-  const BudgetRow* ydot = nullptr;  ///< null if the variable has no budget
+  std::string solution;             ///< id of the closure
+  transform::Status status;         ///< status of the closure
+  const BudgetRow* y = nullptr;     ///< budget in y; null if there is none
+  const BudgetRow* ydot = nullptr;  ///< budget in y'; null if there is none
 
   const BudgetRow* row(transform::Variable variable) const {
     return variable == transform::Variable::y ? y : ydot;
   }
-  /// The rows that are not null.
+  /// The budgets that exist, of y before y'.
   std::vector<const BudgetRow*> rows() const;
 };
 
-/// The closures of a budget, in its order. The results point into `budget`.
+/// Groups the rows of an error budget by closure, in the order of the rows. The elements of the
+/// result point into `budget`.
 std::vector<ClosureBudget> closure_budgets(std::span<const BudgetRow> budget,
                                            std::span<const transform::Solution> solutions);
 
-/// The names of all parts, in the order of the chain.
+/// The names of all parts of several budgets, each name once, in the order of the chain of models.
 std::vector<std::string> part_names(std::span<const ClosureBudget> budgets);
 
 }  // namespace fpkcheck::compare

@@ -27,7 +27,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
   return nullptr;
 }
 
-/// Builds a chain node by node and collects the links that no node represents yet.
+/// Builds a chain of models, model by model. Collects the approximations since the last model that
+/// was appended, for the next model.
 class Chain {
  public:
   Chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
@@ -67,7 +68,7 @@ class Chain {
 
   void simulation() {
     if (smooth_reference_ == nullptr) pending_.push_back(Link::sampling);
-    // A chain without a density equation has no discretisation error.
+    // Without a solution of a density equation, no part of the budget is a discretisation error.
     if (nodes_.size() == 1) std::erase(pending_, Link::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != Role::simulation || s.identity.equation != Equation::kf) continue;
@@ -112,8 +113,7 @@ class Chain {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
-  const Solution*
-      smooth_reference_;  ///< smooth reference: the marginals use its smooth bins; or null
+  const Solution* smooth_reference_;  ///< its smooth bins are those of the marginals; or null
   std::vector<ChainNode> nodes_;
   std::vector<Link> pending_;
   const Solution* full_equation_ = nullptr;
@@ -128,7 +128,8 @@ std::vector<ChainNode> model_chain(const ComparisonAxes& axes, std::span<const S
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const Equation equation = closure.identity.equation.value_or(Equation::kf);
-  // A closure with exactly reflected trajectories solves the equation with the impact `map`.
+  // A closure that reflects trajectories exactly solves the equation with the impact condition
+  // `map`.
   const bool to_first_order = closure.identity.impact == Impact::delta;
   const Impact impact = to_first_order ? Impact::delta : Impact::map;
   Chain chain(axes, solutions, marginals, variable);

@@ -13,22 +13,26 @@
 
 namespace fpkcheck::compare {
 
-/// Suffix of a solution's id in a chain that denotes the Richardson limit of its grids.
+/// Suffix of the id of a model that is the Richardson limit of a solution's grids: "fd-kf limit".
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
-/// A model of the chain from a closure to the reference, with its marginal of one variable.
+/// One model in the chain of models from a closure to the reference, with the marginal of the model
+/// in one variable.
 struct ChainNode {
-  std::string id;           ///< id of a solution, or "fd-kf limit"
-  std::vector<Link> links;  ///< differences from the previous node; empty for the closure
-  transform::Marginal marginal;
-  /// L1 distance to the limit of its grids: 0 if the node has no grid, empty if unknown.
+  std::string id;  ///< id of a solution, or "fd-kf limit"
+  /// Approximations that the previous model makes and this model does not; empty for the closure.
+  std::vector<Link> links;
+  transform::Marginal marginal;  ///< marginal density of the model
+  /// L1 distance of the model from the Richardson limit of its grids. The value is 0 if the model
+  /// has no grid, and empty if the distance is unknown.
   std::optional<double> discretisation_error;
-  std::optional<transform::SamplingError> sampling = {};  ///< of a simulation
-  const transform::SmoothEstimate* smooth = nullptr;      ///< of the smooth reference
+  std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
+  /// Smooth estimates of the smooth reference; null for other models.
+  const transform::SmoothEstimate* smooth = nullptr;
 };
 
-/// The models between a closure and the reference. Each differs from the previous model in one
-/// respect (its link):
+/// The chain of models from a closure to the reference. Each model makes one approximation less
+/// than the previous model (right column):
 ///
 ///     closure -> the closure's equation and impact, discretised        closure
 ///             -> the same equation, exact impact                       impact
@@ -36,13 +40,15 @@ struct ChainNode {
 ///             -> Richardson limit of its grids                         discretisation
 ///             -> simulation                                            sampling
 ///
-/// If a simulation has smooth estimates (compare/smooth_reference.hpp), the whole chain uses smooth
-/// bins. Its last step, from the full jump integral to the simulation, is then the measured
-/// discretisation error. A model that is missing, not ok or equal to the previous model is omitted,
-/// and the links of a missing model are joined. The chain ends with the simulation, else with the
-/// limit, else with the full equation.
+/// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginals of the chain
+/// are over smooth bins. The distance between the full jump integral and the simulation is then the
+/// measured discretisation error. The chain omits a model that is missing, not ok or equal to the
+/// previous model. The approximation of an omitted model is added to those of the next model. The
+/// last model is the simulation; without a simulation, the Richardson limit; without both, the
+/// finite-volume solution for the full jump integral.
 /// @param closure one of the solutions
-/// @return at least two nodes; empty if the chain has no end or the closure has no marginal
+/// @return at least two models. The list is empty if the closure has no marginal, or if there is
+///         neither a simulation nor a finite-volume solution for the full jump integral
 std::vector<ChainNode> model_chain(const ComparisonAxes& axes,
                                    std::span<const transform::Solution> solutions,
                                    std::span<const SolutionMarginal> marginals,

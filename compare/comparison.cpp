@@ -23,9 +23,11 @@ bool has_marginal(const Solution& solution, Variable variable, const std::vector
          });
 }
 
+/// The distances of two marginals of the same variable.
 /// @param sharp marginals over uniform bins
 /// @param smooth the same marginals over smooth bins, or empty
-/// @param with_sampling_error solutions with sampling errors over sharp bins
+/// @param a, b indices of the two marginals
+/// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
 PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                            const std::vector<SolutionMarginal>& smooth, std::size_t a,
                            std::size_t b, const Solution* smooth_reference,
@@ -42,8 +44,9 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
           l1_standard_error(compared, *transform::smooth_estimate(*smooth_reference, variable))};
 }
 
-// Negative values in the tails of an ok solution of a discretised equation are of the size of its
-// error (`min_density` reports them). Probabilities are not negative: such values become 0.
+// Replaces negative densities by 0 in ok solutions of discretised equations. Negative densities
+// occur in the tails of such solutions and are of the size of the discretisation error
+// (`min_density` reports them).
 void clip_negative_densities(std::span<const Solution> solutions,
                              std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {

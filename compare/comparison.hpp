@@ -11,20 +11,21 @@
 
 namespace fpkcheck::compare {
 
-/// The comparison of the solutions of a case.
+/// The results of comparing the solutions of a case with each other.
 struct Comparison {
-  std::vector<SolutionMarginal> marginals;  ///< of all solutions with a marginal, by variable
-  /// The marginals over smooth bins if a solution has smooth estimates; else empty.
+  /// Marginal densities over the comparison bins: all solutions in y, then all solutions in y'.
+  std::vector<SolutionMarginal> marginals;
+  /// The same marginals over smooth bins, if a solution has smooth estimates; else empty.
   std::vector<SolutionMarginal> smooth;
-  std::vector<PairDistances> pairs;  ///< of all pairs of solutions, in both variables
+  std::vector<PairDistances> pairs;  ///< distances of all pairs of solutions, in both variables
   std::vector<BudgetRow> budget;     ///< error budgets of the closures
-  std::string limits;                ///< a sentence on the limiting error of each closure
+  std::string limits;                ///< a sentence on the largest error of each closure
 };
 
-/// Computes the marginals of all solutions with a density, the distances of all pairs in both
-/// variables, and the error budget of the closures. If there is a smooth reference, the distances
-/// to it and the budget are over its smooth bins.
-/// @param solutions by increasing trust: the second solution of a pair is the more trusted
+/// Computes the marginals of all solutions with a density, the distances of all pairs of solutions
+/// in both variables, and the error budgets of the closures. If there is a smooth reference, the
+/// budgets and most distances from the smooth reference are over smooth bins (PairDistances).
+/// @param solutions by increasing trust: the second solution of a pair is the more trusted one
 Comparison compare_solutions(const ComparisonAxes& axes,
                              std::span<const transform::Solution> solutions);
 

@@ -18,16 +18,16 @@ using transform::Status;
 
 constexpr const char* kWithinReferenceError = "";
 
-/// Closures with the same limiting part.
+/// Closures with the same limiting error: the same part of their budgets is the largest.
 struct Group {
   std::string part;
   std::vector<const ClosureBudget*> closures;
-  double least_fraction = 1,
-         greatest_fraction = 0;  ///< fraction of the part in the sum of all parts
+  /// Smallest and largest fraction of this part in the sum of all parts, over the closures.
+  double least_fraction = 1, greatest_fraction = 0;
 };
 
-// Error of the reference of a row: the 99 % quantile of the sampling error of a simulation, the
-// discretisation error of a limit of finite volumes, 0 if unknown.
+// L1 error of the reference of a budget: the 99 % quantile of the sampling error if the reference
+// is a simulation, the discretisation error if the reference is a Richardson limit, 0 if unknown.
 double reference_error(const BudgetRow& row) {
   const BudgetPart& last = row.parts.back();
   return last.quantile_99.value_or(last.uncertainty.value_or(0));
@@ -39,8 +39,8 @@ struct ComparedSolutions {
   std::span<const PairDistances> pairs;
 };
 
-// True if finite volumes and the simulation disagree: the last part then exceeds the sampling
-// error.
+// Whether the finite-volume solution and the simulation, the models of the part `sampling`,
+// disagree.
 bool has_reference_disagreement(const BudgetRow& row, const ComparedSolutions& compared) {
   const BudgetPart& last = row.parts.back();
   if (last.links != std::vector{Link::sampling}) return false;
@@ -78,7 +78,7 @@ void add_to_groups(const ClosureBudget& budget, const ComparedSolutions& compare
   group->greatest_fraction = std::max(group->greatest_fraction, fraction);
 }
 
-// "epc-gaussian-n2, -n4 (inadmissible) and -n6"
+// The ids of closures as text: "epc-gaussian-n2, -n4 (inadmissible) and -n6".
 std::string id_list(const std::vector<const ClosureBudget*>& closures) {
   std::vector<std::string> ids;
   std::string stem_before;
@@ -108,7 +108,8 @@ std::string fractions_text(const Group& group) {
                            : fmt::format("{} to {} %", least, greatest);
 }
 
-// Text of a group. Only the first percentage of the sentence is explained.
+// Text of a group of closures. Only the first percentage of the sentence has the explanation "of
+// the sum of the parts".
 std::string group_text(const Group& group, bool& explained) {
   if (group.part != kWithinReferenceError) {
     const char* of_what = explained ? "" : " of the sum of the parts";

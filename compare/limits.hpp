@@ -9,10 +9,11 @@
 
 namespace fpkcheck::compare {
 
-/// A sentence on the limiting error of each closure of a case: the largest part of its budget,
-/// summed over both variables, or none if its distance is within the error of the reference.
-/// Closures with the same limiting error are grouped. A second sentence reports a disagreement of
-/// the two ends of the part `sampling` (compare/agreement.hpp). Empty without a budget.
+/// A sentence on the limiting error of each closure of a case. The limiting error is the largest
+/// part of the closure's error budget, summed over both variables. A closure whose distance from
+/// the reference is within the error of the reference has no limiting error. Closures with the same
+/// limiting error are grouped. A second sentence follows if the finite-volume solution and the
+/// simulation disagree (compare/agreement.hpp). The text is empty without an error budget.
 std::string limits(std::span<const BudgetRow> budget,
                    std::span<const transform::Solution> solutions,
                    std::span<const PairDistances> pairs);

@@ -10,30 +10,31 @@
 
 namespace fpkcheck::compare {
 
-/// A marginal of a solution on the comparison axes.
+/// A marginal density of a solution on the comparison axes.
 struct SolutionMarginal {
   std::string solution;  ///< id of the solution
   transform::Variable variable;
   transform::Marginal marginal;
 };
 
-/// Distances between the marginals of two solutions; `b` is the more trusted solution. The averages
-/// are over smooth bins if either solution is the smooth reference (compare/smooth_reference.hpp)
-/// and its partner has no sampling error. Only the L1 distance includes the distance of the rest
-/// atoms (compare/rest_atoms.hpp).
+/// Distances between the marginals of two solutions in one variable. The distances are over smooth
+/// bins if one of the two solutions is the smooth reference (compare/smooth_reference.hpp) and the
+/// other solution has no sampling error. The L1 distance, but no other distance, includes the
+/// distance of the rest atoms (compare/rest_atoms.hpp).
 struct PairDistances {
-  std::string a;
-  std::string b;
+  std::string a;  ///< id of the less trusted solution
+  std::string b;  ///< id of the more trusted solution
   transform::Variable variable;
   Distances distances;
-  std::optional<double> l1_standard_error = {};  ///< for a distance to the smooth reference
+  /// Standard error of the L1 distance, if the distances are over smooth bins; else empty.
+  std::optional<double> l1_standard_error = {};
 };
 
-/// The distances between two solutions, in either order; null if there are none.
+/// The distances between two solutions, given in either order; null if there are none.
 const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view first,
                                std::string_view second, transform::Variable variable);
 
-/// The L1 distance between two solutions; empty if there is none or if it is not finite.
+/// The L1 distance between two solutions; empty if the distance is missing or not finite.
 std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view first,
                                  std::string_view second, transform::Variable variable);
 

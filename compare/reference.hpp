@@ -9,43 +9,46 @@
 #include "compare/pairs.hpp"
 #include "transform/solution.hpp"
 
-/// Selection of the reference solution, with which all solutions are compared.
+/// Selection of the reference solution of a case: the solution from which the distances of all
+/// other solutions are reported.
 namespace fpkcheck::compare {
 
-/// Error estimate of a marginal in L1: the error estimate of the method, else the expected sampling
-/// error, else infinity.
+/// L1 error estimate of a marginal density: the error estimate of the method; without an error
+/// estimate, the expected sampling error; without both, infinity.
 double error_estimate(const transform::Solution& solution, transform::Variable variable);
-/// Sum of the error estimates of both marginals.
+/// Sum of the L1 error estimates of both marginal densities.
 double error_estimate(const transform::Solution& solution);
 
-/// True for a solution of the full problem: status ok, a density equation or a simulation with the
-/// jumps themselves (`kf`) and the exact impact.
+/// Whether a solution has a density, the status ok, and solves the full problem: a density equation
+/// or a simulation with the jump integral (`kf`) and the exact impact condition.
 bool is_solution_of_full_problem(const transform::Solution& solution);
 
-/// The reference of a case: the solution of the full problem with the smallest error estimate,
-/// summed over both marginals. Among equal or missing error estimates the later, more trusted
-/// solution is selected. Tables, plots, the page and sentences measure distances from it.
+/// Selects the reference of a case: the solution of the full problem with the smallest L1 error
+/// estimate, summed over both marginals. Among solutions with equal or missing error estimates, the
+/// most trusted solution is selected. Tables, plots, the page and sentences report distances from
+/// the reference.
 /// @param solutions by increasing trust
-/// @return null if no solution qualifies
+/// @return null if no solution satisfies is_solution_of_full_problem()
 const transform::Solution* reference(std::span<const transform::Solution> solutions);
 
-/// A sentence for reports: the reference and the reason for its selection.
+/// A sentence for reports on the id of the reference and the reason for its selection.
 std::string reference_text(std::span<const transform::Solution> solutions);
 
 /// L1 distances of a solution from the reference.
 struct ReferenceDistance {
   const transform::Solution* solution;
-  double y, ydot;
+  double y, ydot;  ///< distances in p(y) and in p(y')
 
   double sum() const { return y + ydot; }
 };
 
-/// The closures with status ok and both distances, by increasing distance.
+/// The distances of closures from the reference, by increasing sum of both distances. Closures
+/// without status ok, and closures without a distance in either variable, are omitted.
 std::vector<ReferenceDistance> closures_by_reference_distance(
     std::span<const transform::Solution> solutions, std::span<const PairDistances> pairs);
 
-/// True if two distances differ by no more than the error estimate of the reference: then neither
-/// solution counts as the closer.
+/// Whether the sums of the distances of two solutions differ by no more than the error estimate of
+/// the reference. If so, neither solution counts as closer to the reference.
 bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
                           const transform::Solution& reference);
 

@@ -7,7 +7,7 @@ namespace fpkcheck::compare {
 
 double atom_distance(const std::vector<transform::RestAtom>& a,
                      const std::vector<transform::RestAtom>& b, transform::Variable variable) {
-  std::map<double, double> difference;  // by position
+  std::map<double, double> difference;  // difference of the probabilities, by position of the atom
   const auto place = [&](const transform::RestAtom& atom) {
     return variable == transform::Variable::y ? atom.y : 0;
   };
