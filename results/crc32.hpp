@@ -5,8 +5,9 @@
 
 namespace fpkcheck::results {
 
-/// CRC-32 of a file's bytes as eight hexadecimal digits, by which a run identifies its files.
-/// Carriage returns are skipped, since version control may change line ends.
+/// CRC-32 checksum of the bytes of a file, as eight hexadecimal digits. A run identifies its files
+/// by their checksums. The checksum skips carriage returns, since version control may change line
+/// ends.
 std::string crc32(std::string_view bytes);
 
 }  // namespace fpkcheck::results

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::results {
 
-/// A text as a field of a CSV file, quoted where it contains separators, quotes or line breaks
+/// The field of a CSV file for a text. A text with separators, quotes or line breaks is quoted
 /// (RFC 4180).
 std::string csv_field(const std::string& text);
 

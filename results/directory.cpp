@@ -31,8 +31,8 @@ void recover_interrupted(const fs::path& directory) {
   base::remove_abandoned_partials(directory);
 }
 
-// Creates an empty hidden file, to test that the directory is writable. Removes a file that an
-// earlier process with the same process id may have left.
+// Creates an empty hidden file, to test that the directory is writable. First removes a hidden file
+// of the same name, which an earlier process with the same process id may have left.
 fs::path create_probe_file(const fs::path& directory) {
   fs::path file = base::partial_path(directory / "run");
   fs::remove(file);
@@ -77,8 +77,8 @@ OutputDirectoryLock::~OutputDirectoryLock() {
 OutputDirectoryLock prepare_output_directory(const fs::path& directory) {
   if (directory.empty()) throw InputError("--out is empty; give a directory");
   try {
-    // Another run that ends may remove directories that it created, until the hidden file of this
-    // run exists. Hence the repeated attempts.
+    // Another run may end now and remove the directories that it created. Only the hidden file of
+    // this run prevents the removal. Hence the attempts are repeated until the hidden file exists.
     for (int attempt = 0; attempt < 20; ++attempt) {
       try {
         return try_prepare(directory);

@@ -12,14 +12,14 @@ namespace fpkcheck::results {
 /// "case1_r_0.9".
 std::string file_stem(const std::string& case_name);
 
-/// An output directory for results. During the lifetime of this object a hidden file of this
-/// process prevents other runs from removing the directory. The destructor removes that file, and
-/// those directories that were created for it and are empty.
+/// Lock on an output directory for results. During the lifetime of this object a hidden file in the
+/// directory prevents other runs from removing the directory. The destructor removes the hidden
+/// file, and the directories in `created` that are empty.
 class OutputDirectoryLock {
  public:
   OutputDirectoryLock() = default;
-  /// @param lock_file the hidden file; empty where there is none
-  /// @param created directories, outermost first
+  /// @param lock_file the hidden file; empty if there is none
+  /// @param created directories that were created for the output, outermost first
   OutputDirectoryLock(std::filesystem::path lock_file, std::vector<std::filesystem::path> created)
       : lock_file_(std::move(lock_file)), created_(std::move(created)) {}
   OutputDirectoryLock(OutputDirectoryLock&& other) noexcept
@@ -37,11 +37,11 @@ class OutputDirectoryLock {
   std::vector<std::filesystem::path> created_;
 };
 
-/// Creates the directory with its parents. Tests that the directory, and an existing subdirectory
-/// figures/, are writable. Finishes or removes incomplete files of an interrupted run. Other runs
-/// may call this function for the same directory at the same time. On failure, removes the
-/// directories that it created.
-/// @throws InputError on one line
+/// Creates an output directory and its parents. Tests that the directory, and an existing
+/// subdirectory figures/, are writable. Finishes or removes incomplete files of an interrupted run.
+/// Several processes may call this function for the same directory at the same time. On failure,
+/// the function removes the directories that it created.
+/// @throws InputError with a message of one line
 [[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::results

@@ -8,10 +8,11 @@
 
 namespace fpkcheck::results {
 
-/// The joint densities of all solutions that have one, of any status, in the order of the
-/// solutions. The cells are a tenth of a standard deviation wide in both directions. They join
-/// pairs of cells of the comparison axes along y, so that a simulation's histogram is summed and
-/// not interpolated. Averages have single precision, as in joint.nc.
+/// The joint densities of all solutions with a joint density, of any status, in the order of the
+/// solutions. The widths of the cells are a tenth of a standard deviation in both directions. Each
+/// cell joins two adjacent cells of the comparison axes along y, so that the histogram of a
+/// simulation is summed and not interpolated. The averages are rounded to single precision, as in
+/// joint.nc.
 std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
                                           std::span<const transform::Solution> solutions);
 

@@ -43,7 +43,7 @@ void write_problem(NetCdfWriter& file, const problem::Problem& problem, int vari
   write_parameters(file, problem, variable);
 }
 
-/// An array (solution, cells) for a case; NaN for solutions without values.
+/// The values of a variable of a case, shape (solution, cells); NaN for solutions without values.
 class SolutionArray {
  public:
   SolutionArray(const std::vector<std::string>& solutions, std::size_t cells)
@@ -64,8 +64,8 @@ class SolutionArray {
   std::vector<float> values_;
 };
 
-// The probabilities of rest in contact, as "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5", by which
-// the densities fall short of mass 1. Empty where there are none.
+// The probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5". The
+// integral of a density is 1 minus these probabilities. Empty if all of them are zero.
 std::string atoms_text(const Case& case_result) {
   std::vector<std::string> solutions;
   for (const auto& solution : case_result.solutions) {
@@ -114,7 +114,7 @@ void write_case(NetCdfWriter& file, const Case& case_result,
   }
 }
 
-/// Calls use(case, solution, density) for every solution with values in a variable.
+/// Calls use(case, solution, density) for every solution that has values in a netCDF variable.
 template <class Use>
 void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {

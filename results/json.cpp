@@ -19,11 +19,12 @@ using transform::Kind;
 using transform::Metric;
 using transform::Metrics;
 
-// More than any file of this program, and far below the capacity of a stack.
+// Largest depth of nesting. Every file of this program is less deep, and a stack has the capacity
+// for far deeper nesting.
 constexpr int kMaxDepth = 32;
-// Sufficient for hundreds of cases, and far below the capacity of memory.
+// Largest number of values: sufficient for hundreds of cases, and far below the capacity of memory.
 constexpr std::size_t kMaxValues = 2'000'000;
-constexpr std::size_t kMaxTextLength = 1 << 20;  // a very long command line
+constexpr std::size_t kMaxTextLength = 1 << 20;  // sufficient for a very long command line
 
 // The JSON value at a path; creates missing objects and lists along the path.
 Json& resolve_path(Json& object, std::string_view path) {
@@ -48,8 +49,8 @@ Json& resolve_path(Json& object, std::string_view path) {
   return *at;
 }
 
-// A name must not contain the separators of a path: resolve_path() could not locate the value
-// again.
+// Tests that a key contains no separator of a path. With a separator in the key, resolve_path()
+// could not find the value under its path.
 void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
@@ -216,7 +217,7 @@ Json parse_json(std::istream& in, const std::string& where) {
       throw InputError(
           fmt::format("{} has more than {} values: not a file of this program", where, kMaxValues));
     }
-    // Any text may be printed, and terminals execute control characters.
+    // Texts are sanitised: any text may be printed, and a terminal executes control characters.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
     if (text && value.is_string()) {
       auto& text_value = value.get_ref<std::string&>();

@@ -13,56 +13,72 @@
 #include "results/run.hpp"
 #include "transform/metric.hpp"
 
-/// Common parts of the JSON files of results, for their writers and readers only.
+/// Functions that the writers and readers of all JSON files of results share.
 namespace fpkcheck::results {
 
 using Json = nlohmann::ordered_json;
 
-/// The name, version and command line of the program: the first object of every file of results.
+/// A JSON object with the name, version and command line of the program. Every file of results
+/// begins with this object.
 Json program_json(const Program& program);
-/// A case's name and its sections "system" and "impulse".
+/// A JSON object with the name of a case and its sections "system" and "impulse".
 Json problem_json(const problem::Problem& problem);
+/// The JSON value of an option or parameter.
 Json value_json(const base::Value& value);
-/// An object with a field per value.
+/// A JSON object with one field for each named value.
 Json values_json(const base::Values& values);
+/// A JSON object with the moments by name: "y1", "y2", ..
 Json moments_json(const transform::Moments& moments);
 
-/// Adds metrics to an object. A path such as "quantiles.y[2].value" creates the objects and lists
-/// along it; the path "splitting_thresholds[]" creates an empty list.
-/// @throws std::logic_error when a path leads through a value, or two metrics have the same path
+/// Adds metrics to a JSON object. A path such as "quantiles.y[2].value" creates the objects and
+/// lists along the path; the path "splitting_thresholds[]" creates an empty list.
+/// @throws std::logic_error when a part of a path is already a number or a text, or when two
+///         metrics have the same path
 void add_metrics(const transform::Metrics& metrics, Json& object);
-/// The metrics in an object, as add_metrics wrote them: one for each leaf. The kind follows from
-/// the type of the leaf: `text` for a string, otherwise `result`.
+/// Reads the metrics that add_metrics() wrote: one metric for each leaf of the JSON object. The
+/// kind of a metric follows from the type of the leaf: `text` for a string, otherwise `result`.
 transform::Metrics metrics_in(const Json& object);
 
-/// Conversions from JSON.
-/// @throws nlohmann::json::exception, InputError
+/// Converts the result of value_json() back to a value.
+/// @throws InputError when the JSON value is a list, an object or an integer out of range
 base::Value value_in(const Json& json);
+/// Converts the result of values_json() back to named values.
+/// @throws nlohmann::json::exception, InputError
 base::Values values_in(const Json& object);
+/// Converts the result of problem_json() back to a problem.
+/// @throws nlohmann::json::exception, InputError
 problem::Problem problem_in(const Json& object);
-/// The value for null in place of a number, since JSON has no NaN.
+/// The number that represents null when JSON is read, since JSON has no NaN.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-/// NaN for null.
+/// The number under a key of a JSON object; NaN if the JSON value is null.
+/// @throws nlohmann::json::exception
 double number_in(const Json& object, const char* key);
+/// Converts the result of moments_json() back to moments.
+/// @throws nlohmann::json::exception
 transform::Moments moments_in(const Json& json);
-/// @throws nlohmann::json::exception; InputError where the value is no integer or out of the range
-///         of int
+/// The integer under a key of a JSON object.
+/// @throws nlohmann::json::exception
+/// @throws InputError when the JSON value is not an integer, or is out of the range of int
 int integer_in(const Json& object, const char* key);
-/// No value where the field is missing or null.
+/// The number under a key of a JSON object; empty if the key is missing or its value is null.
+/// @throws nlohmann::json::exception
 std::optional<double> optional_number_in(const Json& object, const char* key);
 
-/// Replaces numbers that are not finite by null, since JSON has no infinities.
+/// A copy of a JSON value in which null replaces every number that is not finite, since JSON has
+/// neither infinities nor NaN.
 Json with_null_for_non_finite(Json value);
 
-/// The JSON as text. Replaces bytes that are not UTF-8, which file names may contain.
+/// The text of a JSON value. The text has replacement characters in place of bytes that are not
+/// UTF-8, since file names may contain such bytes.
 std::string text_of(const Json& json);
 
-/// Parses a file's JSON, with limits on depth, number of values and length of texts.
-/// @param where the file's name in messages
-/// @throws InputError on one line
+/// Parses the JSON of a file. The depth of nesting, the number of values and the length of texts
+/// are limited.
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line
 Json parse_json(std::istream& in, const std::string& where);
 
-/// The text of a JSON exception without its prefix, such as "[json.exception.out_of_range.403] ".
+/// The message of a JSON exception, without a prefix such as "[json.exception.out_of_range.403] ".
 std::string exception_text(const std::exception& error);
 
 }  // namespace fpkcheck::results

@@ -7,13 +7,15 @@
 
 namespace fpkcheck::results {
 
-/// True for a text of summary_text: an object with a schema.
-/// @param where the file's name in messages
-/// @throws InputError on one line where the text is not JSON
+/// Whether a JSON text is the summary of a run (summary_text): an object with the key "schema".
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON
 bool is_summary(const std::string& text, const std::string& where);
 
-/// The values of an external JSON object as metrics, by their paths, such as "coefficients[2].a".
-/// @throws InputError on one line: not JSON, no object
+/// Reads an external JSON object as metrics. The name of a metric is the path of its value, such as
+/// "coefficients[2].a".
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON or not an object
 transform::Metrics values_in_json(const std::string& text, const std::string& where);
 
 }  // namespace fpkcheck::results

@@ -6,8 +6,8 @@
 
 namespace fpkcheck::results {
 
-/// Name and version of the libraries that write files: the loaded version of netCDF, the compiled
-/// version of nlohmann-json.
+/// Names and versions of the libraries that write files. For netCDF, the version of the loaded
+/// library; for nlohmann-json, the version of the headers that the program was compiled with.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 }  // namespace fpkcheck::results

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::results {
 
-/// Converts a marginal to the curve that is saved.
+/// Converts the marginal density of a solution to a curve, the form in which a run stores it.
 Curve make_curve(compare::SolutionMarginal&& found);
 
 }  // namespace fpkcheck::results

@@ -44,7 +44,7 @@ std::string interval_end(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
-// Accepts CRLF line ends, which version control may have introduced.
+// Reads a line without its end. The end may be CRLF, since version control may change line ends.
 bool next_line(std::istream& in, std::string& line) {
   if (!std::getline(in, line)) return false;
   if (line.ends_with('\r')) line.pop_back();

@@ -12,10 +12,10 @@
 
 namespace fpkcheck::results {
 
-/// Writes one row for each bin of every curve of every case, under the header
-/// `case,solution,variable,abscissa,density,lower,upper`. The number of digits suffices to read the
-/// same numbers back.
-/// @param curves &Case::curves, or &Case::smooth for curves over smooth bins
+/// Writes the marginal densities of all cases as CSV. The header is
+/// `case,solution,variable,abscissa,density,lower,upper`; every bin of every curve is one row. The
+/// numbers have sufficient digits to be read back without rounding errors.
+/// @param curves the curves to write: &Case::curves, or &Case::smooth for curves over smooth bins
 void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
                          std::vector<Curve> Case::*curves = &Case::curves);
 
@@ -25,15 +25,15 @@ struct CaseCurve {
   Curve curve;
 };
 
-/// Whether the density of a solution of a case may be infinite or NaN.
+/// Function that returns whether the density of a solution of a case may be infinite or NaN.
 using NonFinitePredicate =
     std::function<bool(const std::string& case_name, const std::string& solution)>;
 
-/// Reads a file of write_marginals_csv. Numbers must be finite, except densities and intervals of
-/// solutions that failed.
-/// @param source the stream's name in messages
-/// @param allows_non_finite selects these solutions; if empty, all numbers must be finite
-/// @throws InputError on one line: source, line number and problem
+/// Reads a file that write_marginals_csv() wrote. All numbers must be finite, except the densities
+/// and confidence intervals of the solutions that `allows_non_finite` selects.
+/// @param source name of the file, for messages
+/// @param allows_non_finite function that selects solutions; if empty, all numbers must be finite
+/// @throws InputError with a message of one line: source, line number and problem
 std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
                                           const NonFinitePredicate& allows_non_finite = {});
 

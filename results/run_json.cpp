@@ -116,7 +116,8 @@ Variable variable_in(const Json& object) {
   return *variable;
 }
 
-// Null represents a number that is not finite.
+// The number in a JSON value; `default_value` if the JSON value is null. Null represents a number
+// that is not finite.
 double number_or_default(double default_value, const Json& value) {
   return value.is_null() ? default_value : value.get<double>();
 }
@@ -132,7 +133,8 @@ PairDistances pair_in(const Json& json) {
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
   d.sup = number_or_default(kNotANumber, json.at("sup"));
   d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
-  // Infinity and NaN are both written as null. The distance of two densities can only be infinite.
+  // The file has null for both infinity and NaN. If both densities are finite (l1 is finite), kl
+  // cannot be NaN, and null represents infinity.
   d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),

@@ -10,18 +10,18 @@ namespace fpkcheck::results {
 /// Version of the schema of summary.json.
 inline constexpr int kSummarySchema = 1;
 
-/// The contents of summary.json: the result of a run without curves and joint densities. Numbers
-/// that are not finite become null, and so do the moments, the mass and the energy residual of a
-/// solution without a density.
-/// @param files saved in the same directory
+/// The text of summary.json: the result of a run without curves and joint densities. Null replaces
+/// numbers that are not finite. Null also replaces the moments, the mass, the minimum density and
+/// the energy residual of a solution without a density.
+/// @param files checksums of the other files that are saved in the same directory
 std::string summary_text(const Run& run, std::span<const FileChecksum> files = {});
 
-/// Reads a text of summary_text. The solutions have no densities; the kind of each metric follows
-/// from its type (metrics_in). In runs of older versions, solutions have no identity: then `family`
-/// is empty.
-/// @param where the file's name in messages
-/// @throws InputError on one line: invalid JSON, not a summary, another schema, a missing or
-///         invalid field
+/// Reads a summary.json, the text of summary_text(). The solutions of the result have no densities.
+/// The kind of each metric follows from its JSON type (metrics_in). A run of an older version has
+/// solutions without an identity; their `family` is then empty.
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON, is not a summary, has
+///         another schema, or has a missing or invalid field
 Run read_summary(std::istream& in, const std::string& where);
 
 }  // namespace fpkcheck::results

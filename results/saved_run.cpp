@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using base::in_quotes;
 using base::sanitise;
 
-// Sufficient for hundreds of cases.
+// Largest size of a file of a run: sufficient for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved(const fs::path& file) {
@@ -53,7 +53,7 @@ Case* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
-// Older runs have no checksums and are not checked.
+// Tests the checksum of a file. Older runs have no checksums: then there is no test.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
   const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
   if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
@@ -62,8 +62,9 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
 void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
   auto csv = open_saved(file);
   require_same_run(file, csv.view(), run);
-  // Trajectories of a simulation may exceed the range of numbers: the status is then `failed`, with
-  // the density so far. The density of an `ok` solution is finite everywhere.
+  // Trajectories of a simulation may exceed the range of numbers. The simulation then has the
+  // status `failed`, and its density may not be finite. The density of an `ok` solution is finite
+  // everywhere.
   const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
     const Case* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
@@ -93,7 +94,7 @@ bool has_any(const Run& run, std::vector<Element> Case::*list) {
                              [&](const Case& case_result) { return !(case_result.*list).empty(); });
 }
 
-// Adds the files of a run and records their checksums.
+// Adds files to the pending files of a run and stores their checksums.
 class SavedFiles {
  public:
   SavedFiles(base::PendingFiles& files, const fs::path& directory)

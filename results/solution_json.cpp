@@ -21,11 +21,11 @@ using transform::Identity;
 using transform::Moments;
 using transform::Solution;
 
-// The equation and impact of an external density without an equation.
+// The texts that represent the unknown equation and impact condition of an external density.
 constexpr const char* kUnknownEquation = "given";
 constexpr const char* kUnknownImpact = "-";
 
-// The keys of all solutions; the other keys are metrics.
+// The keys of a solution that every solver shares; all other keys are metrics of the solver.
 constexpr std::array<std::string_view, 17> kCommonKeys{"id",
                                                        "method",
                                                        "equation",
@@ -43,7 +43,8 @@ constexpr std::array<std::string_view, 17> kCommonKeys{"id",
                                                        "standard_errors",
                                                        "sampling_l1",
                                                        "smooth_sampling_l1"};
-// The keys of "error" of all solutions; the other keys of "error" are metrics.
+// The keys of "error" that every solver shares; all other keys of "error" are metrics of the
+// solver.
 constexpr std::array<std::string_view, 3> kCommonErrorKeys{"y_l1", "ydot_l1", "moments"};
 
 template <std::size_t N>
@@ -160,7 +161,7 @@ void read_numbers(const Json& json, Solution& s) {
   }
 }
 
-// The part of the object that contains the solver's metrics.
+// A copy of the JSON object of a solution with the metrics of the solver only.
 Json metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {

@@ -7,12 +7,12 @@
 
 namespace fpkcheck::results {
 
-/// An element of "solutions" in summary.json: the keys of all solutions, and the metrics of the
-/// solver.
-/// @throws std::logic_error when a metric has the key of a common field
+/// An element of "solutions" in summary.json: the keys that every solution has, then the metrics of
+/// its solver.
+/// @throws std::logic_error when a metric has the name of one of the common keys
 Json solution_json(const transform::Solution& solution);
 
-/// Reads an element that solution_json wrote; the solution has no density.
+/// Converts the result of solution_json() back to a solution. The solution has no density.
 /// @throws nlohmann::json::exception, InputError
 transform::Solution solution_in(const Json& json);
 

@@ -5,8 +5,9 @@
 
 namespace fpkcheck::results {
 
-/// Writes the parameters of a problem as attributes of a variable, or of the file: `damping`, ..,
-/// `impulse_rate`, `impulse_law`, ..
+/// Writes the parameters of a problem as netCDF attributes: `damping`, .., `impulse_rate`,
+/// `impulse_law`, ..
+/// @param variable id of the variable that gets the attributes, or kGlobal for the file
 void write_parameters(NetCdfWriter& file, const problem::Problem& problem,
                       int variable = NetCdfWriter::kGlobal);
 

@@ -11,7 +11,8 @@
 namespace fpkcheck::results {
 namespace {
 
-// Limit for one variable: all solutions of a case have less than a million values on their cells.
+// Largest number of values of one variable. All solutions of a case together have less than a
+// million values on their cells.
 constexpr std::size_t kMaxValues = std::size_t{1} << 24;
 constexpr std::size_t kMaxLabels = 10000;
 constexpr std::size_t kMaxAttributeLength = 10000;
@@ -25,9 +26,11 @@ void check_read_status(int status, const std::string& what) {
 }  // namespace
 
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
-  // This program writes HDF5 only. libnetcdf does not validate the headers of the older formats.
+  // Only netCDF-4 (HDF5), which this program writes, is accepted: libnetcdf does not validate the
+  // headers of the older formats.
   if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("not netCDF-4");
-  // From memory: libnetcdf interprets some paths as network addresses, and changes others.
+  // The file is opened from memory, since libnetcdf interprets some paths as network addresses and
+  // changes others.
   check_read_status(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
                     "cannot be opened");
 }
@@ -104,7 +107,7 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
   std::vector<std::size_t> chunk(lengths.size());
   check_read_status(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
   if (storage != NC_CHUNKED) return count;
-  // The library allocates whole chunks, even if few of their values exist.
+  // The size of chunks is limited: libnetcdf allocates whole chunks, even if few values exist.
   for (std::size_t k = 0; k < chunk.size(); ++k) {
     if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
       throw std::runtime_error(fmt::format("{}: a chunk exceeds the dimensions", name));

@@ -6,11 +6,11 @@
 
 namespace fpkcheck::results {
 
-/// The first bytes of the supported files: the signature of HDF5.
+/// The first bytes of a netCDF-4 file, the only supported format: the signature of HDF5.
 inline constexpr std::string_view kNetCdfMagic = "\x89HDF\r\n\x1a\n";
 
-/// Reads a netCDF file from memory. Every member throws std::runtime_error on one line where the
-/// file is corrupt or lacks the requested item.
+/// Reader of a netCDF-4 file in memory. Every member throws std::runtime_error with a message of
+/// one line if the file is corrupt or lacks the requested variable or attribute.
 class NetCdfReader {
  public:
   explicit NetCdfReader(std::string bytes);
@@ -20,19 +20,22 @@ class NetCdfReader {
 
   /// Names of all variables, in the order in which they were written.
   std::vector<std::string> variables() const;
+  /// Names of the dimensions of a variable.
   std::vector<std::string> dimensions(const std::string& variable) const;
+  /// Lengths of the dimensions of a variable.
   std::vector<std::size_t> shape(const std::string& variable) const;
-  /// The values of a variable, row-major.
+  /// The values of a variable as numbers, row-major.
   std::vector<double> values(const std::string& variable);
   /// The texts that NetCdfWriter::labels wrote.
   std::vector<std::string> labels(const std::string& variable);
-  /// The cell edges of a coordinate, from its bounds.
+  /// The edges of the cells of a coordinate, from the CF variable of cell bounds.
   std::vector<double> edges(const std::string& coordinate);
-  /// An attribute of a variable.
+  /// The text of an attribute of a variable.
   std::string text(const std::string& variable, const std::string& attribute) const;
 
  private:
-  /// The number of values of a variable, checked before any memory is allocated.
+  /// The number of values of a variable. This function is called before memory is allocated for the
+  /// values.
   /// @throws std::runtime_error for more values than any file of this program has, and for types
   ///         other than float, double and char
   std::size_t value_count(const std::string& name);
@@ -41,7 +44,7 @@ class NetCdfReader {
 
   std::string bytes_;                 // contents of the file
   std::size_t requested_values_ = 0;  // number of values requested so far
-  int id_ = 0;
+  int id_ = 0;                        // id of the open file in libnetcdf
 };
 
 }  // namespace fpkcheck::results

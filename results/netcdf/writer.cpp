@@ -45,7 +45,7 @@ void fill_with_nan(int file, int variable, const std::string& name) {
 
 NetCdfWriter::NetCdfWriter() {
   static_assert(kGlobal == NC_GLOBAL);
-  constexpr std::size_t kInitialSize = 1 << 20;  // initial size; the library extends it
+  constexpr std::size_t kInitialSize = 1 << 20;  // in bytes; libnetcdf extends the memory
   check_write_status(nc_create_mem("in memory", NC_NETCDF4, kInitialSize, &id_),
                      "cannot create the file");
 }

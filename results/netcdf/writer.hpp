@@ -6,12 +6,14 @@
 
 namespace fpkcheck::results {
 
-/// Writes a netCDF-4 file in memory, since HDF5 does not recover from a full disk, and netCDF
-/// interprets some file names as network addresses. Readers list the variables in the order of
-/// their names. Every member throws std::runtime_error on one line.
+/// Writer of a netCDF-4 file in memory. The file is not written to disk directly, since HDF5 does
+/// not recover from a full disk and netCDF interprets some file names as network addresses.
+/// Programs that read the file list its variables in the order of their names. Every member throws
+/// std::runtime_error with a message of one line.
 class NetCdfWriter {
  public:
-  static constexpr int kGlobal = -1;  ///< in place of a variable's id: attributes of the file
+  /// Value in place of the id of a variable, for attributes of the file.
+  static constexpr int kGlobal = -1;
 
   NetCdfWriter();
   NetCdfWriter(const NetCdfWriter&) = delete;
@@ -19,38 +21,45 @@ class NetCdfWriter {
   ~NetCdfWriter();
 
   /// Defines a dimension.
-  /// @return its id
+  /// @return the id of the dimension
   int dimension(const std::string& name, std::size_t length);
 
   /// Writes a variable of double precision; values are row-major, units are "1".
-  /// @param long_name empty for the bounds of a coordinate, which have no attributes
-  /// @return its id
+  /// @param dimensions ids of the dimensions
+  /// @param long_name description of the variable; empty for the cell bounds of a coordinate, which
+  ///        have no attributes
+  /// @return the id of the variable
   int variable(const std::string& name, const std::vector<int>& dimensions,
                const std::string& long_name, std::span<const double> values);
 
-  /// Writes a coordinate of cells and its dimension, both called `name`. The values are the
-  /// centres; the edges are the bounds, `name`_bounds.
-  /// @param bounds the id of a dimension of length 2
+  /// Writes the coordinate variable of the cells along one dimension, and defines the dimension;
+  /// both have the name `name`. The values are the centres of the cells. The variable `name`_bounds
+  /// contains the edges.
+  /// @param bounds id of a dimension of length 2
   /// @return the id of the dimension
   int cells(const std::string& name, const std::string& long_name, int bounds,
             std::span<const double> edges);
 
   /// Writes a deflated variable of single precision, in chunks of one element of the first
   /// dimension. NaN is the fill value; units are "1".
-  /// @return its id
+  /// @param dimensions ids of the dimensions
+  /// @return the id of the variable
   int compressed_float(const std::string& name, const std::vector<int>& dimensions,
                        const std::string& long_name, std::span<const float> values);
 
   /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
-  /// @return its id
+  /// @param dimensions ids of the dimensions
+  /// @return the id of the variable
   int compressed_double(const std::string& name, const std::vector<int>& dimensions,
                         const std::string& long_name, std::span<const double> values);
 
-  /// Writes texts along a dimension as UTF-8 characters, padded with zeros. All readers support
-  /// this form.
+  /// Writes a variable of texts along a dimension, as UTF-8 characters padded with zeros. All
+  /// netCDF readers support this form.
+  /// @param dimension id of the dimension
   void labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
-  /// Writes an attribute of a variable, or of the file.
+  /// Writes an attribute.
+  /// @param variable id of the variable that gets the attribute, or kGlobal for the file
   void attribute(const std::string& name, const std::string& text, int variable = kGlobal);
   void attribute(const std::string& name, double value, int variable = kGlobal);
   void attribute(const std::string& name, int value, int variable = kGlobal);
@@ -59,8 +68,8 @@ class NetCdfWriter {
   std::string bytes();
 
  private:
-  int id_ = 0;
-  bool open_ = true;
+  int id_ = 0;        // id of the file in libnetcdf
+  bool open_ = true;  // whether the file is open
 };
 
 }  // namespace fpkcheck::results
