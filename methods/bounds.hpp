@@ -6,13 +6,15 @@
 
 namespace fpkcheck::methods {
 
-/// Converts backward::bounds() to the type that comparisons and files use. Where memory does not
-/// suffice, the result has no bounds and gives that reason.
+/// Computes guaranteed bounds by backward::bounds() and converts them to the type that comparisons
+/// and files use. If memory does not suffice, the result has no bounds, and its `reason` is
+/// kOutOfMemory.
 compare::Bounds guaranteed_bounds(const problem::Problem& problem,
                                   const backward::Options& options);
 
-/// Computes the guaranteed bounds of a case, as narrow as about a second allows.
-/// @param threads 0 for all processors
+/// Computes the guaranteed bounds of a case and stores them in the result of the case. The
+/// refinement of the bounds ends after about a second.
+/// @param threads number of threads; 0 for one per processor
 void add_bounds(results::Case& case_result, int threads);
 
 }  // namespace fpkcheck::methods

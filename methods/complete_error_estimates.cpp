@@ -28,8 +28,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// L1 distances of a solution's marginals from those of the reference. A marginal that one of the
-// two lacks has no value.
+// The L1 distances of the marginals of a solution from the marginals of the reference. The distance
+// is empty for a variable in which the solution or the reference has no marginal.
 struct Distance {
   std::optional<double> y, ydot;
 
@@ -73,7 +73,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
       if (const Distance found = distance(solution); found.y && found.ydot) {
-        if (solution.status == transform::Status::inaccurate) {  // only since it had no estimate
+        if (solution.status == transform::Status::inaccurate) {  // due to the missing estimate
           solution.status = transform::Status::ok;
           solution.reason.clear();
         }

@@ -11,8 +11,8 @@ std::vector<results::Case> complete_run(const std::vector<problem::Problem>& pro
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // Shared by the methods that estimate their errors and by the moment error estimates of all
-  // solutions, so that each backward equation is solved once.
+  // The methods and the moment error estimates of all solutions share these estimators, so that
+  // each backward equation is solved once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);

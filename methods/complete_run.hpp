@@ -7,20 +7,24 @@
 
 namespace fpkcheck::methods {
 
-/// Settings and callbacks of a complete run.
+/// Settings and callbacks of complete_run().
 struct CompleteRunSettings {
-  int threads = 0;            ///< for methods that run in parallel; 0 for all processors
-  bool with_backward = true;  ///< compute bounds and moment error estimates (backward equation)
-  ProgressListener progress = {};
-  /// Called when a case has all its solutions, and again when it has bounds and moment error
-  /// estimates. If set, a stop request prevents further solves, as in run_cases.
+  int threads = 0;  ///< number of threads for methods that run in parallel; 0 for one per processor
+  /// Whether to solve backward equations for guaranteed bounds and moment error estimates.
+  bool with_backward = true;
+  ProgressListener progress = {};  ///< receives the progress of the run
+  /// Called when all solutions of a case are computed, and again when its bounds and moment error
+  /// estimates are computed. If the listener is set, a stop request prevents further solves, as in
+  /// run_cases().
   CaseListener case_listener = {};
-  /// Called between two long operations after the solutions; an exception from it ends the run.
+  /// Called after the solutions are computed, and after each further long operation. An exception
+  /// of `poll` ends the run.
   std::function<void()> poll = {};
 };
 
-/// Solves and compares the cases of a run, and computes their bounds and moment error estimates.
-/// @throws whatever a solver, `progress` or `poll` throws
+/// Solves all problems with all methods, compares the solutions of each case, and computes
+/// guaranteed bounds and moment error estimates of each case.
+/// @throws exceptions of solvers, of `progress` and of `poll`
 std::vector<results::Case> complete_run(const std::vector<problem::Problem>& problems,
                                         const std::vector<Method>& methods,
                                         const CompleteRunSettings& settings);

@@ -66,7 +66,7 @@ Solver epc_solver() {
                           "on the half-plane y >= 0.",
                           {"epc-moment-n4", "epc-moment-n8", "epc-moment-n12"}, kPurple, "square"),
                    family("epc-polar",
-                          "As epc-moment, with a polynomial of amplitude and phase, or of "
+                          "As epc-moment, but with a polynomial of amplitude and phase, or of "
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
       .run_options = {"accuracy"},

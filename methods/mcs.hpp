@@ -8,17 +8,18 @@
 
 namespace fpkcheck::methods {
 
-/// Checkpoints, interruption and processes of a simulation: settings that files do not store.
+/// Settings of a simulation that are not stored in files: checkpoints, interruption, processes.
 struct SimulationControl {
-  std::string checkpoint = {};      ///< file to write the state to; empty for none
-  std::string resume = {};          ///< file of the checkpoint to resume; empty for none
-  std::function<bool()> stop = {};  ///< true ends the simulation and keeps the result so far
+  std::string checkpoint = {};  ///< file to write checkpoints to; empty for no checkpoints
+  std::string resume = {};      ///< checkpoint file to resume from; empty for a new simulation
+  /// Function that returns whether the simulation must end with its result so far.
+  std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
   mcs::Team team = {};                                ///< processes that share the simulation
 };
 
-/// The method `simulation` with these settings.
-/// @param simulation a method of mcs_solver
+/// A copy of a simulation method with settings for checkpoints, interruption and processes.
+/// @param simulation a method of mcs_solver()
 Method with_control(Method simulation, const SimulationControl& control);
 
 }  // namespace fpkcheck::methods

@@ -11,30 +11,32 @@
 
 namespace fpkcheck::methods {
 
-/// Receives the completed fraction of a method's work, 0 .. 1, and a note on its state (may be
-/// empty).
+/// Function that receives the completed fraction, 0 .. 1, of the work of a method, and a note on
+/// the state of the method. The note may be empty.
 using ProgressCallback = std::function<void(double, const std::string& note)>;
 
-/// The input of a method besides the problem.
+/// The input of a method in addition to the problem.
 struct SolveContext {
-  const compare::ComparisonAxes& axes;  ///< bins of a simulation's histogram
-  const ProgressCallback& progress;     ///< may be empty
-  /// Residual-based error estimator of the problem, for methods without an error estimate of their
-  /// own (set_residual_error_estimate). Null where the caller shares none.
+  const compare::ComparisonAxes& axes;  ///< comparison bins, which a simulation's histogram uses
+  const ProgressCallback& progress;     ///< receives the progress of the method; may be empty
+  /// Residual-based error estimator of the problem, for methods that do not estimate their errors
+  /// otherwise (set_residual_error_estimate). Null if the caller has no estimator to share.
   const ResidualErrorEstimator* error_estimator = nullptr;
-  /// False where the caller obtains the error in another way, as by the distance to the reference.
+  /// Whether the method must estimate the error of its solution. False if the caller estimates the
+  /// error, as by the distance from the reference.
   bool estimate_error = true;
 };
 
-/// A solver with fixed options.
+/// A solver together with values of its options.
 struct Method {
-  transform::Identity identity;  ///< of its solutions
-  base::Values options = {};     ///< as stored in files
-  /// True when the method uses all processors: no other method should run at the same time.
+  transform::Identity identity;  ///< identity of the solutions of this method
+  base::Values options = {};     ///< values of the options, as stored in files
+  /// Whether the method uses all processors. No other method should run at the same time.
   bool uses_all_processors = false;
-  /// Solves a problem. The caller sets the solution's identity and options (solve_with).
+  /// Solves a problem. The caller sets the identity and options of the solution (solve_with).
   std::function<transform::Solution(const problem::Problem&, const SolveContext&)> solve;
-  /// Checks that the options suit a problem, before any method starts on any problem. May be empty.
+  /// Tests whether the options and a problem are compatible. All tests run before the first problem
+  /// is solved. May be empty.
   /// @throws InputError when the options and the problem are incompatible
   std::function<void(const problem::Problem&)> check = {};
 

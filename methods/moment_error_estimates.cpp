@@ -17,7 +17,7 @@ namespace {
 using results::Case;
 using transform::Moments;
 
-/// The results for a solution.
+/// The moment error estimates and error sources of one solution.
 struct SolutionErrors {
   results::MomentErrorEstimate error;
   std::vector<results::ErrorSource> sources;
@@ -34,7 +34,7 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
-    // Files store single precision.
+    // The values are rounded to single precision, the precision of the files.
     for (const double value : row) {
       result.density.averages.push_back(static_cast<float>(value));
     }

@@ -5,15 +5,17 @@
 
 namespace fpkcheck::methods {
 
-/// The reason of a solution, or of bounds, for which memory did not suffice.
+/// The `reason` of a solution, or of guaranteed bounds, that could not be computed for lack of
+/// memory.
 inline constexpr const char* kOutOfMemory =
     "out of memory: the machine or the limit of this process has too little; use coarser grids or "
     "fewer threads";
 
-/// Runs one task of a run and catches a lack of memory, so that the other tasks continue. Unwinding
-/// the stack frees the memory of the task. A thread that cannot allocate its stack counts as well.
-/// @return whether the task was completed
-/// @throws any other exception of the task
+/// Calls a function, one of the tasks of a run, and catches exceptions due to a lack of memory. The
+/// other tasks of the run can then continue, since unwinding the stack frees the memory of this
+/// task. The failure to start a thread, whose stack cannot be allocated, is also a lack of memory.
+/// @return whether the function returned without a lack of memory
+/// @throws any other exception of the function
 template <class Part>
 bool try_within_memory(const Part& part) {
   try {

@@ -15,13 +15,14 @@ constexpr const char* kSkyBlue = "#56B4E9";
 constexpr const char* kBlue = "#0072B2";
 constexpr const char* kGreen = "#009E73";
 
-// The higher the order, the larger the drawn share of the line.
+// Dash patterns by increasing order of the closure. The fraction of the line that is drawn
+// increases with the order.
 constexpr std::array kDashes{"(2,4)",          "(10,4)",     "(10,4,2,4)",
                              "(10,4,2,4,2,4)", "(20,4,2,4)", "(20,6)"};
 
 constexpr const char* kEquationMarker = "triangle-down";
 
-// Index among the orders 2, 4, .. 12, limited to the number of dash patterns.
+// Index of a closure order in the list 2, 4, .. 12, at most the last index of kDashes.
 std::size_t order_index(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }

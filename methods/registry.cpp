@@ -33,7 +33,8 @@ Values with_overrides(Values options, const Values& overrides) {
   return options;
 }
 
-// The ids that an item of a list selects: the default ids of a family or solver, or the id itself.
+// The ids that an item of a list of methods selects: the default ids if the item is a family or a
+// solver, else the item as an id.
 std::vector<std::string> selected_ids(const Registry& registry, const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
@@ -83,8 +84,8 @@ void Registry::annotate(Identity& identity) const {
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Trust increases with the index of the family, then with the order of the member or its index
-  // among the default ids.
+  // Trust increases with the index of the family. Within a family, trust increases with the order
+  // of the closure, or with the index among the default ids.
   constexpr int kMaxFamilySize = 1000;
   const auto place =
       std::ranges::find(family.default_ids, identity.id) - family.default_ids.begin();

@@ -11,57 +11,65 @@
 
 namespace fpkcheck::methods {
 
-/// The solvers of the program. Every command receives a registry. `builtin_registry` has the
-/// solvers of this project; programs that link the library may add others (docs/extending.md).
+/// The list of the solvers of the program. Every command receives a registry. builtin_registry()
+/// contains the solvers of this project; programs that link the library may add other solvers
+/// (docs/extending.md).
 class Registry {
  public:
-  /// @throws std::logic_error when a solver or a family of this name is already registered
+  /// Adds a solver.
+  /// @throws std::logic_error when the registry has a solver or a family with the same name
   void add(Solver solver);
 
+  /// All solvers, in the order in which they were added.
   const std::vector<Solver>& solvers() const { return solvers_; }
-  /// The solver with this name, or null.
+  /// The solver with this name; null if there is none.
   const Solver* find(std::string_view name) const;
-  /// All families, by increasing trust.
+  /// The families of methods of all solvers, by increasing trust.
   std::vector<const Family*> families() const;
 
-  /// The method with this id.
-  /// @param overrides values that replace defaults where the solver has an option of that name
-  /// @return no value when no solver has such an id
+  /// The method with this id; empty if no solver has such an id.
+  /// @param overrides values of options, in place of the defaults. Names that are no options of the
+  ///        solver are ignored
   /// @throws InputError when the options are invalid
   std::optional<Method> method_by_id(std::string_view id, const base::Values& overrides = {}) const;
 
-  /// The method of a solver with these options.
+  /// The method that consists of a solver and values of its options.
   /// @throws InputError when the options cannot be read or are invalid
   Method method(const Solver& solver, const base::Values& options) const;
 
-  /// The methods of a comma-separated list, by increasing trust, each once. An item is a solution's
-  /// id (epc-gaussian-n6, fd-km4, mcs), a family (epc-gaussian) or a solver (epc). A family or
-  /// solver selects its default ids.
-  /// @throws InputError with the item that is no method
+  /// The methods that a comma-separated list selects, by increasing trust, each method once. An
+  /// item of the list is the id of a method (epc-gaussian-n6, fd-km4, mcs), a family (epc-gaussian)
+  /// or a solver (epc). A family or a solver selects its default ids.
+  /// @param overrides values of options, as in method_by_id()
+  /// @throws InputError when an item of the list selects no method
   std::vector<Method> select(const std::string& list, const base::Values& overrides) const;
 
-  /// The method that computed a solution of a saved run, with its options. No value for an external
-  /// density (a file, a function or samples).
+  /// The method that computed a solution of a saved run, with the options of the solution. Empty
+  /// for an external density (a file, a function or samples).
+  /// @param overrides values of options, as in method_by_id()
   /// @throws InputError when the options are invalid or belong to another id, or when the registry
-  ///         has no such solver
+  ///         does not contain the solver
   std::optional<Method> method_for_solution(const transform::Solution& solution,
                                             const base::Values& overrides) const;
 
-  /// Completes the identities (family, meaning, trust, plot style) of solutions of a saved run that
-  /// lacks them.
+  /// Sets the family, meaning, trust and plot style of solutions of a saved run, if the run was
+  /// saved without them.
   void annotate(results::Run& run) const;
 
  private:
+  /// A copy of a method with the family, meaning, trust and plot style of its solutions.
   Method annotated_method(Method method) const;
+  /// Sets the family, meaning, trust and plot style of a solution with this id.
   void annotate(transform::Identity& identity) const;
 
   std::vector<Solver> solvers_;
 };
 
-/// True when `first` is trusted less than `second`.
+/// Whether the solutions of `first` are less trusted than the solutions of `second`.
 bool is_less_trusted(const transform::Identity& first, const transform::Identity& second);
 
-/// The admissible items of a list of methods, for messages: "epc, fd, mcs, or ids such as ..".
+/// The admissible items of a list of methods, as text for messages: "epc, fd, mcs, or ids such
+/// as ..".
 std::string selectable_items_text(const Registry& registry);
 
 }  // namespace fpkcheck::methods

@@ -66,7 +66,7 @@ std::optional<backward::DensityErrors> weighted_residuals(const ResidualErrorEst
   return std::nullopt;  // the density has no mean
 }
 
-// The reason for a missing error estimate.
+// The reason for the status of a solution whose error estimate is missing.
 std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
                                     const std::optional<backward::DensityErrors>& weighted) {
   if (weighted) {
@@ -79,8 +79,8 @@ std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
                          : estimator.unsupported_reason());
 }
 
-// The reason for an error estimate above the required accuracy: an inaccurate density, or an
-// estimate that is only an upper bound.
+// The reason for the status of a solution whose error estimate exceeds the required accuracy.
+// Either the density is inaccurate, or the estimate is only an upper bound of the error.
 std::string large_estimate_reason(const backward::DensityErrors& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
   const double found = backward::DensityErrors::kSubBinFactor *

@@ -14,8 +14,9 @@ class DensityResiduals;
 
 namespace fpkcheck::methods {
 
-/// Residual-based estimator of the errors of densities of one problem. The backward equations are
-/// solved in wall coordinates on first use, once for all threads.
+/// Residual-based estimator of the errors of densities that approximate the stationary density of
+/// one problem. The backward equations are solved in wall coordinates on first use, once for all
+/// threads.
 class ResidualErrorEstimator {
  public:
   /// @param problem in physical or in wall coordinates
@@ -23,12 +24,13 @@ class ResidualErrorEstimator {
   ResidualErrorEstimator(ResidualErrorEstimator&&) noexcept;
   ~ResidualErrorEstimator();
 
-  /// The estimator of densities in wall coordinates. Null where its fit breaks down or the problem
-  /// is unsupported (backward::residuals_unsupported_reason). May be called from several threads.
+  /// The estimator for densities in wall coordinates. Null if the solution of the backward
+  /// equations breaks down or the problem is unsupported (backward::residuals_unsupported_reason).
+  /// Several threads may call this function.
   const backward::DensityResiduals* get() const;
   /// The wall coordinates of the problem.
   const problem::Frame& frame() const;
-  /// Why the problem is unsupported, in one phrase; empty if supported.
+  /// The reason why the problem is unsupported, in one phrase; empty if the problem is supported.
   const std::string& unsupported_reason() const;
 
  private:
@@ -36,17 +38,17 @@ class ResidualErrorEstimator {
   std::unique_ptr<LazyFit> fit_;
 };
 
-/// The estimators of the problems, in the same order.
+/// One residual-based error estimator for each problem, in the same order.
 std::vector<ResidualErrorEstimator> make_error_estimators(
     const std::vector<problem::Problem>& problems);
 
 /// Sets the error estimate of a solution with a density by the dual-weighted residual method
-/// (backward/residual/density_residuals.hpp). The error is that against the full problem, whichever
-/// equation the method solves. An `ok` solution becomes `inaccurate` if its estimate exceeds
-/// `accuracy` in L1, or if no estimate exists.
+/// (backward/residual/density_residuals.hpp). The estimated error is the distance from the solution
+/// of the full problem, also if the method solves another equation. An `ok` solution becomes
+/// `inaccurate` if the L1 error estimate exceeds `accuracy`, or if there is no estimate.
 /// @param accuracy largest admissible L1 error of p(y) and of p(y')
-/// @param coordinates of the solution's density; the physical ones by default
-/// @param reason_prefix first words of the reason for an estimate above `accuracy`
+/// @param coordinates coordinates of the density of the solution; by default physical coordinates
+/// @param reason_prefix first words of the reason for the status `inaccurate`
 void set_residual_error_estimate(
     const ResidualErrorEstimator& estimator, double accuracy, transform::Solution& solution,
     const problem::Frame& coordinates = {},

@@ -20,7 +20,7 @@ struct Task {
   std::size_t method;
 };
 
-// The table problems x methods while it is filled.
+// The table of solutions (problems x methods) during the run.
 class CaseTable {
  public:
   CaseTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
@@ -89,7 +89,7 @@ class CaseTable {
   const CaseListener& case_listener_;
   std::vector<compare::ComparisonAxes> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
-  std::vector<std::atomic<std::size_t>> unsolved_;  // solutions of each case
+  std::vector<std::atomic<std::size_t>> unsolved_;  // number of missing solutions of each case
   std::vector<std::optional<results::Case>> cases_;
   std::atomic<std::size_t> done_ = 0;
   std::mutex listener_mutex_;
@@ -106,8 +106,8 @@ Solution solve_with(const Method& method, const problem::Problem& problem,
   }
   solution.identity = method.identity;
   solution.options = method.options;
-  // The errors of closures and external densities may follow from the reference
-  // (complete_error_estimates).
+  // The error estimates of closures and external densities may be computed later, from the distance
+  // to the reference (complete_error_estimates).
   const auto role = method.identity.role;
   if (role == transform::Role::equation || role == transform::Role::simulation) {
     transform::require_error_estimate(solution);

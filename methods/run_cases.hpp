@@ -13,43 +13,49 @@ namespace fpkcheck::methods {
 
 /// The progress of a run.
 struct RunProgress {
-  std::size_t done;   ///< solutions finished
-  std::size_t total;  ///< solutions requested
-  std::string case_name;
-  std::string method;
-  double fraction;        ///< of this method's work; 1 when the method has just finished
-  std::string note = {};  ///< the method's note on its state; may be empty
+  std::size_t done;       ///< number of solutions that are finished
+  std::size_t total;      ///< number of solutions that the run computes
+  std::string case_name;  ///< name of the case that is solved
+  std::string method;     ///< id of the method that reports progress
+  double fraction;        ///< completed fraction of the work of this method, 0 .. 1
+  std::string note = {};  ///< note on the state of this method; may be empty
 };
 
-/// Receives progress. Several threads call it, never two at the same time.
+/// Function that receives the progress of a run. Several threads call the function, but never two
+/// threads at the same time.
 using ProgressListener = std::function<void(const RunProgress&)>;
 
-/// Solves a problem with a method on the axes of its case, and sets the solution's identity and
-/// options. Where memory does not suffice, the status is `failed`. A solution of a density equation
-/// or a simulation without an error estimate is not `ok`; complete_error_estimates() does the same
-/// for all others.
+/// Solves a problem with a method, and sets the identity and options of the solution. If memory
+/// does not suffice, the status is `failed`. The solution of a density equation or of a simulation
+/// gets a status other than `ok` if the solution has no error estimate. For all other solutions
+/// complete_error_estimates() sets this status.
 transform::Solution solve_with(const Method& method, const problem::Problem& problem,
                                const SolveContext& context);
 
-/// @throws InputError when the options of a method do not suit one of the problems (Method::check)
+/// Tests that the options of every method are compatible with every problem (Method::check).
+/// @throws InputError when a method and a problem are incompatible
 void require_solvable(const std::vector<problem::Problem>& problems,
                       const std::vector<Method>& methods);
 
-/// Solves every problem with every method and compares the solutions, after require_solvable().
-/// Methods that use one processor run in parallel; methods that use all processors run alone.
+/// Calls require_solvable(), solves every problem with every method, and compares the solutions of
+/// each problem. Methods that use one processor run in parallel. While a method that uses all
+/// processors runs, no other method runs.
 /// @param methods by increasing trust
-/// @param threads processors to use; 0 for all
-/// @throws whatever a solver throws, after the other solvers have ended
+/// @param threads number of threads; 0 for one per processor
+/// @throws the first exception of a solver, after the other solvers have ended
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener);
 
-/// Receives a case as soon as it has all its solutions. Several threads call it.
+/// Function that receives the result of a case as soon as all its solutions are computed. Several
+/// threads call the function.
 using CaseListener = std::function<void(const results::Case&)>;
 
-/// Does the same with error estimators that the caller owns, one for each problem.
-/// @param case_listener if set, a stop request (base/process/stop.hpp) prevents further solves, and
-///                      the returned list lacks the incomplete cases
+/// Solves and compares as the overload without estimators does.
+/// @param estimators residual-based error estimators, one for each problem; the caller owns them
+/// @param case_listener receives the completed cases; may be empty. If the listener is set, a stop
+///        request (base/process/stop.hpp) prevents further solves, and the returned list omits the
+///        incomplete cases
 std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
                                      const std::vector<Method>& methods, int threads,
                                      const ProgressListener& listener,

@@ -7,11 +7,12 @@
 
 namespace fpkcheck::methods {
 
-/// Solves a problem in wall coordinates (problem/frame.hpp), with the wall at 0, and returns the
-/// solution on the physical axes. Where the solver does not support the problem, the status is
-/// `not_offered` and the reason is that of `unsupported_reason`.
-/// @param unsupported_reason why the solver does not support the transformed problem, or empty
-/// @param solve solves the transformed problem on the transformed axes
+/// Solves a problem in wall coordinates (problem/frame.hpp), in which the wall is at 0, and returns
+/// the solution in physical coordinates. If the solver does not support the problem, the status of
+/// the solution is `not_offered`, and its reason is the result of `unsupported_reason`.
+/// @param unsupported_reason function of the transformed problem that returns the reason why the
+///        solver does not support the problem; an empty reason if the solver supports the problem
+/// @param solve function that solves the transformed problem on the transformed axes
 transform::Solution solve_in_wall_coordinates(
     const problem::Problem& problem, const SolveContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,

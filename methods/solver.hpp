@@ -13,55 +13,65 @@
 
 namespace fpkcheck::methods {
 
-/// A family of solutions: its entry in lists, glossaries, legends and the order of trust.
+/// A family of methods: methods of one solver that share a name, a meaning and a plot style. Lists
+/// of methods, glossaries and legends have one entry for each family.
 struct Family {
-  std::string name;  ///< ids are NAME or begin with NAME-: "epc-gaussian", "fd", "mcs"
-  transform::Role role;
-  std::string meaning;  ///< one sentence, for glossaries
-  std::vector<std::string>
-      default_ids;  ///< ids that the name selects in a list, by increasing trust
+  /// Name of the family: "epc-gaussian", "fd", "mcs". The ids of the members are NAME or begin with
+  /// NAME-.
+  std::string name;
+  transform::Role role;  ///< role of the solutions in comparisons
+  std::string meaning;   ///< one sentence on the methods of the family, for glossaries
+  /// Ids of the methods that the family name selects in a list of methods, by increasing trust.
+  std::vector<std::string> default_ids;
+  /// Function that returns the plot style of a solution of the family.
   std::function<transform::PlotStyle(const transform::Identity&)> plot_style;
 };
 
-/// A solver: an entry of the registry. The program lists, runs, tabulates, plots, saves, repeats
-/// and studies methods through these entries alone.
+/// A solver, an entry of the registry. All commands of the program use solvers through their
+/// registry entries only.
 struct Solver {
-  std::string name;                           ///< command, and "method" in files: "epc"
-  std::string summary;                        ///< a line of `fpkcheck --help`
-  std::string usage;                          ///< first part of `fpkcheck NAME --help`
-  std::vector<Family> families;               ///< by increasing trust
-  bool uses_all_processors = false;           ///< Method::uses_all_processors
-  std::vector<std::string> run_options = {};  ///< names of options that `run` has as well
+  std::string name;                  ///< name of the command, and "method" in files: "epc"
+  std::string summary;               ///< a line of `fpkcheck --help`
+  std::string usage;                 ///< first part of `fpkcheck NAME --help`
+  std::vector<Family> families;      ///< families of methods of the solver, by increasing trust
+  bool uses_all_processors = false;  ///< whether the methods use all processors
+  /// Names of the solver's options that the command `run` also accepts.
+  std::vector<std::string> run_options = {};
 
   const base::DescriptionBase* option_descriptions;  ///< descriptions of the options
   base::Values default_options;                      ///< default values of the options
-  /// The options of an id; no value where the id belongs to no solution of this solver.
+  /// Function that returns the options of the method with an id; empty if the solver has no method
+  /// with this id.
   std::function<std::optional<base::Values>(std::string_view id)> options_of;
-  /// The method with these options.
+  /// Function that returns the method with the given options.
   /// @throws InputError when the options cannot be read or are invalid
   std::function<Method(const base::Values&)> method;
 };
 
-/// The functions of a solver's library from which its registry entry is made.
+/// The functions of a solver's library that with_traits() uses for the registry entry of the
+/// solver.
 template <class Options>
 struct SolverTraits {
-  const base::Description<Options>& description;
+  const base::Description<Options>& description;  ///< description of the options
+  /// Tests the options.
   /// @throws InputError when the options are invalid
   void (*validate)(const Options&);
+  /// The identity of the solutions of the solver with these options.
   transform::Identity (*identity)(const Options&);
+  /// The options of the method with an id; empty if the solver has no method with this id.
   std::optional<Options> (*options_of)(std::string_view id);
   /// Solves a problem in wall coordinates (problem/frame.hpp), with axes in the same coordinates.
   std::function<transform::Solution(const problem::Problem&, const Options&, const SolveContext&)>
       solve;
-  /// Method::check; may be null.
+  /// Tests whether a problem and the options are compatible, as Method::check; may be null.
   void (*check)(const problem::Problem&, const Options&) = nullptr;
-  /// Why the solver does not support a problem, in one phrase; empty where it does. Null where the
-  /// solver supports every problem.
+  /// The reason why the solver does not support a problem, in one phrase; empty if the solver
+  /// supports the problem. A null function means that the solver supports every problem.
   std::string (*unsupported_reason)(const problem::Problem&, const Options&) = nullptr;
 };
 
-/// Completes a registry entry by the solver's functions: converts options to values, and values to
-/// methods.
+/// A copy of a registry entry in which the option descriptions, the default options and the
+/// functions are those of the solver's library.
 template <class Options>
 Solver with_traits(Solver solver, const SolverTraits<Options>& traits) {
   solver.option_descriptions = &traits.description;
