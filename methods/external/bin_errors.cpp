@@ -11,7 +11,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The integral over the bin as a linear combination of the values at the knots (trapezoidal rule).
+// The integral of the density over the bin as a linear combination of the values at the knots
+// (trapezoidal rule).
 BinError trapezoidal_rule(std::span<const double> knots, double lower, double upper) {
   BinError bin{.width = upper - lower, .first = 0, .factors = {}};
   const auto after = std::ranges::upper_bound(knots, lower) - knots.begin();
@@ -40,7 +41,8 @@ void extrapolate_first(BinError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// Replaces the value at the last knot, with index `points`, likewise.
+// Replaces the value at the last knot, which has the index `points`, by the same formula in reverse
+// order.
 void extrapolate_last(BinError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
@@ -81,11 +83,11 @@ std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const 
   return bins;
 }
 
-// The errors of neighbouring bins are correlated where the bins share points. Therefore the
-// quantile is found by Monte Carlo: it draws errors of the points.
+// Neighbouring bins share points, so that their errors are correlated. Therefore the quantile is
+// computed from random samples of the errors of the points.
 BinSamplingL1 sampling_l1(std::span<const BinError> bins) {
   constexpr int kReplicates = 1000;
-  constexpr std::uint64_t kSeed = 20240501;  // arbitrary and fixed: results are reproducible
+  constexpr std::uint64_t kSeed = 20240501;  // an arbitrary, fixed value: results are reproducible
   BinSamplingL1 result;
   std::size_t points = 0;
   for (const auto& bin : bins) {

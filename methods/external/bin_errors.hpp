@@ -8,32 +8,38 @@
 
 namespace fpkcheck::methods {
 
-/// The error of a density's average over a bin: the sum of factors[k] * z[first + k]. The z are the
-/// errors of the points in units of their standard errors, and independent.
+/// The sampling error of the average of a density over a bin, as a linear combination of the errors
+/// of the points: the sum of factors[k] * z[first + k]. z[i] is the error of the density at point
+/// i, in units of its standard error. The z[i] are independent.
 struct BinError {
-  double width;
-  std::size_t first = 0;  ///< index of the first point
-  std::vector<double>
-      factors;  ///< of this point and the following points; empty outside the points
+  double width;           ///< width of the bin
+  std::size_t first = 0;  ///< index of the first point with a factor
+  /// Factors of the point `first` and the following points. Empty if the bin is outside the points.
+  std::vector<double> factors;
 
-  /// Standard error of the average.
+  /// Standard error of the average over the bin.
   double standard_error() const;
 };
 
-/// Errors of bin averages of a density that is given at points with independent errors, and linear
-/// between the points.
-/// @param knots abscissae of the points; also the walls to which the density is extrapolated
-/// @param extrapolation whether the first or last knot is a wall: the density there is extrapolated
-///        linearly from the next two knots
+/// The sampling errors of the averages of a density over bins. The density is given at points with
+/// independent errors, and is linear between the points.
+/// @param knots abscissae of the points, and of the walls to which the density is extrapolated
+/// @param errors standard errors of the density at the points
+/// @param edges edges of the bins
+/// @param extrapolation whether the first or last knot is a wall. The density at that wall is
+///        extrapolated linearly from the next two knots
 std::vector<BinError> bin_errors(std::span<const double> knots, std::span<const double> errors,
                                  std::span<const double> edges,
                                  const WallExtrapolation& extrapolation);
 
-/// Sampling error of the density in L1 over the bins.
+/// L1 sampling error of a density, as averages over bins.
 struct BinSamplingL1 {
-  double expected = 0;     ///< sum over bins of sqrt(2/pi) * standard error * width
-  double quantile_99 = 0;  ///< 99 % quantile of the L1 distance
+  /// Expected value: the sum over bins of sqrt(2/pi) * standard error * width.
+  double expected = 0;
+  double quantile_99 = 0;  ///< 99 % quantile of the L1 sampling error
 };
+
+/// The L1 sampling error over all bins.
 
 BinSamplingL1 sampling_l1(std::span<const BinError> bins);
 

@@ -9,33 +9,37 @@
 
 namespace fpkcheck::methods {
 
-/// The selection of a solution of a saved run.
+/// The request for a solution of a saved run.
 struct SolutionChoice {
-  std::optional<std::string> solution = {};
-  std::optional<std::string> case_name = {};
-  /// The case to use where `case_name` is not set and the run has a case of this name.
+  std::optional<std::string> solution = {};   ///< id of the solution
+  std::optional<std::string> case_name = {};  ///< name of the case
+  /// Name of the case to use if `case_name` is empty and the run has a case of this name.
   std::string default_case = {};
 };
 
-/// A closed form from a JSON file.
+/// The contents of a JSON file with a closed form.
 struct ClosedFormFile {
   epc::ClosedForm form;
-  /// Where the file is a saved run: the problem, and the selected solution without its density.
-  std::optional<problem::Problem> problem = {};
+  std::optional<problem::Problem> problem = {};  ///< problem, if the file is a saved run
+  /// Solution with this closed form, without its density, if the file is a saved run.
   std::optional<transform::Solution> solution = {};
 };
 
-/// Reads a closed form from JSON (epc::read_closed_form), or the closed form of a solution in the
+/// Reads a closed form from JSON (epc::read_closed_form), or the closed form of a solution from the
 /// summary of a run.
-/// @param where the file's name in messages
-/// @throws InputError on one line: not JSON, a selection that is missing or matches nothing, a
-///         solution without a closed form, an incomplete closed form
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON, if the closed form is
+///         incomplete, if `choice` selects no solution or lacks a name among several, or if the
+///         selected solution has no closed form
 ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
                                      const SolutionChoice& choice);
 
-/// The index of the requested name in `names`; without a request, of the only name.
+/// The index of the requested name in `names`. Without a requested name, the index of the only
+/// name.
 /// @param item_kind "case" or "solution", for messages
-/// @throws InputError on one line
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if `names` does not contain the requested name,
+///         or if no name is requested and `names` has several
 std::size_t select_index(const std::vector<std::string>& names,
                          const std::optional<std::string>& requested, const std::string& item_kind,
                          const std::string& where);

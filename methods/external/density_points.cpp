@@ -9,7 +9,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The edges, with further bins of the last width over the length `extension` beyond the last edge.
+// The edges, extended by further bins over the length `extension` beyond the last edge. The further
+// bins have the width of the last bin.
 std::vector<double> extend_edges(std::vector<double> edges, double extension) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
   const auto more = static_cast<int>(std::lround(extension / width));
@@ -24,7 +25,8 @@ std::vector<double> reflect_edges(std::vector<double> edges) {
   return edges;
 }
 
-// The edges of y, with further bins at the ends without a wall, but not beyond a wall farther out.
+// The edges of y, extended by further bins at each end without a wall. The bins do not extend
+// beyond a wall that is farther out.
 std::vector<double> extend_edges(const std::vector<double>& edges, bool low, bool high,
                                  const problem::Walls& walls) {
   const double length = edges.back() - edges.front();

@@ -8,25 +8,29 @@
 
 namespace fpkcheck::methods {
 
-/// The quadrature points at which an external density p(y, y') is evaluated.
+/// The cells and quadrature points at which an external joint density p(y, y') is evaluated.
 class DensityPoints {
  public:
-  /// The cells are those of the axes. Where there is no wall, further cells of the same width
-  /// extend them to 10/7 of their length, to include mass beyond the axes.
+  /// Uses the cells of the comparison axes. On each side without a wall, further cells of the same
+  /// width extend the range to 10/7 of its length, to include mass beyond the comparison axes.
   DensityPoints(const compare::ComparisonAxes& axes, const problem::Walls& walls);
 
-  /// The walls that limit the points.
+  /// The walls that limit the range of y.
   const problem::Walls& walls() const { return walls_; }
-  /// Whether the cells begin at the left wall, and end at the right wall.
+  /// Whether the first cell in y begins at the left wall.
   bool has_wall_at_start() const { return has_wall_at_start_; }
+  /// Whether the last cell in y ends at the right wall.
   bool has_wall_at_end() const { return has_wall_at_end_; }
 
+  /// The edges of the cells in y.
   const std::vector<double>& y_edges() const { return y_edges_; }
+  /// The edges of the cells in y'.
   const std::vector<double>& v_edges() const { return v_edges_; }
-  /// Three Gauss-Legendre points per cell. The left wall is the first point and the right wall the
-  /// last, where the cells reach them.
+  /// The quadrature points in y: three Gauss-Legendre points per cell. If the cells begin at the
+  /// left wall, that wall is an additional first point. If the cells end at the right wall, that
+  /// wall is an additional last point.
   const std::vector<double>& y() const { return y_; }
-  /// Three Gauss-Legendre points per cell.
+  /// The quadrature points in y': three Gauss-Legendre points per cell.
   const std::vector<double>& v() const { return v_; }
 
  private:
@@ -35,19 +39,20 @@ class DensityPoints {
   std::vector<double> y_edges_, v_edges_, y_, v_;
 };
 
-/// The edges of three subcells per cell, whose widths are the weights of the cell's points.
-/// Averages over the subcells, taken as values at the points, then give the exact averages over the
-/// cells.
+/// The edges of three subcells per cell. The widths of the subcells are the quadrature weights of
+/// the three points of the cell. Hence, if the values at the points are averages of a density over
+/// the subcells, the quadrature rule gives the exact averages over the cells.
 std::vector<double> subcell_edges(const std::vector<double>& edges);
 
-/// A density's values at the points, with the quadrature rule.
+/// Integrals of an external density p(y, y') by the quadrature rule, from the values of p at the
+/// quadrature points.
 class PointIntegrals {
  public:
-  /// @param points, values must outlive this object; values are row-major, shape (points.y(),
-  ///        points.v())
+  /// The object refers to `points` and `values`, which must outlive the object.
+  /// @param values values of p, row-major, shape (points.y(), points.v())
   PointIntegrals(const DensityPoints& points, const std::vector<double>& values);
 
-  /// int g(y, v) p(y, v) dy dv.
+  /// The integral of a function times the density: int g(y, v) p(y, v) dy dv.
   template <class Function>
   double integrate(const Function& g) const {
     double sum = 0;
@@ -59,16 +64,19 @@ class PointIntegrals {
     }
     return sum;
   }
+  /// The integral of the density.
   double mass() const {
     return integrate([](double, double) { return 1.0; });
   }
   /// The moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
-  /// int_{v<0} |v|^power p(a, v) dv at the left wall a; 0 where the points do not reach the wall.
+  /// The integral int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a; 0
+  /// if the cells do not begin at the wall.
   double left_flux(int power) const;
-  /// int_{v>0} v^power p(b, v) dv at the right wall b, likewise.
+  /// The integral int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b; 0 if
+  /// the cells do not end at the wall.
   double right_flux(int power) const;
-  /// The averages over the cells.
+  /// The averages of the density over the cells.
   transform::GridDensity averages() const;
 
  private:
@@ -76,7 +84,7 @@ class PointIntegrals {
 
   const DensityPoints& points_;
   const std::vector<double>& values_;
-  std::size_t first_;  ///< row of the first cell's first point
+  std::size_t first_;  ///< index in y of the first quadrature point of the first cell
   std::vector<double> weight_y_, weight_v_;
 };
 

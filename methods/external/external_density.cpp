@@ -20,10 +20,11 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-// Tolerances: the first two relative to the peak, the third to a mass of 1.
+// Tolerances. The first two are relative to the peak of the density, the third is relative to a
+// mass of 1.
 constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
 
-// The largest average in the outermost cells, except at walls.
+// The largest average over the outermost cells. Cells at a wall are not outermost.
 double largest_boundary_average(const transform::GridDensity& grid, const DensityPoints& points) {
   double most = 0;
   for (std::size_t i = 0; i < grid.ny(); ++i) {
@@ -36,7 +37,7 @@ double largest_boundary_average(const transform::GridDensity& grid, const Densit
   return most;
 }
 
-// "at y = 2 and |y'| = 3"
+// The outermost edges as text: "at y = 2 and |y'| = 3".
 std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints& points) {
   std::string ends;
   if (!points.has_wall_at_start()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.front());
@@ -45,7 +46,7 @@ std::string cut_off_text(const transform::GridDensity& grid, const DensityPoints
   return fmt::format("at {}|y'| = {:.3g}", ends, grid.v_edges.back());
 }
 
-// The reason for the status inadmissible; empty where the function is a density.
+// The reason for the status inadmissible; empty if the function is an admissible density.
 std::string inadmissible_reason(const transform::GridDensity& grid, const DensityPoints& points,
                                 double peak, double least, double mass) {
   if (least < -kNegativeTolerance * peak) {
@@ -61,7 +62,7 @@ std::string inadmissible_reason(const transform::GridDensity& grid, const Densit
   return {};
 }
 
-// The residuals of the balances in wall coordinates.
+// The residuals of the balances of momentum and power, in wall coordinates.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const PointIntegrals& integrals, double mass) {
   const problem::Frame frame = problem::wall_frame(problem.system);
@@ -187,7 +188,8 @@ Solution solution_of(const problem::Problem& problem, const SolveContext& contex
   add_rest_note(problem, builder);
   solution.metrics = builder.take();
   if (external.equation && context.error_estimator != nullptr) {
-    // An empty prefix of the reason: the density was not tested against the equation.
+    // The prefix of the reason is empty: the default prefix states that the density meets its
+    // equations, which was not tested.
     set_residual_error_estimate(*context.error_estimator, options.accuracy, solution, {}, "");
   }
   return solution;

@@ -9,56 +9,61 @@
 #include "methods/external/density_points.hpp"
 #include "methods/method.hpp"
 
-/// External densities as methods that solve nothing. A density with an equation is a closure: it is
-/// compared with the reference and has an error budget, but is never the reference.
+/// External densities as methods that solve nothing. An external density for which an equation is
+/// stated is a closure: the density is compared with the reference, has an error budget, and is
+/// never the reference.
 namespace fpkcheck::methods {
 
 /// The description of an external density.
 struct ExternalDensity {
-  std::string label;  ///< the solution's id (methods/external/label.hpp)
-  /// The equation that the density approximates. No value: unknown, without an error budget.
+  std::string label;  ///< label, the id of the solution (methods/external/label.hpp)
+  /// The equation that the density approximates; empty if unknown. A density with an unknown
+  /// equation has no error budget.
   std::optional<problem::Equation> equation = {};
   problem::Impact impact = problem::Impact::map;  ///< impact condition of the equation
-  std::size_t index = 0;                          ///< index among external densities, for figures
-  std::optional<int> order = {};                  ///< order of the closure
+  std::size_t index = 0;          ///< index among all external densities, for plot styles
+  std::optional<int> order = {};  ///< order of the closure
 };
 
-/// The identity of the solution.
+/// The identity of the solution that is an external density.
 /// @param method transform::kExternalFile or transform::kExternalFunction
-/// @param origin for the glossary, as "given as a function"
+/// @param origin phrase on the origin of the density, for the glossary: "given as a function"
 transform::Identity external_identity(const ExternalDensity& external, std::string_view method,
                                       const std::string& origin);
 
-/// Options for the values of a joint density.
+/// Options for an external joint density.
 struct DensityOptions {
-  bool normalise = true;  ///< divide by the integral; the metric "normalised_by" is the divisor
-  /// For a density with an equation: largest residual-based L1 error estimate of p(y) and of p(y')
-  /// with the status ok.
+  /// Whether to divide the density by its integral. The metric "normalised_by" is the divisor.
+  bool normalise = true;
+  /// Largest residual-based L1 error estimate of p(y) and of p(y') with which the status is ok. Has
+  /// no effect on a density with an unknown equation.
   double accuracy = 0.02;
-  std::string inadmissible_reason =
-      {};  ///< known reason for the status inadmissible; empty if none
+  /// Reason for the status inadmissible, if that status is known; else empty.
+  std::string inadmissible_reason = {};
 };
 
-/// A method whose solution is a function, given by its values; the density is stored as averages
-/// over the cells of the points. The status is `inadmissible` where values are negative, where the
-/// density is cut off at the last edge, or where the integral of an unnormalised density is not 1.
-/// @param values row-major, shape (points.y(), points.v())
+/// A method whose solution is an external joint density, given by its values at quadrature points.
+/// The solution stores averages over the cells of the points. The status is `inadmissible` if
+/// values are negative, if the density is cut off at an outermost edge, or if the integral of a
+/// density that is not to be normalised differs from 1.
+/// @param values values of the density, row-major, shape (points.y(), points.v())
 /// @throws InputError when a value is not finite, or the integral is not positive
 Method make_function_method(const ExternalDensity& external, const DensityOptions& options,
                             const DensityPoints& points, std::vector<double> values);
 
-/// Adds the note notes[0]: the mass at rest in contact (problem::Features) is not part of an
-/// external density.
+/// Adds the metric notes[0] if mass may be at rest in contact (problem::Features). The note states
+/// that an external density does not contain this mass.
 void add_rest_note(const problem::Problem& problem, transform::MetricBuilder& builder);
 
-/// The integral of values as passed to make_function_method.
-/// @throws InputError as make_function_method
+/// Tests the values of an external joint density, as make_function_method() does.
+/// @return the integral of the density
+/// @throws InputError when a value is not finite, or the integral is not positive
 double require_density(const ExternalDensity& external, const DensityPoints& points,
                        const std::vector<double>& values);
 
-/// The solution of the method of make_function_method.
-/// @param values that require_density accepts
-/// @param mass integral of the values
+/// The solution of a method of make_function_method().
+/// @param values values of the density that require_density() accepts
+/// @param mass integral of the density, the result of require_density()
 transform::Solution solution_of(const problem::Problem& problem, const SolveContext& context,
                                 const ExternalDensity& external, const DensityOptions& options,
                                 const DensityPoints& points, std::vector<double> values,

@@ -23,7 +23,8 @@ namespace {
 ExternalJoint joint_from_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
   ExternalJoint joint{.path = path, .form = "joint points", .numbers = table.p.size()};
-  // The density is taken as 0 beyond the table.
+  // Beyond the outermost points of the table the density is taken as 0. A note reports large values
+  // at these points.
   constexpr double kSmall = 1e-3;
   const double peak = std::ranges::max(table.p);
   double end = 0;
@@ -81,7 +82,8 @@ ExternalJoint joint_from_run(const ExternalArgument& argument, const std::string
   return joint;
 }
 
-// The first parameter of the file's problem that differs from the run's; empty if none differs.
+// The first parameter of the problem in the file that differs from the problem of the run, as text;
+// empty if no parameter differs.
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::sections(of_run);
   for (const auto& section : problem::sections(of_file)) {
@@ -142,7 +144,8 @@ ExternalJoint joint_from_json(const ExternalArgument& argument, const std::strin
       read_closed_form_file(text, where, {argument.solution, argument.case_name, default_case}));
   const auto& [form, problem, solution] = *file;
   ExternalJoint joint{.path = where, .form = "closed form", .numbers = form.q.terms().size()};
-  // A normalisation constant in an external file is checked; that of a saved run is not.
+  // The normalisation constant of a closed form in an external file is tested. That of a saved run
+  // is not tested.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
   using enum epc::Variables;
   if (form.frame.variables == plane || form.frame.variables == physical) {

@@ -12,32 +12,40 @@
 
 namespace fpkcheck::methods {
 
-/// A joint density from a file: its origin and its values at given points.
+/// An external joint density that was read from a file.
 struct ExternalJoint {
-  std::string path;
-  std::string form;         ///< "joint points", "joint cells", "closed form"
-  std::size_t numbers = 0;  ///< number of points, cells or coefficients
-  std::vector<std::string> notes{};
-  bool normalise = true;              ///< as in DensityOptions
-  std::string inadmissible_reason{};  ///< as in DensityOptions
-  /// The problem of the file, and the equation, impact and order that the file states.
-  std::optional<problem::Problem> problem{};
-  std::optional<problem::Equation> equation{};
-  std::optional<problem::Impact> impact{};
-  std::optional<int> order{};
-  /// The values at the points: row-major, shape (points.y(), points.v()).
+  std::string path;                             ///< name of the file
+  std::string form;                             ///< "joint points", "joint cells", "closed form"
+  std::size_t numbers = 0;                      ///< number of points, cells or coefficients
+  std::vector<std::string> notes{};             ///< remarks for the user
+  bool normalise = true;                        ///< as in DensityOptions
+  std::string inadmissible_reason{};            ///< as in DensityOptions
+  std::optional<problem::Problem> problem{};    ///< problem that the file states, if any
+  std::optional<problem::Equation> equation{};  ///< equation that the file states, if any
+  std::optional<problem::Impact> impact{};      ///< impact condition that the file states, if any
+  std::optional<int> order{};  ///< order of the closure that the file states, if any
+  /// Function that evaluates the density at quadrature points. The result is row-major, shape
+  /// (points.y(), points.v()).
   std::function<std::vector<double>(const problem::Problem&, const DensityPoints&)> values{};
 };
 
-/// Reads a joint density from columns of text, from netCDF, or from a closed form as JSON.
-/// @throws InputError on one line
+/// Converts columns of numbers to a joint density.
+/// @throws InputError with a message of one line
 ExternalJoint joint_from_table(const NumberTable& table);
+/// Reads a joint density from a netCDF-4 file, an external file or the joint.nc of a run.
+/// @param bytes contents of the file
+/// @param default_case name of the case to use if `argument` has no case name
+/// @throws InputError with a message of one line
 ExternalJoint joint_from_netcdf(const ExternalArgument& argument, std::string bytes,
                                 const std::string& default_case, const Registry& registry);
+/// Reads a joint density from JSON: a closed form, or the summary of a run.
+/// @param text contents of the file
+/// @param default_case name of the case to use if `argument` has no case name
+/// @throws InputError with a message of one line
 ExternalJoint joint_from_json(const ExternalArgument& argument, const std::string& text,
                               const std::string& default_case);
 
-/// The method whose solution is this density.
+/// A method whose solution is an external joint density from a file.
 Method make_joint_method(const ExternalDensity& external, const ExternalJoint& joint);
 
 }  // namespace fpkcheck::methods

@@ -12,7 +12,7 @@
 #include "methods/external/bin_errors.hpp"
 #include "methods/external/column_meaning.hpp"
 
-// After fpclassify: pchip of Boost 1.74 calls isnan without having declared it.
+// This include follows fpclassify: pchip of Boost 1.74 calls isnan, but does not declare isnan.
 #include <boost/math/interpolators/makima.hpp>
 #include <boost/math/interpolators/pchip.hpp>
 
@@ -24,7 +24,8 @@ using transform::Variable;
 void require_between_walls(const NumberTable& table, std::size_t row, double y,
                            const problem::Walls& walls) {
   if (is_between_walls(walls, y)) return;
-  // The column names chose the variable y, or the file belongs to another case.
+  // A cause of the error may be the column names, which select the variable y. Another cause may be
+  // a file of another case.
   table.fail(row,
              fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
                          "density of y')",
@@ -56,7 +57,8 @@ void require_not_negative(const NumberTable& table, std::size_t column, const ch
   }
 }
 
-// Limit of abscissae and integrals: their fourth powers, divided by the narrowest bins, are finite.
+// Limit of the magnitude of abscissae and integrals. With this limit, fourth powers divided by the
+// narrowest bin width are finite.
 constexpr double kMaxMagnitude = 1e60;
 
 template <class Function>
@@ -147,7 +149,7 @@ void ExternalMarginal::normalise(BinValue value) {
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: the integral overflows; choose other units", file));
   }
-  // Derivatives and moments can exceed the range of numbers before the abscissae do.
+  // Derivatives and moments may exceed the range of numbers, even if the abscissae do not.
   const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kMaxMagnitude; };
   if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
       !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {
@@ -172,7 +174,7 @@ void ExternalMarginal::normalise(BinValue value) {
 }
 
 void ExternalMarginal::add_cut_off_notes() {
-  constexpr double kSmall = 1e-3;  // of the peak
+  constexpr double kSmall = 1e-3;  // relative to the peak of the density
   double peak = 0;
   for (std::size_t k = 1; k < knots_.size(); ++k) {
     peak = std::max(peak, (cumulative_[k] - cumulative_[k - 1]) / (knots_[k] - knots_[k - 1]));

@@ -14,50 +14,54 @@
 
 namespace fpkcheck::methods {
 
-/// The contents of a file and their treatment, for the summary of a run.
+/// Properties of a file with a marginal density, and of its normalisation, for the summary of a
+/// run.
 struct FileTreatment {
-  std::string path;
-  std::string form;  ///< "histogram" or "points"
-  std::size_t rows = 0;
-  std::string values = {};             ///< of a histogram: "density", "probability", "count"
-  double from = 0, to = 0;             ///< range of the abscissa
-  double integral = 0;                 ///< before normalisation
-  std::optional<double> divided_by{};  ///< divisor of the normalisation to mass 1
+  std::string path;         ///< name of the file
+  std::string form;         ///< "histogram" or "points"
+  std::size_t rows = 0;     ///< number of rows
+  std::string values = {};  ///< quantity of a histogram: "density", "probability", "count"
+  double from = 0, to = 0;  ///< range of the abscissa
+  double integral = 0;      ///< integral of the density before normalisation
+  std::optional<double> divided_by{};  ///< divisor of the normalisation to mass 1, if normalised
   std::vector<std::string> notes{};    ///< remarks for the user
 };
 
 /// An external marginal density from a file.
 ///
-/// Two columns are abscissa and density. Three columns are a histogram (is_histogram), or else
-/// abscissa, density and standard error. Between points the density is Akima's modified
-/// interpolant; within the bins of a histogram the density is the derivative of a monotone cubic
-/// interpolant of the cumulative distribution. A first or last point of y that is no farther from
-/// the wall than from its neighbour is extrapolated linearly to the wall. Elsewhere outside the
-/// file's range the density is 0.
+/// A file with two columns contains abscissa and density. A file with three columns contains a
+/// histogram (is_histogram), or else abscissa, density and standard error. Between points the
+/// density is Akima's modified interpolant. Within the bins of a histogram the density is the
+/// derivative of a monotone cubic interpolant of the cumulative distribution. If the first or last
+/// point of y is not farther from a wall than from its neighbour, the density is extrapolated
+/// linearly to the wall. Elsewhere outside the range of the file the density is 0.
 class ExternalMarginal {
  public:
-  /// @param table with the columns above
-  /// @param walls that limit y
-  /// @throws InputError SOURCE:LINE: the problem and what is allowed
+  /// @param table columns of the file, as above
+  /// @param walls walls that limit y
+  /// @throws InputError with a message "SOURCE:LINE: problem (admissible values)"
   ExternalMarginal(const NumberTable& table, const problem::Walls& walls);
 
   transform::Variable variable() const { return variable_; }
 
-  /// Averages over bins, with 95 % intervals where the file has standard errors.
+  /// The averages of the density over bins, with 95 % confidence intervals if the file has standard
+  /// errors.
   transform::Marginal average_over(std::span<const double> edges) const;
 
-  /// The integral of x^power over the file's range.
+  /// The moment E[x^power] of the variable x: the integral of x^power times the density over the
+  /// range of the file.
   double moment(int power) const;
 
-  /// The fraction of the mass outside lower <= x <= upper.
+  /// The fraction of the mass outside the interval lower <= x <= upper.
   double fraction_outside(double lower, double upper) const;
 
-  /// The sampling error in L1 over bins, by the file's standard errors.
+  /// The L1 sampling error of the averages over bins, from the standard errors in the file.
   /// @pre has_errors()
   BinSamplingL1 sampling_l1(std::span<const double> edges) const;
+  /// Whether the file has standard errors.
   bool has_errors() const { return !errors_.empty(); }
 
-  /// The contents of the file and their treatment.
+  /// The properties of the file and of its normalisation.
   const FileTreatment& file() const { return file_; }
 
  private:
@@ -68,10 +72,10 @@ class ExternalMarginal {
   double cumulative(double x) const;
 
   transform::Variable variable_;
-  problem::Walls walls_;             // of y; none for y'
+  problem::Walls walls_;             // walls that limit y; no walls for a density of y'
   WallExtrapolation extrapolation_;  // walls to which the density is extrapolated
   std::vector<double> knots_;        // edges of bins, or points and walls
-  std::vector<double> cumulative_;   // at the knots
+  std::vector<double> cumulative_;   // cumulative distribution at the knots
   std::function<double(double)> density_;
   double scale_ = 1;            // factor of density_ for mass 1
   std::vector<double> errors_;  // standard errors of the file's points, or empty

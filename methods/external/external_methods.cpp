@@ -30,7 +30,7 @@ using transform::Variable;
 
 double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
 
-// The comparison ignores mass beyond its axes.
+// A remark on mass beyond the comparison axes, which the comparison ignores.
 std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, double share,
                                              const std::vector<double>& bins) {
   constexpr double kSmall = 1e-3;
@@ -41,7 +41,7 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
       100 * share, marginal.variable() == Variable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
-// Adds the contents of a file and their treatment as metrics, under "files[k]".
+// Adds the properties of a file and of its normalisation as metrics, under "files[k]".
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::MetricBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
@@ -77,8 +77,8 @@ void add_sampling_error(const ExternalMarginal& marginal, const std::vector<doub
   (of_y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
 }
 
-// Balance residuals of a solution with both marginals, in wall coordinates. Marginals determine
-// neither fluxes at walls nor joint moments.
+// Residuals of the balances for a solution with both marginals, in wall coordinates. Other balances
+// are omitted: marginals determine neither the fluxes at walls nor joint moments.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<ExternalMarginal>& marginals) {
   const auto of = [&](Variable variable) {
@@ -127,7 +127,7 @@ transform::Solution solution_of(const problem::Problem& problem,
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
-    // The worse of several files.
+    // Of several files, the mass farthest from 1 and the smallest minimum density are kept.
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling_error(marginal, bins, solution);
@@ -140,7 +140,8 @@ transform::Solution solution_of(const problem::Problem& problem,
   return solution;
 }
 
-// The file of a marginal; the walls are known only with a case.
+// A file with a marginal density. The file is converted to a density later, when the case and hence
+// the walls are known.
 struct MarginalFile {
   NumberTable table;
   Variable variable;
@@ -153,14 +154,15 @@ std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
   return marginals;
 }
 
-// The arguments of one label.
+// The external density of one label, and the files with this label.
 struct LabelledFiles {
   ExternalDensity external;
   std::vector<MarginalFile> marginals;
   std::optional<ExternalJoint> joint;
 };
 
-// Sets equation, impact and order: from the argument, else from the file.
+// Sets the equation, impact condition and order of a density: from the argument, else from the
+// file.
 void set_identity(const ExternalArgument& argument, const ExternalJoint* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {

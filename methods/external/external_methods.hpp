@@ -8,20 +8,21 @@
 
 namespace fpkcheck::methods {
 
-/// External densities from files, as methods that solve nothing. This function reads each file
-/// once; the methods evaluate the densities on the comparison axes of the case.
+/// Reads external densities from files and returns them as methods that solve nothing. Each file is
+/// read once. The methods evaluate the densities on the comparison axes of the case.
 ///
-/// A file contains a marginal density (ExternalMarginal), or a joint density on a grid
-/// (ExternalJointDensity) or as a closed form (epc::ClosedForm). Files of marginals with the same
-/// label make one solution, and several orders a family (methods/external/families.hpp). The
-/// solver's name is "file". A density with an equation, from the argument or the file, is a
-/// closure; otherwise equation and impact are unknown.
-/// @param arguments as in ExternalArgument
-/// @param registry whose ids no label may have
-/// @param case_name the case to use in a file with several cases
-/// @return in the order of first occurrence of the labels
-/// @throws InputError on one line: an invalid argument or file, a label that is invalid or a
-///         method's id, two files with the same label and variable
+/// A file contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or
+/// a joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
+/// label are one solution. Densities of several orders form a family
+/// (methods/external/families.hpp). The name of the solver is "file". If the argument or the file
+/// states an equation, the density is a closure; otherwise its equation and impact condition are
+/// unknown.
+/// @param arguments arguments of the option --against, as in ExternalArgument
+/// @param registry registry of methods; no label may be the id of a method
+/// @param case_name name of the case to use in a file with several cases
+/// @return one method for each label, in the order of first occurrence of the labels
+/// @throws InputError with a message of one line, for an invalid argument or file, for a label that
+///         is invalid or the id of a method, and for two files with the same label and variable
 std::vector<Method> external_methods(std::span<const std::string> arguments,
                                      const Registry& registry, const std::string& case_name = {});
 

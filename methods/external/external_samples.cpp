@@ -22,7 +22,7 @@ using transform::Variable;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// Samples with their effective number.
+// Samples of (y, y') with their effective number of independent samples.
 struct Samples {
   std::vector<double> y, v;
   double independent;
@@ -49,7 +49,8 @@ Samples without_rest(const Samples& samples, const problem::Problem& problem) {
   return left;
 }
 
-// Adds a marginal: the fractions of all `n` samples in the bins, and their standard errors.
+// Adds a marginal density to the solution, from the fractions of all `n` samples in the bins, with
+// confidence intervals from the standard errors of the fractions.
 void add_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
                   double independent, Variable variable, Solution& solution) {
   std::vector<double> fractions(edges.size() - 1);
@@ -73,9 +74,9 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
-// Sets the means of powers and their standard errors.
+// Sets the moments of the solution and their standard errors to those of the samples.
 void set_moments(const Samples& samples, Solution& solution) {
-  constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // of y, then of y'
+  constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // three powers of y, then three powers of y'
   static_assert(std::size(kPowers) == std::size(transform::kMoments));
   const double n = static_cast<double>(samples.size());
   for (std::size_t k = 0; k < std::size(kPowers); ++k) {

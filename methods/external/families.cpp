@@ -14,7 +14,8 @@ constexpr std::string_view kSeparators = "-_.";
 
 bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos; }
 
-// "chi" for the label "chi-n4" with order 4; no value where the label does not end with the order.
+// The common name in a label: "chi" for the label "chi-n4" of a density of order 4. Empty if the
+// label does not end with the order.
 std::optional<std::string> family_name(const transform::Identity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;
@@ -25,7 +26,7 @@ std::optional<std::string> family_name(const transform::Identity& identity) {
     name.remove_suffix(1);
   }
   while (!name.empty() && is_separator(name.back())) name.remove_suffix(1);
-  // "chi12" is not order 2 of "chi1".
+  // In "chi12" the number is 12: the label is not order 2 of the name "chi1".
   if (name.empty() || ('0' <= name.back() && name.back() <= '9')) return std::nullopt;
   return std::string(name);
 }

@@ -5,21 +5,22 @@
 
 namespace fpkcheck::methods {
 
-/// The format of a density file, detected from its contents.
+/// The format of a file with a density, detected from the contents of the file.
 enum class ContentForm {
   text,   ///< columns of numbers
   json,   ///< a closed form, or the summary of a run
   netcdf  ///< a joint density
 };
 
+/// The contents of a file with a density, and their format.
 struct FileContent {
   ContentForm form;
   std::string bytes;
 };
 
-/// Reads a file and detects its format.
-/// @throws InputError on one line: the file is unreadable or too large, or neither text nor
-///         netCDF-4
+/// Reads a file with a density and detects its format.
+/// @throws InputError with a message of one line, if the file is unreadable or too large, or is
+///         neither text nor netCDF-4
 FileContent read_file_content(const std::filesystem::path& file);
 
 }  // namespace fpkcheck::methods

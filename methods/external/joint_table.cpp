@@ -12,15 +12,15 @@
 #include "methods/external/between_walls.hpp"
 #include "methods/external/column_meaning.hpp"
 
-// After fpclassify: makima of Boost 1.74 calls isnan without having declared it.
+// This include follows fpclassify: makima of Boost 1.74 calls isnan, but does not declare isnan.
 #include <boost/math/interpolators/makima.hpp>
 
 namespace fpkcheck::methods {
 namespace {
 
-constexpr double kMaxMagnitude = 1e60;  // the limit of external marginals
+constexpr double kMaxMagnitude = 1e60;  // the same limit as for external marginal densities
 
-// Distinct values of a column, in increasing order.
+// The distinct values of a column, in increasing order.
 std::vector<double> distinct_values(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);
   std::ranges::sort(all);
@@ -51,7 +51,8 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// Akima's modified interpolant of values at increasing points; 0 outside the points.
+// Akima's modified interpolant of values at increasing points. The interpolant is 0 outside the
+// range of the points.
 class Interpolant {
  public:
   Interpolant(const std::vector<double>& at, std::vector<double> values)
@@ -75,7 +76,7 @@ JointTable make_joint_table(const NumberTable& table) {
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // Checked before the grid is allocated: a short file may imply a huge grid.
+  // This test precedes the allocation of the grid, since a short file may imply a huge grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
@@ -123,7 +124,7 @@ void require_between_walls(const problem::Walls& walls, double from, double to,
 std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
-  std::vector<std::vector<double>> columns(points.v().size());  // p(y of the table, v)
+  std::vector<std::vector<double>> columns(points.v().size());  // p at y of the table, v of a point
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
     const Interpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});

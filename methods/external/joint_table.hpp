@@ -8,39 +8,46 @@
 
 namespace fpkcheck::methods {
 
-/// A joint density at the points of a rectangular grid.
+/// The values of a joint density at the points of a rectangular grid.
 struct JointTable {
-  std::vector<double> y, v;  ///< increasing, at least four values each
-  std::vector<double> p;     ///< row-major, shape (y, v)
+  std::vector<double> y, v;  ///< grid points in y and in y': increasing, at least four values each
+  std::vector<double> p;     ///< values of the density, row-major, shape (y, v)
 };
 
-/// True for three columns with the names of y, y' and a density, such as "y,v,p".
+/// Whether a table is a joint density: three columns with the names of y, y' and a density, such as
+/// "y,v,p".
 bool is_joint_density(const NumberTable& table);
 
-/// Converts three columns: y and y' in either order, then the density. There is one row for every
-/// grid point, in any order.
-/// @throws InputError on one line: a point that is missing or occurs twice, too few points
+/// Converts three columns to a joint table. The columns are y and y' in either order, then the
+/// density. There is one row for every grid point; the rows may have any order.
+/// @throws InputError with a message of one line, if a point is missing or occurs twice, or if
+///         there are too few points
 JointTable make_joint_table(const NumberTable& table);
 
-/// @throws InputError SOURCE: problem, where an axis is too short or does not increase, or a number
-///         is too large or not finite
+/// Tests that the axes of a joint table increase and are long enough, and that all numbers are
+/// finite and not too large.
+/// @throws InputError with a message "SOURCE: problem", if a test fails
 void require_usable(const JointTable& table, const std::string& source);
 
-/// @throws InputError SOURCE: problem, where the first or last y is behind a wall
+/// Tests that a range of y is between the walls.
+/// @param from, to first and last y
+/// @throws InputError with a message "SOURCE: problem", if `from` or `to` is behind a wall
 void require_between_walls(const problem::Walls& walls, double from, double to,
                            const std::string& source);
 
-/// The values at the points: Akima's modified interpolant along y' and then along y, as for
-/// marginals (ExternalMarginal), but not below the table's minimum or 0, whichever is lower. A
-/// first or last y that is no farther from the wall than from its neighbour is extrapolated
-/// linearly to the wall. Elsewhere outside the table the density is 0.
-/// @return row-major, shape (points.y(), points.v())
+/// Interpolates a joint density at quadrature points, by Akima's modified interpolant along y' and
+/// then along y, as ExternalMarginal. Interpolated values below the minimum of the table and below
+/// 0 are raised to the lower of these two limits. If the first or last y of the table is not
+/// farther from a wall than from its neighbour, the density is extrapolated linearly to the wall.
+/// Elsewhere outside the table the density is 0.
+/// @return values at the points, row-major, shape (points.y(), points.v())
 std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points);
 
-/// The values at the points that reproduce a density's averages over cells. They are averages over
-/// the subcells of the points (subcell_edges), transferred by the cumulative distribution
-/// (transform::average_over_cells), but not below the lowest average or 0, whichever is lower.
-/// @return row-major, shape (points.y(), points.v())
+/// Values at quadrature points that reproduce the averages of a density over cells. The values are
+/// averages over the subcells of the points (subcell_edges), transferred by the cumulative
+/// distribution (transform::average_over_cells). Values below the lowest average and below 0 are
+/// raised to the lower of these two limits.
+/// @return values at the points, row-major, shape (points.y(), points.v())
 std::vector<double> evaluate_at(const transform::GridDensity& cells, const DensityPoints& points);
 
 }  // namespace fpkcheck::methods

@@ -12,7 +12,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// The name of a variable or data block: "a.b" and "a-b" both become "a_b".
+// The name of a variable or data block for a label: "a_b" for both "a.b" and "a-b".
 std::string identifier_of(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');
@@ -22,7 +22,7 @@ std::string identifier_of(std::string label) {
 }  // namespace
 
 void require_valid_label(const std::string& label, const Registry& registry) {
-  constexpr std::size_t kMaxLength = 24;  // fits a table of 80 columns
+  constexpr std::size_t kMaxLength = 24;  // longer labels do not fit a table of 80 columns
   const bool legal =
       !label.empty() && label.size() <= kMaxLength && results::file_stem(label) == label;
   if (!legal) {

@@ -7,12 +7,15 @@
 /// Requirements on the labels of external densities.
 namespace fpkcheck::methods {
 
-/// @param registry whose ids no label may have
-/// @throws InputError on one line when the label is not a valid id, or is the id of a method
+/// Tests the label of an external density.
+/// @param registry registry of methods; no label may be the id of a method
+/// @throws InputError with a message of one line, if the label is not a valid id, or is the id of a
+///         method
 void require_valid_label(const std::string& label, const Registry& registry);
 
-/// @throws InputError on one line when the labels differ only in '-', '_' or '.', which names of
-///         variables and data blocks cannot contain
+/// Tests that two labels of external densities remain different if '_' replaces '-' and '.'. Names
+/// of netCDF variables and of gnuplot data blocks cannot contain '-' and '.'.
+/// @throws InputError with a message of one line, if the labels differ only in '-', '_' or '.'
 void require_distinct_labels(const std::string& one, const std::string& other);
 
 }  // namespace fpkcheck::methods

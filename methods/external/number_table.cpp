@@ -45,7 +45,8 @@ std::string_view name_of_separator(char separator) {
   }
 }
 
-// Blanks, in any number, separate fields only in lines without another separator.
+// Splits a line into fields. Blanks separate fields only if the line has no other separator;
+// several successive blanks are then one separator.
 std::vector<std::string> split(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);
@@ -60,7 +61,8 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-// Removes units: "velocity [m/s]" and "v (m/s)" have units, but p(y) is a name.
+// Removes the unit from a column name: "velocity" from "velocity [m/s]", "v" from "v (m/s)". The
+// brackets in "p(y)" contain no unit.
 std::string remove_units(const std::string& line) {
   std::string kept;
   for (std::size_t k = 0; k < line.size(); ++k) {

@@ -6,22 +6,27 @@
 
 namespace fpkcheck::methods {
 
-/// Columns of numbers of an external text file. Semicolons, tabs, commas or blanks separate the
-/// fields. Lines that start with # are comments. The first line may contain column names, also as a
-/// comment.
+/// Columns of numbers from an external text file. Semicolons, tabs, commas or blanks separate the
+/// fields of a line. Lines that start with # are comments. The first line, also as a comment, may
+/// contain column names.
 struct NumberTable {
-  std::string source;                     ///< the file's name in messages
-  std::vector<std::string> names;         ///< column names, in lower case, without units; or empty
+  std::string source;              ///< name of the file, for messages
+  std::vector<std::string> names;  ///< column names, in lower case, without units; may be empty
   std::vector<std::vector<double>> rows;  ///< finite numbers; all rows have the same length
-  std::vector<int> lines;                 ///< the line number of each row, from 1
+  std::vector<int> lines;                 ///< line number of each row, from 1
 
+  /// Number of columns.
   std::size_t columns() const { return rows.front().size(); }
+  /// The numbers of column c.
   std::vector<double> column(std::size_t c) const;
-  /// @throws InputError SOURCE:LINE: problem
+  /// Refuses the table because of a problem in a row.
+  /// @throws InputError with the message "SOURCE:LINE: problem"
   [[noreturn]] void fail(std::size_t row, const std::string& problem) const;
 };
 
-/// @throws InputError on one line: source, line number and problem
+/// Reads columns of numbers.
+/// @param source name of the file, for messages
+/// @throws InputError with a message of one line: source, line number and problem
 NumberTable read_number_table(std::istream& in, const std::string& source);
 
 }  // namespace fpkcheck::methods
