@@ -40,7 +40,6 @@ struct BinSamplingL1 {
 };
 
 /// The L1 sampling error over all bins.
-
 BinSamplingL1 sampling_l1(std::span<const BinError> bins);
 
 }  // namespace fpkcheck::methods
