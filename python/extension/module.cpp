@@ -64,8 +64,8 @@ base::Value value_in(const py::handle& object, const std::string& name) {
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
-    // An integer beyond 64 bits is out of the range of every option: the conversion to double keeps
-    // it out of range.
+    // An integer beyond 64 bits is converted to double. The result is out of the range of every
+    // option, so that the option is refused.
     int overflows = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
     if (overflows != 0) return object.cast<double>();

@@ -17,7 +17,7 @@ using base::NamedValue;
 using base::Value;
 using base::Values;
 
-// The name of the option without the solver's name; no value where the solver has no such option.
+// The name of an option without the name of the solver; empty if the solver has no such option.
 std::optional<std::string> option_name(const methods::Solver& solver, const std::string& option) {
   const auto dot = option.find('.');
   if (dot != std::string::npos && option.substr(0, dot) != solver.name) return std::nullopt;
@@ -42,7 +42,7 @@ void require_known(const methods::Registry& registry, const std::string& option)
                                fmt::join(known, ", ")));
 }
 
-// Converts a value to the type of the parameter.
+// Converts the value of an option to the type of the option.
 Value convert_value(const base::Parameter& parameter, const NamedValue& option) {
   const std::string label = fmt::format("options: {} =", base::sanitise(option.name));
   if (const auto* text = std::get_if<std::string>(&option.value)) {
@@ -70,8 +70,8 @@ methods::Method replace_options(const methods::Registry& registry, const methods
   auto made = registry.method(solver, replaced);
   if (made.id() != method.id()) {
     throw InputError(
-        fmt::format("options: they select {} in place of {}; list the former in methods", made.id(),
-                    method.id()));
+        fmt::format("options: these values select {0} in place of {1}; list {0} in methods",
+                    made.id(), method.id()));
   }
   return made;
 }

@@ -8,11 +8,12 @@
 
 namespace fpkcheck::python {
 
-/// The methods of a list, with the given options.
-/// @param list as in Registry::select
-/// @param options with the name "SOLVER.NAME", or "NAME" for all solvers with such an option
-/// @throws InputError as Registry::select; for an option that no solver has, for a value of another
-///         type or out of range, for options that select another method
+/// The methods that a list of methods selects, with values of options from Python.
+/// @param list comma-separated list of methods, as in Registry::select()
+/// @param options values of options. The name of an option is "SOLVER.NAME", or "NAME" for all
+///        solvers with an option of that name
+/// @throws InputError as Registry::select(); also for an option that no solver has, for a value of
+///         the wrong type or out of range, and for options that belong to a method with another id
 std::vector<methods::Method> select_methods(const methods::Registry& registry,
                                             const std::string& list, const base::Values& options);
 

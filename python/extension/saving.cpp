@@ -18,15 +18,15 @@
 namespace fpkcheck::python {
 namespace {
 
-// netCDF is not thread-safe.
+// The mutex that is locked while files are read or written, since netCDF is not thread-safe.
 std::mutex& files_mutex() {
   static std::mutex& one = *new std::mutex;
   return one;
 }
 
-// HDF5 prints a message on standard error for every attribute that it does not find, unless the
-// thread disables this output. netCDF disables the output only in the first thread that uses
-// netCDF.
+// Disables the error messages of HDF5 in the current thread. HDF5 prints a message on standard
+// error for every missing attribute. netCDF disables these messages only in the first thread that
+// uses netCDF.
 void silence_hdf5_in_this_thread() {
   using SetAuto = int (*)(std::int64_t, void*, void*);
   const auto set_auto = reinterpret_cast<SetAuto>(dlsym(RTLD_DEFAULT, "H5Eset_auto2"));

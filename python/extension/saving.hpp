@@ -9,17 +9,19 @@
 
 namespace fpkcheck::python {
 
-/// Writes the files of `fpkcheck run --out` in a separate thread.
-/// @param poll called by the calling thread about twenty times a second. After an
-///        exception from it, the files are completed and figures are omitted
-/// @return warnings, one line each, about figures that could not be drawn
-/// @throws InputError when the directory cannot be used; std::runtime_error when a file cannot be
-///         written; the exceptions of `poll`
+/// Writes the same files as `fpkcheck run --out` into a directory. A separate thread writes the
+/// files.
+/// @param poll function that the calling thread calls about twenty times a second. After an
+///        exception of `poll`, the files are completed but figures are omitted
+/// @return warnings about figures that could not be drawn, each of one line
+/// @throws InputError when the directory cannot be used
+/// @throws std::runtime_error when a file cannot be written
+/// @throws the exceptions of `poll`
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
                               const std::function<void()>& poll);
 
-/// Reads the files of save() or of `fpkcheck run --out`.
-/// @throws InputError as results::load_run
+/// Reads the files of a run that save() or `fpkcheck run --out` wrote.
+/// @throws InputError as results::load_run()
 results::Run load(const std::filesystem::path& directory);
 
 }  // namespace fpkcheck::python

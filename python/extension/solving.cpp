@@ -26,7 +26,8 @@ struct Cancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A run in progress. The worker and the calling thread share ownership, since either may end last.
+/// A run in progress. The worker thread and the calling thread share the ownership of this object,
+/// since either thread may end last.
 class Work {
  public:
   explicit Work(Task task) : task_(std::move(task)) {}
@@ -43,7 +44,7 @@ class Work {
     changed_.notify_all();
   }
 
-  /// Waits for the end of the run.
+  /// Waits for the end of the run, for a limited time.
   /// @return whether the run has ended
   template <class Duration>
   bool wait_for(Duration duration) {
@@ -54,7 +55,7 @@ class Work {
 
   void cancel() { is_cancelled_ = true; }
 
-  /// The latest progress since the previous call, if any.
+  /// The latest progress of the run; empty if the progress has not changed since the previous call.
   std::optional<methods::RunProgress> progress_update() {
     const std::lock_guard lock(mutex_);
     return std::exchange(progress_update_, std::nullopt);
@@ -89,7 +90,7 @@ class Work {
   results::Run run_;
   std::exception_ptr failure_;
   std::atomic<bool> is_cancelled_ = false;
-  std::mutex mutex_;  // guards the members below
+  std::mutex mutex_;  // protects the following members
   std::condition_variable changed_;
   bool has_ended_ = false;
   std::optional<methods::RunProgress> progress_update_;
@@ -100,7 +101,8 @@ struct AbandonedRun {
   std::thread thread;
 };
 
-// Never destroyed, since its threads may still run at the end of the process.
+// The list of abandoned threads. The list is never destroyed, since these threads may still run at
+// the end of the process.
 struct AbandonedRuns {
   std::mutex mutex;
   std::vector<AbandonedRun> all;
@@ -152,7 +154,8 @@ results::Run solve(Task task, const std::function<void(const methods::RunProgres
 
 void prepare_for_exit() {
   if (!has_abandoned_runs()) return;
-  // Handlers run in reverse order of registration: this handler runs before any destructor.
+  // exit() calls handlers and destructors of static objects in reverse order of registration. This
+  // handler is registered last and therefore runs before any such destructor.
   on_exit(
       [](int status, void*) {
         if (!has_abandoned_runs()) return;

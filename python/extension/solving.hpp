@@ -17,24 +17,26 @@ namespace fpkcheck::python {
 struct Task {
   std::vector<problem::Problem> problems;
   std::vector<methods::Method> methods;  ///< by increasing trust
-  int threads = 0;                       ///< 0 for all processors
-  bool bounds = true;                    ///< compute bounds and moment error estimates
-  std::string command;                   ///< for summary.json
+  int threads = 0;                       ///< number of threads; 0 for one per processor
+  bool bounds = true;   ///< whether to compute guaranteed bounds and moment error estimates
+  std::string command;  ///< command of the run, for summary.json
 };
 
-/// Solves as `fpkcheck run` does, in a worker thread; the calling thread polls.
+/// Solves and compares in a worker thread, as `fpkcheck run` does. Meanwhile the calling thread
+/// calls `poll`.
 ///
-/// Long operations cannot be interrupted (cli/shutdown.hpp), and the extension must not end the
-/// process of Python. A cancelled thread is therefore abandoned: it starts no further operation and
-/// ends by itself.
-/// @param poll called by the calling thread about twenty times a second, with the progress of the
-///        run if it has changed, else null. An exception from it cancels the run, within a third of
-///        a second
+/// If the run is cancelled, the worker thread is abandoned: long operations cannot be interrupted
+/// (cli/shutdown.hpp), and the extension must not end the process of Python. An abandoned thread
+/// starts no further operation and ends after its current operation.
+/// @param poll function that the calling thread calls about twenty times a second. The argument is
+///        the progress of the run if the progress has changed, else null. An exception of `poll`
+///        cancels the run within a third of a second
 /// @throws the exceptions of solvers and of `poll`
 results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll);
 
-/// Must be called when the interpreter ends. If abandoned threads still run, exit() then ends the
-/// process with the same status, without destroying the data that these threads use.
+/// Prepares exit() for abandoned threads; must be called when the Python interpreter ends. If
+/// abandoned threads still run at exit(), the process ends with the same exit status, but the data
+/// that these threads use are not destroyed.
 void prepare_for_exit();
 
 }  // namespace fpkcheck::python

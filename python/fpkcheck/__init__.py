@@ -9,11 +9,12 @@
 >>> run.l1("epc-gaussian-n6", "fd-kf")
 {'y': ..., 'ydot': ...}
 
-`Problem` is a problem, `solve` solves problems with methods of the program and compares the solutions, `Run` is the
-result, `load` reads a run from the directory of `fpkcheck run` or `Run.save`. `Density`, `Samples` and `File` add
-external densities to the comparison. NumPy suffices for arrays; tables with named axes require xarray.
+`Problem` is an oscillator with its excitation. `solve` solves problems with methods of the program and compares the
+solutions. `Run` is the result. `load` reads a result from a directory that `fpkcheck run --out` or `Run.save` wrote.
+`Density`, `Samples` and `File` add external densities to the comparison. Arrays require NumPy only; tables with named
+axes require xarray.
 
-Invalid input raises ValueError with the program's message of one line. A failed write raises RuntimeError. Ctrl-C
+Invalid input raises ValueError with a message of one line. The failure to write a file raises RuntimeError. Ctrl-C
 raises KeyboardInterrupt within about half a second.
 """
 
@@ -43,5 +44,5 @@ __all__ = [
     "solve",
 ]
 
-# Threads that Ctrl-C abandoned must not outlive the data that they use.
+# After Ctrl-C, abandoned threads may still run at the end of Python; the data that they use must not be destroyed.
 _atexit.register(_fpkcheck.prepare_for_exit)

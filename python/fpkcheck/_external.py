@@ -20,27 +20,32 @@ Sampler = Callable[[np.random.Generator, int], Any]
 
 @dataclass(frozen=True)
 class Density:
-    """A joint density p(y, y') on y >= 0 as a function.
+    """An external joint density p(y, y') on y >= 0, given as a function.
 
     The function is evaluated once, before any method runs, at the Gauss-Legendre points of cells. The cells extend to
-    10 standard deviations of equivalent linearisation. The comparison uses the averages over these cells.
+    10 standard deviations of equivalent linearisation. The comparison uses the averages of the density over these
+    cells.
 
     Parameters
     ----------
     function : callable
-        ``p(y, v)``. The arguments are two arrays of shape (601, 600); the result must have that shape or broadcast to
-        it. If the call raises TypeError or ValueError, the function is called point by point with two floats.
+        The density ``p(y, v)``. The arguments are two arrays of shape (601, 600). The result must have the same shape
+        or broadcast to that shape. If the call raises TypeError or ValueError, the function is called point by point
+        with two floats.
     equation : {"kf", "km4", "km4-pade", "white"}, optional
-        The equation that the density approximates. The density is then a closure, with a status, an error estimate
-        (residual-based, against the full problem) and an error budget. Without an equation there are only distances.
+        The equation that the density approximates. A density with an equation is a closure: the result contains its
+        status, its residual-based error estimate against the full problem, and its error budget. For a density
+        without an equation the result contains only distances from the other solutions.
     impact : {"map", "delta"}
         Impact condition of the equation: exact, or to first order in 1 - r.
     normalise : bool
-        Divide the density by its integral. Otherwise an integral other than 1 gives the status ``inadmissible``.
+        Whether to divide the density by its integral. If not, an integral other than 1 gives the status
+        ``inadmissible``.
     accuracy : float
-        Largest L1 error estimate of p(y) and of p(y') with which a closure is ``ok``; above it is ``inaccurate``.
+        Largest L1 error estimate of p(y) and of p(y') with which a closure is ``ok``. A closure with a larger error
+        estimate is ``inaccurate``.
     vectorised : bool, optional
-        Whether the function accepts arrays. By default arrays are tried first.
+        Whether the function accepts arrays. By default the function is called with arrays first.
     order : int, optional
         Order of the closure. Densities whose labels end with their orders (``"chi-n2"``, ``"chi-n4"``) form a family.
     """
@@ -54,7 +59,7 @@ class Density:
     order: int | None = None
 
     def _values(self, label: str, y: Array, v: Array) -> Array:
-        """Values at all points: shape (len(y), len(v))."""
+        """The values of the density at all points, shape (len(y), len(v))."""
         shape = (len(y), len(v))
         if self.vectorised is not False:
             ys, vs = np.meshgrid(y, v, indexing="ij")
@@ -81,22 +86,23 @@ class Density:
 
 @dataclass(frozen=True)
 class Samples:
-    """Samples of (y, y'), or a sampler.
+    """An external density, given as samples of (y, y') or as a sampler.
 
     Parameters
     ----------
     source : array of shape (n, 2), or callable
-        y and y' of each sample; or a sampler ``sampler(rng, n)`` that returns such an array, with ``rng`` a
-        `numpy.random.Generator`.
+        Array with y and y' of each sample; or a function ``sampler(rng, n)`` that returns such an array, where
+        ``rng`` is a `numpy.random.Generator`.
     equation, impact, order
-        As in `Density`. Samples have no residual-based error estimate, only sampling errors.
+        The equation, impact condition and order of the closure, as in `Density`. Samples have sampling errors, but no
+        residual-based error estimate.
     n : int
         Number of samples that the sampler must draw.
     seed : int
-        Seed of the generator for the sampler.
+        Seed of the random number generator for the sampler.
     independent : float, optional
-        Effective number of independent samples, for sampling errors. Samples along a trajectory have a smaller
-        effective number. By default the number of samples.
+        Effective number of independent samples, from which the sampling errors are computed. The default is the
+        number of samples. Samples along a trajectory are correlated: their effective number is smaller.
     """
 
     source: Union[Sampler, Array, Any]
@@ -120,19 +126,19 @@ class Samples:
 
 @dataclass(frozen=True)
 class File:
-    """A density in a file (docs/foreign.md), with its equation and order.
+    """An external density from a file (docs/foreign.md).
 
     Parameters
     ----------
     path : str or path
-        Columns of a marginal or of a joint density, netCDF-4, a closed form as JSON, or the ``summary.json`` or
-        ``joint.nc`` of a run.
+        Name of the file. The file contains columns of a marginal density or of a joint density, a joint density as
+        netCDF-4, or a closed form as JSON; or the file is the ``summary.json`` or ``joint.nc`` of a run.
     equation, impact
-        As in `Density`; the impact may also be ``"exact"``.
+        The equation and impact condition, as in `Density`. The impact condition may also be ``"exact"``.
     order : int, optional
         Order of the closure.
     solution, case : str, optional
-        The solution and case to use, where the file is of a run.
+        Id of the solution and name of the case to use, if the file is from a run.
     """
 
     path: str | os.PathLike[str]
@@ -143,14 +149,14 @@ class File:
     case: str | None = None
 
     def _argument(self, label: str) -> str:
-        """The argument of `fpkcheck run --against`."""
+        """The argument of the option `--against` of `fpkcheck run` for this file."""
         said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case")}
         settings = "".join(f",{key}={value}" for key, value in said.items() if value is not None)
         return f"{os.fspath(self.path)}:{label}{settings}"
 
 
 def _is_sampler(function: Callable[..., Any]) -> bool:
-    """Whether a function is a sampler, by the name of its first argument: (rng, n), (seed, size), ..."""
+    """Whether a function is a sampler: its first parameter has a name such as "rng" or "seed"."""
     try:
         names = list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
@@ -159,7 +165,7 @@ def _is_sampler(function: Callable[..., Any]) -> bool:
 
 
 def _as_external(what: Any) -> Density | Samples | None:
-    """Converts a function, an array or samples to the corresponding class; returns None for files."""
+    """Converts a function or an array to `Density` or `Samples`; returns None for the name of a file."""
     if isinstance(what, (Density, Samples)):
         return what
     if callable(what):

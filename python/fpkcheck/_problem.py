@@ -17,7 +17,7 @@ Settings = Mapping[str, Union[Value, Mapping[str, Value]]]
 
 
 def _text(key: str, value: Any) -> str:
-    """A value in the notation of case files, with all digits of numbers."""
+    """The text of a value in the notation of case files; numbers have all digits."""
     if isinstance(value, str):
         return value
     if isinstance(value, Integral) and not isinstance(value, bool):
@@ -28,12 +28,15 @@ def _text(key: str, value: Any) -> str:
 
 
 def _full_key(name: str) -> str:
-    """ "system.damping" for "damping"; unknown names are returned unchanged, for the error message of the library."""
+    """The key of a parameter with its section: "system.damping" for "damping".
+
+    An unknown name is returned unchanged; the library then reports the unknown name.
+    """
     return next((key for key in _fpkcheck.keys() if key.split(".")[1] == name), name)
 
 
 def _pairs(settings: Settings | None, by_name: Mapping[str, Value]) -> list[str]:
-    """ "system.damping=0.1" for every setting."""
+    """The settings as texts, such as "system.damping=0.1"."""
     pairs = []
     for key, value in {**(settings or {}), **by_name}.items():
         if isinstance(value, Mapping):
@@ -44,12 +47,12 @@ def _pairs(settings: Settings | None, by_name: Mapping[str, Value]) -> list[str]
 
 
 class Problem:
-    """A stationary problem: an oscillator and its impulses. Immutable.
+    """An oscillator and its impulses, whose stationary density is sought. A problem is immutable.
 
     Parameters
     ----------
     settings : mapping, optional
-        The keys and values of case files: ``{"system.damping": 0.1}``, ``{"system": {"damping": 0.1}}``, or
+        The settings of a case file by key: ``{"system.damping": 0.1}``, ``{"system": {"damping": 0.1}}``, or
         ``{"damping": 0.1}``.
     name : str
         Name of the case in tables and files.
@@ -60,7 +63,8 @@ class Problem:
     Raises
     ------
     ValueError
-        For a key that is missing, unknown, given twice or out of range; the message contains the key and its range.
+        If a key is missing, unknown or given twice, or if its value is out of range. The message contains the key and
+        the admissible range.
 
     Examples
     --------
@@ -84,19 +88,19 @@ class Problem:
     def case(
         cls, name_or_path: str | os.PathLike[str], settings: Settings | None = None, /, **parameters: Value
     ) -> Problem:
-        """A case of the paper, "case1" to "case4", a shipped system, or the case of an ini file, with changes.
+        """The problem of a case: a case of the paper, "case1" to "case4", an example system, or a case file.
 
         Parameters
         ----------
         name_or_path : str or path
             One of ``Problem.case_names()``, or a case file.
         settings, **parameters
-            Settings that replace those of the case, as in `Problem`.
+            Settings that replace settings of the case, as in `Problem`.
 
         Raises
         ------
         ValueError
-            When there is no such case, and as in `Problem`.
+            If there is no such case, or if a setting is invalid (as in `Problem`).
         """
         return cls._of(_fpkcheck.load_case(os.fspath(name_or_path), _pairs(settings, parameters)))
 
@@ -107,12 +111,12 @@ class Problem:
 
     @staticmethod
     def keys() -> list[str]:
-        """The keys of all settings: "system.damping", ..."""
+        """The keys of all settings of a case: "system.damping", ..."""
         return _fpkcheck.keys()
 
     @property
     def name(self) -> str:
-        """The name of the case, followed by changes to a loaded case: "case1, r = 0.95"."""
+        """The name of the problem: the name of its case and the replaced settings, as "case1, r = 0.95"."""
         return self._native.name
 
     @property
@@ -121,7 +125,7 @@ class Problem:
         return self._native.sections
 
     def __getitem__(self, key: str) -> Any:
-        """The value of a key, "system.damping" or "damping"; KeyError when there is none."""
+        """The value of a setting by its key, "system.damping" or "damping"; KeyError for an unknown key."""
         section, _, parameter = _full_key(key).partition(".")
         try:
             return self.settings[section][parameter]
@@ -129,9 +133,9 @@ class Problem:
             raise KeyError(key) from None
 
     def bins(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Edges of the bins of y and of y', as in `Run.marginals`: shapes (141,), (141,).
+        """Edges of the bins of y and of y' over which `Run.marginals` are averages: shapes (141,), (141,).
 
-        Below one impulse per decay time, the bins at 0 are divided: shapes (144,), (147,).
+        With less than one impulse per decay time, the bins at 0 are divided: shapes (144,), (147,).
         """
         return _fpkcheck.axes_of(self._native)
 
@@ -148,5 +152,5 @@ class Problem:
 
 
 def load_case(path: str | os.PathLike[str], settings: Settings | None = None, /, **parameters: Value) -> Problem:
-    """The problem of a case, as `Problem.case`."""
+    """The problem of a case or case file, as `Problem.case`."""
     return Problem.case(path, settings, **parameters)

@@ -33,7 +33,7 @@ def _xarray() -> Any:
 
 
 def _number(value: float | None) -> float:
-    """A number of a file, in which null represents numbers that are not finite."""
+    """The float for a number of a JSON file; NaN for null, which represents numbers that are not finite."""
     return float("nan") if value is None else float(value)
 
 
@@ -43,11 +43,11 @@ def _numbers(values: Mapping[str, float | None] | None) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class StatedError:
-    """A method's error estimate; sampling errors are separate."""
+    """The error estimate that a method states for its solution, without sampling errors."""
 
-    y_l1: float  #: L1 error of p(y)
-    ydot_l1: float  #: L1 error of p(y')
-    moments: Mapping[str, float]  #: absolute errors, by the names of Solution.moments
+    y_l1: float  #: error estimate of p(y) in L1
+    ydot_l1: float  #: error estimate of p(y') in L1
+    moments: Mapping[str, float]  #: absolute error estimates of the moments, by the names of Solution.moments
 
 
 @dataclass(frozen=True)
@@ -55,31 +55,32 @@ class Curve:
     """A marginal density as averages over bins; all arrays have the shape (n,)."""
 
     abscissa: Array  #: centres of the bins
-    density: Array  #: averages
-    lower: Array | None  #: lower ends of 95 % confidence intervals, if any
-    upper: Array | None  #: upper ends of 95 % confidence intervals, if any
+    density: Array  #: averages of the density over the bins
+    lower: Array | None  #: lower ends of the 95 % confidence intervals, if any
+    upper: Array | None  #: upper ends of the 95 % confidence intervals, if any
 
 
 @dataclass(frozen=True)
 class Solution:
-    """A solution of a method."""
+    """The solution of a problem by one method."""
 
-    id: str  #: "fd-kf"
-    method: str  #: the solver: "fd"
-    equation: str  #: "kf", "km4", "km4-pade", "white"; "given" if unknown
-    impact: str  #: "map", "delta", "exact"; "-" if unknown
+    id: str  #: id of the solution, such as "fd-kf"
+    method: str  #: name of the solver, such as "fd"
+    equation: str  #: equation: "kf", "km4", "km4-pade" or "white"; "given" if unknown
+    impact: str  #: impact condition: "map", "delta" or "exact"; "-" if unknown
     status: str  #: "ok", "inaccurate", "inadmissible", "not_converged", "ill_posed", "failed" or "not_offered"
-    reason: str  #: the reason for a status other than ok, in one sentence; else empty
-    seconds: float  #: wall-clock time
-    moments: Mapping[str, float]  #: y1, y2, y4, v1, v2, v4: E[y], E[y^2], .., E[y'^4]; empty without a density
-    mass: float  #: integral of the density, with probabilities of rest in contact
-    min_density: float  #: smallest value relative to the largest
+    reason: str  #: reason for a status other than ok, in one sentence; else empty
+    seconds: float  #: wall-clock time of the solution
+    moments: Mapping[str, float]  #: E[y], E[y^2], .., E[y'^4] as y1, y2, y4, v1, v2, v4; empty without a density
+    mass: float  #: integral of the density plus the probabilities of rest in contact
+    min_density: float  #: smallest value of the density relative to its largest value
     energy_residual: float  #: relative residual of the balance of power
-    error: StatedError | None  #: error estimate
+    error: StatedError | None  #: error estimate, if any
     standard_errors: Mapping[str, float]  #: standard errors of the moments of a simulation or of samples; else empty
-    sampling_l1: Mapping[str, float]  #: sampling error in L1: expected "y", "ydot"; 99 % quantiles "y_99", "ydot_99"
+    #: L1 sampling errors of the marginals: expected values "y", "ydot"; 99 % quantiles "y_99", "ydot_99"
+    sampling_l1: Mapping[str, float]
     options: Mapping[str, Any]  #: options of the method
-    record: Mapping[str, Any] = field(repr=False)  #: the solution in summary.json
+    record: Mapping[str, Any] = field(repr=False)  #: the JSON object of the solution in summary.json
 
     @property
     def is_ok(self) -> bool:
@@ -132,22 +133,22 @@ class Case:
 
     @property
     def record(self) -> Mapping[str, Any]:
-        """The case in summary.json, which has all results but densities (keys: docs/glossary.md)."""
+        """The JSON object of the case in summary.json: all results except densities (keys: docs/glossary.md)."""
         return MappingProxyType(dict(self._record))
 
     @cached_property
     def problem(self) -> Problem:
-        """The problem."""
+        """The problem of the case."""
         return Problem._of(self._native.problem(self._place))
 
     @cached_property
     def solutions(self) -> Mapping[str, Solution]:
-        """The solutions by id, in the order of increasing trust."""
+        """The solutions of the case by id, in the order of increasing trust."""
         return MappingProxyType({each["id"]: Solution._of(each) for each in self._record["solutions"]})
 
     @property
     def reference(self) -> str | None:
-        """Id of the reference solution; None when no solution of the full problem is ok."""
+        """Id of the reference solution; None if no solution of the full problem is ok."""
         return self._record["reference"]
 
     @property
@@ -157,7 +158,7 @@ class Case:
 
     @property
     def bounds(self) -> dict[str, tuple[float, float]]:
-        """Guaranteed bounds by functional, such as "E[y^2]"; empty where they were not computed."""
+        """Guaranteed bounds by functional, such as "E[y^2]"; empty if no bounds were computed."""
         bounds = self._record.get("bounds", {"each": []})
         return {each["functional"]: (_number(each["lower"]), _number(each["upper"])) for each in bounds["each"]}
 
@@ -175,7 +176,7 @@ class Case:
         }
 
     def curve(self, solution: str, variable: str = "y", *, smooth: bool = False) -> Curve:
-        """A marginal density.
+        """The marginal density of a solution.
 
         Parameters
         ----------
@@ -184,12 +185,13 @@ class Case:
         variable : {"y", "ydot"}
             The variable of the marginal.
         smooth : bool
-            Over smooth bins (docs/simulation.md), where the simulation is far more accurate.
+            Whether the averages are over smooth bins (docs/simulation.md), over which the simulation is far more
+            accurate.
 
         Raises
         ------
         KeyError
-            When there is no such curve: an unknown solution, or a solution without a density.
+            If the solution is unknown or has no density.
         """
         return self._curves["smooth" if smooth else "sharp"][solution, variable]
 
@@ -215,24 +217,28 @@ class Case:
 
     @property
     def marginals(self) -> xarray.Dataset:
-        """Marginal densities as averages over the bins of the comparison.
+        """Marginal densities of all solutions, as averages over the comparison bins.
 
-        ``p_y(solution, y)``, ``p_ydot(solution, ydot)``, and the ends of 95 % confidence intervals as ``p_y_lower``,
-        ``p_y_upper`` and so on: NaN where a solution has none. ``y`` and ``ydot`` are centres of bins.
+        The densities are ``p_y(solution, y)`` and ``p_ydot(solution, ydot)``. The ends of the 95 % confidence
+        intervals are ``p_y_lower``, ``p_y_upper``, ``p_ydot_lower`` and ``p_ydot_upper``; NaN for a solution without
+        confidence intervals. ``y`` and ``ydot`` are the centres of the bins.
         """
         return self._marginals("sharp")
 
     @property
     def smooth(self) -> xarray.Dataset:
-        """Marginal densities over smooth bins, where the simulation is far more accurate; empty without smooth bins."""
+        """Marginal densities of all solutions, as averages over smooth bins; empty without a smooth reference.
+
+        Over smooth bins the simulation is far more accurate (docs/simulation.md).
+        """
         return self._marginals("smooth")
 
     @property
     def joint(self) -> xarray.DataArray:
-        """Joint densities ``p(solution, y, ydot)`` as averages over common cells.
+        """Joint densities ``p(solution, y, ydot)``, as averages over cells that all solutions share.
 
-        ``y`` and ``ydot`` are centres of cells, ``y_lower``, ``y_upper``, ``ydot_lower`` and ``ydot_upper`` their
-        edges.
+        ``y`` and ``ydot`` are the centres of the cells. ``y_lower``, ``y_upper``, ``ydot_lower`` and ``ydot_upper``
+        are the edges of the cells.
         """
         return self._on_cells(self._native.joints(self._place), "p")
 
@@ -240,7 +246,8 @@ class Case:
     def error_sources(self) -> dict[str, xarray.DataArray]:
         """The sources of the errors of E[y^2] and E[y'^2], by the names of these moments, ``y2`` and ``v2``.
 
-        The values are contributions per area over the cells of `joint`: their integral is the error of the moment.
+        The values are contributions to the error per area, over the cells of `joint`. The integral of the values is
+        the error of the moment.
         """
         found: dict[str, list[tuple[Any, ...]]] = {}
         for solution, moment, *rest in self._native.error_sources(self._place):
@@ -271,7 +278,10 @@ class Case:
 
     @property
     def moments(self) -> xarray.DataArray:
-        """Moments of all solutions with a density: dimensions ``solution``, ``moment`` (y1, y2, y4, v1, v2, v4)."""
+        """Moments of all solutions with a density.
+
+        The dimensions are ``solution`` and ``moment`` (y1, y2, y4, v1, v2, v4).
+        """
         own = {each.id: each.moments for each in self.solutions.values() if each.has_density}
         names = ["y1", "y2", "y4", "v1", "v2", "v4"]
         return _xarray().DataArray(
@@ -282,12 +292,12 @@ class Case:
         )
 
     def l1(self, one: str, other: str) -> dict[str, float]:
-        """L1 distances of the marginals of two solutions, by "y" and "ydot", where both have the marginal.
+        """L1 distances of two solutions in the marginals "y" and "ydot", if both solutions have the marginal.
 
         Raises
         ------
         KeyError
-            When an id belongs to no solution of this case.
+            If an id belongs to no solution of this case.
         """
         for name in (one, other):
             self.solutions[name]
@@ -299,10 +309,11 @@ class Case:
 
     @property
     def distances(self) -> xarray.Dataset:
-        """Distances of all pairs: ``l1``, ``l2``, ``sup``, ``hellinger``, ``kl``.
+        """Distances of all pairs of solutions: ``l1``, ``l2``, ``sup``, ``hellinger``, ``kl``.
 
-        Dimensions ``solution``, ``reference``, ``variable``. The reference is the more trusted solution of a pair;
-        all other entries are NaN. ``kl`` is KL(reference || solution).
+        The dimensions are ``solution``, ``reference`` and ``variable``. Here ``reference`` is the more trusted
+        solution of a pair. Values in which ``reference`` is not the more trusted solution are NaN. ``kl`` is the
+        Kullback-Leibler divergence KL(reference || solution).
         """
         pairs = self._record["comparisons"]
         ids = list(self.solutions)
@@ -326,16 +337,17 @@ class Case:
     def budget(self) -> xarray.Dataset:
         """The error budget of the closures (docs/budget.md).
 
-        ``total(solution, variable)``: L1 distance to the end of the chain of models. ``l1(solution, variable, part)``:
-        the parts by name ("closure", "impact", "truncation", ..), whose sum is at least the total. ``total_tail`` and
-        ``tail``: the same in decades of the density. NaN where a chain has no such part.
+        ``total(solution, variable)`` is the L1 distance of a closure from the last model in the chain of models.
+        ``l1(solution, variable, part)`` are the parts of this distance by name ("closure", "impact", "truncation",
+        ..). The sum of the parts is at least the total. ``total_tail`` and ``tail`` are the corresponding tail
+        distances, in decades of the density. The values of parts that a budget does not have are NaN.
         """
         rows = self._record["budget"]
         closures = list(dict.fromkeys(row["solution"] for row in rows))
         parts: list[str] = []
         for row in rows:
             known = [part["name"] for part in row["parts"]]
-            # Insert a new name before the name that follows it in this row, to keep the order of the chain.
+            # To keep the order of the chain of models, insert a new name before the next name of the same row.
             for place, name in reversed(list(enumerate(known))):
                 if name not in parts:
                     later = [parts.index(each) for each in known[place + 1 :] if each in parts]
@@ -367,9 +379,9 @@ class Case:
 
 
 class Run(Mapping[str, Case]):
-    """A run: a mapping of its cases by name. A run of one case also has the attributes of its `Case`.
+    """The result of a run: a mapping from the names of cases to the results of cases (`Case`).
 
-    ``print(run)`` prints the table of ``fpkcheck run``.
+    A run of a single case also has the attributes of its `Case`. ``print(run)`` prints the table of ``fpkcheck run``.
     """
 
     def __init__(self, native: _fpkcheck.Run) -> None:
@@ -377,12 +389,12 @@ class Run(Mapping[str, Case]):
 
     @cached_property
     def summary(self) -> Mapping[str, Any]:
-        """The contents of summary.json: all results but densities."""
+        """The contents of summary.json: all results except densities."""
         return MappingProxyType(json.loads(self._native.summary()))
 
     @cached_property
     def cases(self) -> Mapping[str, Case]:
-        """The cases by name, in the order of the run."""
+        """The results of the cases by name, in the order of the run."""
         records = self.summary["cases"]
         return MappingProxyType({each["name"]: Case(self._native, k, each) for k, each in enumerate(records)})
 
@@ -393,12 +405,12 @@ class Run(Mapping[str, Case]):
 
     @property
     def case(self) -> Case:
-        """The only case.
+        """The result of the only case.
 
         Raises
         ------
         ValueError
-            When there are several.
+            If the run has several cases, or none.
         """
         if len(self.cases) != 1:
             raise ValueError(f"the run has {len(self.cases)} cases; select run['{next(iter(self.cases), 'case1')}']")
@@ -481,15 +493,15 @@ class Run(Mapping[str, Case]):
     def save(self, directory: str | os.PathLike[str]) -> None:
         """Write the files of ``fpkcheck run --out``: report.html, summary.json, marginals.csv, joint.nc, figures/.
 
-        Files of an earlier run in the directory are replaced all together or not at all. A figure that cannot be
-        drawn, for lack of gnuplot, causes a warning.
+        The files of an earlier run in the directory are replaced all together or not at all. A figure that cannot be
+        drawn, as without gnuplot, causes a warning.
 
         Raises
         ------
         ValueError
-            When the directory cannot be used.
+            If the directory cannot be used.
         RuntimeError
-            When a file cannot be written.
+            If a file cannot be written.
         """
         for warning in self._native.save(os.fspath(directory)):
             warnings.warn(warning, stacklevel=2)
@@ -511,11 +523,11 @@ class Run(Mapping[str, Case]):
 
 
 def load(directory: str | os.PathLike[str]) -> Run:
-    """Read a run from a directory of `Run.save` or ``fpkcheck run --out``.
+    """Read the result of a run from a directory that `Run.save` or ``fpkcheck run --out`` wrote.
 
     Raises
     ------
     ValueError
-        When the directory has no run, or a file is corrupt or belongs to another run; the message has one line.
+        If the directory contains no run, or if a file is corrupt or belongs to another run. The message has one line.
     """
     return Run(_fpkcheck.load(os.fspath(directory)))

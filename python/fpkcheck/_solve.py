@@ -18,17 +18,17 @@ Against = Union[str, "os.PathLike[str]", Sequence[Any], Density, File, Samples, 
 
 
 def methods() -> dict[str, str]:
-    """Families of methods, by increasing trust, with their meanings."""
+    """The families of methods by increasing trust: a dict from the name of a family to its meaning."""
     return {name: meaning for name, meaning, _ in _fpkcheck.method_families()}
 
 
 def options(methods: str) -> dict[str, dict[str, Any]]:
-    """The options of each method of a list, by id.
+    """The options of the methods that a comma-separated list selects, by the id of the method.
 
     Raises
     ------
     ValueError
-        For an item that is no method.
+        If an item of the list selects no method.
     """
     return _fpkcheck.options_of(methods)
 
@@ -37,7 +37,7 @@ def _problems(case: Any, parameters: Mapping[str, Value]) -> list[Problem]:
     if isinstance(case, (Problem, str, os.PathLike)):
         case = [case]
     if parameters and any(isinstance(each, Problem) for each in case):
-        raise TypeError("parameters are for cases given by their name; use Problem.case(.., damping=..)")
+        raise TypeError("parameters apply only to cases given by name; use Problem.case(.., damping=..)")
     return [each if isinstance(each, Problem) else Problem.case(each, **parameters) for each in case]
 
 
@@ -68,46 +68,48 @@ def solve(
 ) -> Run:
     """Solve one or several cases with each of the methods, and compare the solutions, as ``fpkcheck run`` does.
 
-    The call releases the interpreter lock: other threads continue. Ctrl-C raises KeyboardInterrupt and abandons the
-    operations in progress, which may use processors for some more seconds.
+    The call releases the interpreter lock, so that other Python threads continue. Ctrl-C raises KeyboardInterrupt and
+    abandons the operations in progress. Abandoned operations may use processors for some more seconds.
 
     Parameters
     ----------
     case : str, path, Problem, or several in a list
-        The cases to solve; a name or a file as in `Problem.case`.
+        The cases to solve. A text or path is the name of a case or a case file, as in `Problem.case`.
     methods : str or list of str, optional
-        Solvers (``"epc"``), families (``"epc-moment"``) or ids (``"fd-kf"``), separated by commas. Default: all
+        Solvers (``"epc"``), families (``"epc-moment"``) or ids (``"fd-kf"``), separated by commas. The default is all
         solvers.
     against : mapping, optional
-        External densities by label: a `Density`, a `Samples`, a function, an array of samples, a `File`, or the name
-        of a file (or a list of two files, of y and of y'; docs/foreign.md). Requires a single case.
+        External densities by label. A density is a `Density`, a `Samples`, a function, an array of samples, a `File`,
+        the name of a file, or a list of two files, with the marginals of y and of y' (docs/foreign.md). External
+        densities require a single case.
     options : mapping, optional
-        Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``. Without the solver's name, the option
-        applies to all solvers that have it. `options` lists all options.
+        Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``. An option without the name of a solver
+        applies to all solvers with an option of that name. The function `options` returns all options.
     threads : int
-        Number of processors to use; 0 for all that are available to the process.
+        Number of threads; 0 for one thread per processor that is available to the process.
     max_seconds : float, optional
-        Time limit.
+        Limit of the wall-clock time of the call, in seconds.
     bounds : bool
-        Compute guaranteed bounds of moments, and residual-based error estimates of the moments of each density; two
-        or three seconds per case.
+        Whether to compute guaranteed bounds of moments, and residual-based error estimates of the moments of each
+        density. This computation takes two or three seconds per case.
     progress : callable, optional
-        Called a few times a second with the progress: a dict with ``done``, ``total``, ``case``, ``method``,
-        ``fraction`` and ``note``. An exception from it ends the call.
+        Function that is called a few times a second with the progress of the run: a dict with ``done``, ``total``,
+        ``case``, ``method``, ``fraction`` and ``note``. An exception of this function ends the call.
     **parameters
-        For cases given by their name: settings that replace those of the case, as ``restitution=0.9``.
+        Settings that replace settings of the cases, as ``restitution=0.9``. Only for cases given by name or file.
 
     Returns
     -------
     Run
-        A solver that finds no solution raises no exception: see the status of the solution.
+        The solutions and their comparison. If a solver finds no solution, the solution has a status other than ok,
+        and no exception is raised.
 
     Raises
     ------
     ValueError
-        For invalid input, with a message of one line.
+        If the input is invalid. The message has one line.
     TimeoutError
-        After ``max_seconds``.
+        If the run takes longer than ``max_seconds``.
     """
     problems = _problems(case, parameters)
     if against and len(problems) != 1:
