@@ -12,7 +12,7 @@ namespace fpkcheck::compare {
 namespace {
 
 // A bin of y' has a tenth of a standard deviation as its width, a bin of y a twentieth. The density
-// is nearly linear over such a bin.
+// is nearly linear over bins of these widths.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;

@@ -7,7 +7,7 @@
 #include "transform/solution.hpp"
 
 /// Guaranteed bounds of stationary expectations of a problem (docs/bounds.md), and the solutions
-/// that violate them.
+/// that violate these bounds.
 namespace fpkcheck::compare {
 
 /// Guaranteed bounds of the stationary expectation of one functional: lower <= E[..] <= upper.
@@ -42,8 +42,8 @@ struct BoundViolation {
   /// standard error of the moment.
   double error_estimate;
 
-  /// Whether the violation exceeds the error estimate of the moment. If so, the status ok of the
-  /// solution is wrong.
+  /// Whether the violation exceeds the error estimate of the moment. A solution with such a
+  /// violation is wrong, even with the status ok.
   bool is_contradiction() const { return excess > error_estimate; }
 };
 

@@ -55,7 +55,8 @@ struct BudgetPart {
 };
 
 /// The error budget of one closure in one variable. The total distance is at most the sum of the
-/// parts, by the triangle inequality. The same holds for the tail distances.
+/// parts, by the triangle inequality. By the same inequality, the total tail distance is at most
+/// the sum of the tail distances of the parts.
 struct BudgetRow {
   std::string solution;  ///< id of the closure
   transform::Variable variable;
@@ -67,8 +68,8 @@ struct BudgetRow {
   /// Range of the reference density, tail_from <= p_reference < tail_to, in tail bins.
   double tail_from, tail_to;
   /// Number of tail bins. In a tail bin the density of every model of the chain is positive and has
-  /// a narrow confidence interval. All parts use the same tail bins: otherwise their sum would not
-  /// be an upper bound of the total tail distance.
+  /// a narrow confidence interval. All parts use the same tail bins: otherwise the sum of their
+  /// tail distances would not be an upper bound of the total tail distance.
   int tail_bins;
   std::vector<BudgetPart> parts;  ///< in the order of the chain
 

@@ -113,7 +113,8 @@ class Chain {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginal> marginals_;
   Variable variable_;
-  const Solution* smooth_reference_;  ///< its smooth bins are those of the marginals; or null
+  /// Smooth reference, whose smooth bins are the bins of all marginals; null if there is none.
+  const Solution* smooth_reference_;
   std::vector<ChainNode> nodes_;
   std::vector<Link> pending_;
   const Solution* full_equation_ = nullptr;

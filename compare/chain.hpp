@@ -23,8 +23,8 @@ struct ChainNode {
   /// Approximations that the previous model makes and this model does not; empty for the closure.
   std::vector<Link> links;
   transform::Marginal marginal;  ///< marginal density of the model
-  /// L1 distance of the model from the Richardson limit of its grids. The value is 0 if the model
-  /// has no grid, and empty if the distance is unknown.
+  /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
+  /// without a grid, and empty if unknown.
   std::optional<double> discretisation_error;
   std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
   /// Smooth estimates of the smooth reference; null for other models.

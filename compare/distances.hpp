@@ -38,12 +38,12 @@ struct Distances {
 bool has_narrow_interval(const transform::Marginal& marginal, std::size_t bin);
 
 /// Computes the distances of the marginal a from the reference marginal b. Discretisations can
-/// produce negative averages: l1, l2 and sup use their values, hellinger and kl use zero instead.
-/// KL(b || a) is computed as int (b log(b/a) - b + a). This integral is never negative, also if
-/// some mass is beyond the axes, and equals the standard form int b log(b/a) for equal masses. KL(b
-/// || a) is infinite if b > 0 and a = 0 in the same bin. A tail distance omits bins whose 95 %
-/// confidence interval is wider than +-50 % of the density, so that sampling noise does not count
-/// as error. All distances are NaN if an average is not finite.
+/// produce negative averages: l1, l2 and sup use the negative values, hellinger and kl use zero
+/// instead. The divergence KL(b || a) is computed as int (b log(b/a) - b + a). The integral is
+/// never negative, even if some mass is beyond the axes, and equals the standard form int b
+/// log(b/a) for equal masses. The divergence is infinite if b > 0 and a = 0 in the same bin. A tail
+/// distance omits bins whose 95 % confidence interval is wider than +-50 % of the density, so that
+/// sampling noise does not count as error. All distances are NaN if an average is not finite.
 /// @throws std::invalid_argument when the bins differ or the sizes of a marginal are inconsistent
 Distances distances(const transform::Marginal& a, const transform::Marginal& b);
 

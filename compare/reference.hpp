@@ -48,7 +48,7 @@ std::vector<ReferenceDistance> closures_by_reference_distance(
     std::span<const transform::Solution> solutions, std::span<const PairDistances> pairs);
 
 /// Whether the sums of the distances of two solutions differ by no more than the error estimate of
-/// the reference. If so, neither solution counts as closer to the reference.
+/// the reference. With so small a difference, neither solution counts as closer to the reference.
 bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
                           const transform::Solution& reference);
 

@@ -17,8 +17,8 @@ const transform::Solution* find_smooth_reference(std::span<const transform::Solu
 
 /// Converts marginals to averages over the smooth bins of the smooth reference. The marginals of
 /// the smooth reference are replaced by its smooth estimates. For a density on a grid the averages
-/// are computed from the cells of the grid: they resolve a spike, while the bins of the comparison
-/// axes do not.
+/// are computed from the cells of the grid. The cells resolve a spike of the density, while the
+/// bins of the comparison axes do not.
 /// @param sharp marginals on the comparison axes
 /// @param solutions solutions to which the marginals belong
 std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMarginal> sharp,

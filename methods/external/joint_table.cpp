@@ -76,7 +76,7 @@ JointTable make_joint_table(const NumberTable& table) {
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // This test precedes the allocation of the grid, since a short file may imply a huge grid.
+  // The number of rows is tested before the grid is allocated: a short file may imply a huge grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
