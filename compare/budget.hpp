@@ -40,7 +40,8 @@ struct BudgetPart {
   std::string from;  ///< id of the model with the approximations
   std::string to;    ///< id of the model without the approximations
   double l1;         ///< L1 distance of the two models
-  double tail;  ///< tail distance of the two models, as BudgetRow::total_tail; NaN without a bin
+  /// Tail distance of the two models, as BudgetRow::total_tail; NaN without a tail bin.
+  double tail;
   std::optional<double> uncertainty{};  ///< sum of the discretisation errors of both models
   /// Expected L1 sampling error of the model `to`, if a simulation.
   std::optional<double> expected{};

@@ -37,9 +37,9 @@ transform::Solution solve_with(const Method& method, const problem::Problem& pro
 void require_solvable(const std::vector<problem::Problem>& problems,
                       const std::vector<Method>& methods);
 
-/// Calls require_solvable(), solves every problem with every method, and compares the solutions of
-/// each problem. Methods that use one processor run in parallel. While a method that uses all
-/// processors runs, no other method runs.
+/// Calls require_solvable(), solves every problem with every method,
+/// and compares the solutions of each problem. Methods that use one processor run in parallel.
+/// While a method that uses all processors runs, no other method runs.
 /// @param methods by increasing trust
 /// @param threads number of threads; 0 for one per processor
 /// @throws the first exception of a solver, after the other solvers have ended

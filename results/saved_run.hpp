@@ -41,8 +41,8 @@ void load_curves(const std::filesystem::path& file, Run& run);
 /// have no curves over smooth bins.
 void load_smooth(const std::filesystem::path& file, Run& run);
 
-/// Reads the files of a run that add_run() wrote. A run of an older version has no joint densities
-/// and no curves over smooth bins.
+/// Reads the files of a run that add_run() wrote. A run of an older version has no joint
+/// densities and no curves over smooth bins.
 /// @throws InputError with a message of one line, if the directory contains no run, a file is
 ///         invalid or has another schema, or the marginals or joint densities are those of another
 ///         run

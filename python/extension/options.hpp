@@ -12,8 +12,8 @@ namespace fpkcheck::python {
 /// @param list comma-separated list of methods, as in Registry::select()
 /// @param options values of options. The name of an option is "SOLVER.NAME", or "NAME" for all
 ///        solvers with an option of that name
-/// @throws InputError as Registry::select(); also for an option that no solver has, for a value of
-///         the wrong type or out of range, and for options that belong to a method with another id
+/// @throws InputError as Registry::select(); also for an option that no solver has, for a value
+///         of the wrong type or out of range, and for options that belong to another method
 std::vector<methods::Method> select_methods(const methods::Registry& registry,
                                             const std::string& list, const base::Values& options);
 
