@@ -9,15 +9,18 @@
 
 namespace fpkcheck::report {
 
-/// Findings on the guaranteed bounds of a case, in sentences. Empty if no bounds were computed.
+/// Sentences on the guaranteed bounds of the moments of a case. The list is empty if no bounds were
+/// computed.
 ///
-///   - First each solution of the full problem whose moment lies outside its bounds by more than
-///     the stated error: this solution is wrong.
-///   - Then the bounds of E[y^2] and E[y'^2], and the approximations with a moment outside a bound.
-///   - Without bounds, the reason.
+///   - First a sentence for each solution of the full problem with a moment outside the guaranteed
+///     bounds by more than the stated error: such a solution is wrong.
+///   - Then a sentence with the bounds of E[y^2] and E[y'^2], and with the approximations that have
+///     a moment outside its bounds.
+///   - Only the reason, if the computation gave no bounds.
 std::vector<std::string> bounds_findings(const results::Case& case_result);
 
-/// A table with a row for each functional: lower and upper bound, absolute and relative half-width.
+/// A text table with a row for each bounded functional: lower bound, upper bound, absolute and
+/// relative half-width.
 std::string bounds_table(const problem::Problem& problem, const compare::Bounds& bounds,
                          const TextFormat& format);
 

@@ -11,16 +11,17 @@
 
 namespace fpkcheck::report {
 
-/// A horizontal line of the convergence plot that shows the uncertainty of the reference: the
-/// distance of another solution of the full problem, or the error estimate of the reference.
+/// A horizontal line of the convergence plot that shows the uncertainty of the reference: the L1
+/// distance between the reference and another solution of the full problem, or the error estimate
+/// of the reference.
 struct UncertaintyLine {
   std::string name;
   double l1;
   const char* dash;  ///< dash style of plotly.js: "dot" or "dash"
 };
 
-/// L1 distances of a marginal density to the reference of a case, by family and order. Holds only
-/// solutions with a positive distance, as pointers into the case.
+/// L1 distances of one marginal density to the reference of a case, by family and order. The
+/// members point to solutions of the case with a positive distance.
 struct Convergence {
   const results::Case* case_result;
   const transform::Solution* reference;
@@ -31,11 +32,12 @@ struct Convergence {
   std::vector<UncertaintyLine> uncertainty_lines;
 
   double l1(const transform::Solution& solution) const;
-  /// The lowest and the highest order.
+  /// The lowest and the highest order n of the closures.
   std::pair<int, int> orders() const;
 };
 
-/// @return nothing without a reference or without a family of at least two orders
+/// The distances of one marginal density by family and order.
+/// @return nothing if the case has no reference, or no family with at least two orders
 std::optional<Convergence> convergence(const results::Case& case_result,
                                        transform::Variable variable);
 

@@ -45,7 +45,8 @@ std::optional<double> l1_standard_error(const Case& one, const Solution& a, cons
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Whether the distances of both marginals are over smooth bins: only these have standard errors.
+/// Whether the distances of both marginal densities are over smooth bins: only distances over
+/// smooth bins have standard errors.
 bool has_smooth_distances(const Case& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
@@ -134,11 +135,13 @@ void add_residual_based_errors(const Case& one, Sentences& sentences) {
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
-  // As many significant digits as the simulation confirms; the default number without one.
+  // The number of significant digits that the simulation confirms; the default number without a
+  // simulation.
   const auto digits = [&](double value) {
     constexpr int kDefaultDigits = 7, kMaxDigits = 10;
     if (!(largest_gap > 0)) return kDefaultDigits;
-    // Clamped as a double: the number may be infinite.
+    // The number of digits is clamped before its conversion to an integer, since the number may be
+    // infinite.
     const double confirmed_digits = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
     return confirmed_digits > 2 ? static_cast<int>(std::min<double>(confirmed_digits, kMaxDigits))
                                 : 2;
@@ -170,7 +173,8 @@ void add_closest_closures(const Case& one, Sentences& sentences) {
                     distances_text(MarginalDistances{nearest.y, nearest.ydot})));
     return;
   }
-  // For each family and formulation: the closest closure and the closures indistinguishable from it.
+  // For each family and formulation: the closure closest to the reference, and all closures that
+  // are indistinguishable from the closest closure.
   std::map<std::pair<std::string, std::string>, std::vector<const compare::ReferenceDistance*>>
       groups;
   bool several = false;
@@ -205,14 +209,14 @@ void add_closest_closures(const Case& one, Sentences& sentences) {
           : ""));
 }
 
-/// Expected sampling errors of both marginals of a solution.
+/// Expected L1 sampling errors of both marginal densities of a solution.
 /// @param smooth whether the distance is over smooth bins
 MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
   const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
-// Sampling errors of a difference of independent estimates: the variances add.
+// Sampling errors of the difference between two independent estimates, whose variances add.
 MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDistances& other) {
   const auto sum = [](const auto& a, const auto& b) {
     return a || b ? std::optional(std::hypot(a.value_or(0), b.value_or(0))) : std::nullopt;
@@ -324,7 +328,8 @@ void add_distances_of_external_densities(const Case& one, Sentences& sentences) 
     for (const Solution* reference : all) {
       const MarginalDistances gap = l1_distances(one, given, *reference);
       if (!gap.any()) continue;
-      // Only for the marginals of the external density that have standard errors.
+      // The comparison covers only those marginals of the external density that have standard
+      // errors.
       const bool smooth = has_smooth_distances(one, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);

@@ -7,22 +7,24 @@
 
 namespace fpkcheck::report {
 
-/// Sentences that quantify the error of each approximation in one case, from the distances between
+/// Sentences that quantify the error of each approximation in one case by distances between
 /// solutions with status ok:
 ///
 ///   - findings on the guaranteed bounds (report/bounds.hpp);
 ///   - the reference (compare/reference.hpp), if the case has several solutions;
-///   - the discretisation error of an equation with an error estimate, or the largest of several;
-///     omitted if the case has an error budget, which contains these errors;
-///   - the L1 error of each approximate equation or impact: the distance to the solution by the
-///     same method without this approximation;
-///   - for each family and formulation the closure closest to the reference, if within kCloseL1;
-///     closures are indistinguishable if their distances differ by no more than the error estimate
-///     of the reference;
+///   - the discretisation error of an equation that was solved with an error estimate, or the
+///     largest such error of several equations; this sentence is omitted if the case has an error
+///     budget, which contains these errors;
+///   - the L1 error of each approximate equation or impact condition: the L1 distance to the
+///     solution by the same method without this approximation;
+///   - for each family and formulation the closure closest to the reference, if its distance is at
+///     most kCloseL1; closures are indistinguishable if their distances differ by at most the error
+///     estimate of the reference;
 ///   - the distances of the other solutions of the full problem to the reference, with sampling
 ///     errors;
-///   - the distances of external densities to all of these, with standard errors;
-///   - notes of the solvers: metrics `notes[k]`, or `X.notes[k]` of the file named by `X.file`.
+///   - the distances of external densities to all solutions above, with standard errors;
+///   - notes of the solvers, from the metrics `notes[k]`; or notes on a file, from the metrics
+///     `X.notes[k]` and the file name `X.file`.
 std::vector<std::string> findings(const results::Case& one);
 
 }  // namespace fpkcheck::report

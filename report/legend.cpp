@@ -33,7 +33,7 @@ bool any_cell(const std::vector<Column>& columns, std::string_view header, Condi
   });
 }
 
-// The names of an enum that occur in the cells, with their meanings.
+// The names of the values of an enum that occur in the cells, with the meanings of these values.
 template <class Enum>
 std::string enum_legend(const std::vector<Column>& results, const std::string& before,
                         const std::string& after) {
@@ -109,7 +109,7 @@ std::string budget_legend(const std::vector<Column>& budgets) {
   }
   for (const auto& [link, name, meaning] : compare::kLinkNames) {
     const std::string header = part_header(std::string(name));
-    // Links without a solution between them share a column: closure + impact.
+    // Approximations without a solution between them share a column: closure + impact.
     if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (link == Link::closure) text += ", against its own equation discretised";

@@ -7,8 +7,9 @@
 
 namespace fpkcheck::report {
 
-/// The solutions of the full problem, with which tables and sentences compare all others: first the
-/// reference of the case, then the rest in the order of the case. Empty without a reference.
+/// The solutions of the full problem, with which tables and sentences compare all other solutions.
+/// The reference of the case is the first element; the remaining solutions have the order of the
+/// case. The list is empty if the case has no reference.
 std::vector<const transform::Solution*> references(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

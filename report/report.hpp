@@ -12,18 +12,19 @@
 namespace fpkcheck::report {
 
 /// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
-/// and figures/ into a directory that results::prepare_output_directory prepared. The files replace those of
-/// an earlier run all together or not at all; pictures and joint densities of the earlier run are
+/// and figures/ into a directory that results::prepare_output_directory prepared. Either all files
+/// of an earlier run are replaced, or none; pictures and joint densities of the earlier run are
 /// removed. After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
-/// @param supplement additional files, which replace earlier ones together with the files of the
-///                   run
+/// @param supplement additional files, which replace the files of an earlier run together with all
+///                   other files
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const results::Run& run, const FigureOptions& figures = {},
                                       const Supplement& supplement = {});
 
-/// The terminal output of a run: the supplement's summary, the tables, the supplement's text.
+/// The terminal output of a run: the summary of the supplement, the tables, the text of the
+/// supplement.
 std::string terminal_text(const results::Run& run, const Supplement& supplement,
                           const TextFormat& format = {});
 
@@ -33,11 +34,11 @@ struct RebuiltReport {
   std::vector<std::string> warnings;  ///< about pictures, one line each
 };
 
-/// Rebuilds the text of a saved run, and writes its page, its pictures and the files of the
-/// supplement again, without solving.
-/// @param directory with the saved run
+/// Rebuilds the terminal text of a saved run, and writes the page, the pictures and the files of
+/// the supplement again, without solving the problems again.
+/// @param directory directory of the saved run
 /// @param run       the run that results::load_run read from this directory
-/// @param format    of the text
+/// @param format format of the terminal text
 /// @throws std::runtime_error if a file cannot be written
 RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
                              const TextFormat& format = {}, const FigureOptions& figures = {},

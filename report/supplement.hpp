@@ -12,7 +12,7 @@ struct ExtraFile {
   std::string name, text;
 };
 
-/// A gnuplot script, and the file name without extension of the script and its pictures.
+/// A gnuplot script, with the file name (without extension) that the script and its pictures share.
 struct Picture {
   std::string stem, script;
 };
@@ -22,13 +22,15 @@ struct PageSection {
   std::string anchor;   ///< id of the HTML element of the section, for links
   std::string heading;  ///< plain text
   std::string html;     ///< content below the heading, includes plots_html() of all plots
-  /// Groups of plots: a legend hides or shows curves in the plots of its group only.
+  /// Groups of plots: the legend of a group hides or shows curves in all plots of this group and in
+  /// no other plot.
   std::vector<std::vector<Plot>> groups;
 };
 
 /// Additions of a command to the report of a run.
 struct Supplement {
-  /// Result of the command in sentences, printed before the tables; the first opens the page.
+  /// The result of the command in sentences, printed before the tables; the first sentence is also
+  /// the first of the page.
   std::vector<std::string> summary;
   std::string text;  ///< printed after the tables
   std::vector<PageSection> sections;

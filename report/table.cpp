@@ -36,10 +36,11 @@ std::string seconds_text(double x) {
 std::vector<Column> columns(const results::Case& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<Column> all;
-  // Adds a column unless it has no value, such as the distances to the only solution.
+  // Adds a column if the column has a value: the column of the distances to the only solution, for
+  // example, has none.
   const auto add = [&](Column column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
-      // The line of its reason replaces the row.
+      // The solution has no row: a line with the reason replaces the row.
       if (solution.status == transform::Status::not_offered) continue;
       column.cells.push_back(cell(solution));
     }

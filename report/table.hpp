@@ -8,16 +8,17 @@
 
 namespace fpkcheck::report {
 
-/// The terminal text of a run. Each case has a line of parameters, a row per solution with the
-/// distances to the solutions of the full problem (reference first), the reasons of solutions that
-/// are not ok, the error budget and the findings (findings.hpp). The legend of the displayed
-/// columns follows (legend.hpp). Plain ASCII; a dash marks a missing value.
-/// @param format if rows exceed the width, the least important columns are omitted: first the
-///               energy residual, then the distances to solutions other than the reference, the
-///               seconds, the equation, the moments
+/// The terminal text of a run. The text of a case has a line of parameters, a row for each solution
+/// with the distances to the solutions of the full problem (reference first), the reasons of
+/// solutions that are not ok, the error budget and the findings (findings.hpp). A legend of the
+/// displayed columns follows all cases (legend.hpp). The text is plain ASCII; a dash marks a
+/// missing value.
+/// @param format format of the text: if rows exceed its width, the least important columns are
+///               omitted, in this order: energy residual, distances to solutions other than the
+///               reference, seconds, equation, moments
 std::string table(const results::Run& run, const TextFormat& format = {});
 
-/// Name and parameters of a problem: "case1: c = 0.1, k = 1, ...".
+/// The name and the parameters of a problem: "case1: c = 0.1, k = 1, ...".
 std::string case_title(const problem::Problem& problem);
 
 }  // namespace fpkcheck::report

@@ -24,12 +24,14 @@ using compare::ClosureBudget;
 using transform::Status;
 using transform::Variable;
 
-// Fraction of the unit distance between two closures.
+// Width of a closure's group of bars, relative to the distance between neighbouring groups.
 constexpr double kGroupWidth = 0.8;
-// The axis omits parts below this fraction of the largest total: they would only stretch it.
+// The axis range excludes parts below this fraction of the largest total distance, since such small
+// parts would compress all other bars.
 constexpr double kSmallestFraction = 1e-4;
 
-/// A panel for a marginal and a distance: L1, or the mean log ratio in the tail.
+/// A panel for one marginal density and one kind of distance: the L1 distance, or the mean
+/// logarithmic ratio in the tail.
 struct BudgetPanel {
   const char* title;
   const char* label;
@@ -54,12 +56,13 @@ std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
 
 std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_total", panel.block); }
 
-/// A bar: position on the axis of the closures 1, 2, .., width, value.
+/// A bar of the figure: its position on the axis of closures (closure k is at k), its width and its
+/// value.
 struct Bar {
   double centre, width, value;
 };
 
-// The bars of a closure, named by their parts, divide the width of its group equally.
+// The bars of a closure by the names of their parts; all bars of a group have equal width.
 std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const ClosureBudget& budget,
                                               std::size_t place) {
   std::vector<std::pair<std::string, Bar>> result;
@@ -100,7 +103,8 @@ std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& bud
   return text + "EOD\n";
 }
 
-/// The range of decades that contains all bars above kSmallestFraction.
+/// The axis range in whole decades that contains all bars above kSmallestFraction of the largest
+/// total.
 struct Range {
   double from, to;
 };
@@ -123,7 +127,7 @@ Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets)
           std::pow(10, std::ceil(std::log10(1.2 * greatest)))};
 }
 
-// The id without the name of the method; an asterisk marks a closure that is not ok.
+// The id of a closure without the name of the method; an asterisk marks a closure that is not ok.
 std::string tic_label(const results::Case& case_result, const ClosureBudget& budget) {
   std::string label = budget.solution;
   const auto* solution = case_result.find(label);
@@ -190,7 +194,7 @@ std::string budget_script(const results::Case& case_result, const std::string& f
       std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
   const Legend entries = legend(names, any_not_ok);
   PanelGrid grid = panel_grid(width, kOnScreen);
-  // A single journal column has no room for the panels of the tails.
+  // A figure for a single journal column is too narrow for the panels of the tail distances.
   const bool narrow = width == FigureWidth::one_column;
   grid.columns = narrow ? 1 : 2;
   grid.rows = 2;

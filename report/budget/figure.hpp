@@ -10,11 +10,12 @@ namespace fpkcheck::report {
 /// Whether a case has an error budget.
 bool has_budget(const results::Case& case_result);
 
-/// A gnuplot script that draws the error budget of a case on logarithmic axes, for each marginal in
-/// L1 and in the tail. Each closure has a group of bars, a bar per part, with a black line at the
-/// total. Bars of closures that are not ok are paler. In a single journal column the tails are
-/// omitted.
-/// @param file_stem name of script and picture without extension
+/// A gnuplot script that draws the error budget of a case on logarithmic axes: for each marginal
+/// density a panel of the L1 distances and a panel of the tail distances. Each closure has a group
+/// of bars, with a bar for each part of the budget and a black line at the total distance. Bars of
+/// closures that are not ok are paler. A figure for a single journal column omits the panels of the
+/// tail distances.
+/// @param file_stem file name of the script and of its picture, without extension
 std::string budget_script(const results::Case& case_result, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);
 

@@ -13,7 +13,8 @@ struct PartStyle {
   int hatch;            ///< fill pattern of gnuplot; 0 for none
 };
 
-// Colours of Okabe and Ito, distinct for colour-blind readers; hatching distinguishes equal greys.
+// Colours of Okabe and Ito, which are distinct for colour-blind readers; hatching distinguishes
+// colours that are equal in grey print.
 PartStyle part_style(const std::string& part) {
   using compare::Link;
   const auto links = compare::parse_links(part);
@@ -45,7 +46,8 @@ std::string part_boxes(const std::string& part, bool faint) {
     return fmt::format("with boxes fillstyle solid {} border rgb '{}' linecolor rgb '{}'",
                        faint ? 0.3 : 1.0, colour, colour);
   }
-  // A pattern has no fill density: its colour is mixed with white, 0.3 as for the solid bars.
+  // gnuplot has no fill density for patterns: the colour of a pattern is mixed with white instead,
+  // with the fraction 0.3 as for solid bars.
   std::string hatch_colour = "#";
   for (const std::size_t position : {1, 3, 5}) {
     const int part_of_colour = std::stoi(std::string(colour).substr(position, 2), nullptr, 16);

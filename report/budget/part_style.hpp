@@ -5,16 +5,18 @@
 /// Styles of the parts of an error budget in all pictures and on the page.
 namespace fpkcheck::report {
 
-/// The colour of a part, "#RRGGBB"; grey for several links together.
+/// The colour of a part of the error budget, "#RRGGBB"; grey for a part that joins several
+/// approximations.
 /// @param part BudgetPart::name()
-/// @throws InputError if the name contains an unknown link
+/// @throws InputError if the name contains an unknown approximation
 const char* part_colour(const std::string& part);
 
-/// The gnuplot style of the bars of a part, "with boxes ..".
-/// @param faint paler, for a closure that is not ok
+/// The gnuplot style of the bars of a part of the error budget, "with boxes ..".
+/// @param faint whether the bars are paler, as for a closure that is not ok
 std::string part_boxes(const std::string& part, bool faint);
 
-/// The fill pattern of a part in plotly.js, since colours alone may look alike; empty for none.
+/// The fill pattern of a part of the error budget in plotly.js, which distinguishes parts of
+/// similar colour; empty for a solid fill.
 const char* part_pattern(const std::string& part);
 
 }  // namespace fpkcheck::report

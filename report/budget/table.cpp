@@ -37,8 +37,8 @@ bool is_common_part(const std::vector<ClosureBudget>& budgets, const std::string
   });
 }
 
-/// Builds the columns of a marginal: a cell for each closure, then a cell for each part with a row
-/// of its own, which is equal for all closures with this part.
+/// Builds the table columns of one marginal density. A column has a cell for each closure, then a
+/// cell for each part that has a row of its own because all closures share its value.
 class VariableColumns {
  public:
   VariableColumns(const std::vector<ClosureBudget>& budgets, const std::vector<std::string>& below,

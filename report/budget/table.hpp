@@ -10,18 +10,19 @@
 
 namespace fpkcheck::report {
 
-/// The error budget of a case as a text table: for each closure and marginal the L1 distance to the
-/// reference and its parts. The parts common to all chains (discretisation, sampling) have rows of
-/// their own. An asterisk marks a closure that is not ok. The sentence of the limits follows. Empty
-/// without a budget.
-/// @param format if rows exceed the width, the tail is omitted first, then the parts from the end
-///               of the chain
+/// The error budget of a case as a text table: for each closure and marginal density the L1
+/// distance to the reference and the parts of this distance. The parts that all closures share
+/// (discretisation, sampling) have rows of their own. An asterisk marks a closure that is not ok. A
+/// sentence on the limits of the budget follows the table. The text is empty if the case has no
+/// budget.
+/// @param format format of the text: if rows exceed its width, the columns of the tail distances
+///               are omitted first, then the columns of the last parts
 std::string budget_table(const results::Case& case_result, const TextFormat& format);
 
-/// The displayed columns of this table; none without a budget.
+/// The columns that budget_table displays in this format; no column if the case has no budget.
 std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format);
 
-/// The short name of a part, for a narrow header: "trunc.".
+/// The short name of a part of the error budget for the header of a narrow column: "trunc.".
 std::string part_header(const std::string& part);
 
 }  // namespace fpkcheck::report

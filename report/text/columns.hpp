@@ -24,20 +24,22 @@ struct Column {
   std::size_t width() const;
 };
 
-/// The importance of a column that is never omitted.
+/// The importance value of a column that is never omitted.
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
 /// An empty column for the statuses of solutions.
 Column status_column();
 
-/// The displayed columns: if all exceed the width, the least important columns are omitted.
+/// The columns that fit into the width of the format: if all columns exceed the width, the least
+/// important columns are omitted.
 std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format);
 
-/// Names of the columns of `all` that are not in `shown`: "L1 to fd-kf, energy"; empty if none.
+/// The names of the columns of `all` that are not in `shown`, in one text: "L1 to fd-kf, energy".
+/// The text is empty if no column is omitted.
 std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown);
 
-/// The columns side by side under their headers, one line per row. If the columns exceed the width,
-/// the least important are omitted.
+/// The text of a table: the columns side by side under their headers, with one line for each row.
+/// If the columns exceed the width, the least important columns are omitted.
 std::string rows(std::vector<Column> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::report

@@ -15,7 +15,8 @@ IntervalText round_outward(double lower, double upper) {
       width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
                 : kMostDecimals;
   const double unit = std::pow(10.0, decimals);
-  // A product that rounds to an integer may lie on its other side: fma gives the rounding error.
+  // The exact product may lie above or below the integer to which the product is rounded: fma gives
+  // the sign of the rounding error.
   double down = std::floor(lower * unit), up = std::ceil(upper * unit);
   if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
   if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;

@@ -8,8 +8,8 @@ namespace fpkcheck::report {
 struct IntervalText {
   std::string lower, upper;
 };
-/// Rounds the ends of an interval outwards to decimals. The number of decimals resolves two digits
-/// of the width, so that the texts of the ends differ.
+/// Rounds the ends of an interval outwards to decimals. The number of decimals is large enough to
+/// show two significant digits of the interval width, so that the texts of both ends differ.
 IntervalText round_outward(double lower, double upper);
 
 }  // namespace fpkcheck::report
