@@ -47,8 +47,8 @@ std::vector<std::string> bounds_findings(const results::Case& case_result) {
     sentences.push_back(contradiction_text(violation));
   }
   for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
-    // A solution of the full problem reaches this line only if its excess over the bound is at most
-    // its stated error: such a solution is consistent with the bounds.
+    // A violation by a solution of the full problem is either a contradiction, which the loop above
+    // reports, or smaller than the error estimate, and thus consistent with the bounds.
     if (compare::is_solution_of_full_problem(*violation.solution)) continue;
     if (ids.empty() || ids.back() != violation.solution->id())
       ids.push_back(violation.solution->id());

@@ -13,8 +13,8 @@ using results::Case;
 using results::Curve;
 using transform::Variable;
 
-// The curve of the reference over smooth bins if it has confidence intervals in all bins, else
-// null.
+// The curve of the reference over smooth bins if the curve has confidence intervals in all bins,
+// else a null pointer.
 const Curve* smooth_reference(const Case& case_result, const std::string& reference,
                               Variable variable) {
   const Curve* curve = case_result.smooth_curve(reference, variable);
@@ -25,7 +25,7 @@ const Curve* smooth_reference(const Case& case_result, const std::string& refere
   return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
 }
 
-// Empty if the reference lacks the curve of a marginal.
+// The result is empty if the reference has no curve of one of the marginal densities.
 std::string reference_id(const Case& case_result) {
   const auto* reference = compare::reference(case_result.solutions);
   if (reference == nullptr) return "";

@@ -11,33 +11,34 @@
 
 namespace fpkcheck::report {
 
-/// The curves of a marginal density, in drawing order.
+/// The curves of all solutions for one marginal density, in drawing order.
 struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
-  /// Ranges over the solutions with status ok, or over all solutions if none is ok. The ranges of
-  /// the differences are those of difference_ranges.
+  /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
+  /// solution is ok. The ranges of the differences come from difference_ranges.
   FigureRanges ranges;
 };
 
-/// The content of the figure of a case. Holds pointers into the case.
+/// The content of the figure of a case. The curves point to objects of the case.
 struct FigureContent {
-  /// Id of the solution subtracted from all others (compare::reference), or "".
+  /// Id of the reference (compare::reference), which is subtracted from all other solutions, or "".
   std::string reference;
-  /// Whether differences are between averages over smooth bins. There the reference has small
-  /// errors, and absolute differences are shown on a logarithmic axis.
+  /// Whether the differences are differences between averages over smooth bins. Averages over
+  /// smooth bins have small errors, so that absolute differences are shown on a logarithmic axis.
   bool smooth_differences = false;
   std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
   std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
 
-/// Ranges of the differences of these curves. A logarithmic axis contains the differences of all
-/// curves, a linear axis only those of solutions that are ok or inaccurate, since a single outlier
-/// would flatten the others. Without such solutions the ranges contain all curves.
+/// Axis ranges of the differences between the curves and the reference. A logarithmic axis contains
+/// the differences of all curves. A linear axis contains only the differences of solutions that are
+/// ok or inaccurate, since a single outlier would compress all other curves; if no solution is ok
+/// or inaccurate, the axis contains all curves.
 FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
-/// The curves of a case.
-/// @param shown ids of the solutions to show; all solutions if not given
+/// The content of the figure of a case: curves, ranges and reference.
+/// @param shown ids of the solutions to show; all solutions are shown if this argument is empty
 FigureContent figure_content(const results::Case& case_result,
                              const std::optional<std::set<std::string>>& shown = {});
 

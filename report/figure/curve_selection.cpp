@@ -29,7 +29,7 @@ bool has_curve(const results::Case& case_result, const transform::Solution& solu
   });
 }
 
-// All solutions with a curve, by decreasing priority.
+// All solutions that have a curve, by decreasing priority for the default selection.
 std::vector<const transform::Solution*> solutions_by_priority(const results::Case& case_result) {
   std::vector<const transform::Solution*> order;
   const auto add = [&](const transform::Solution& solution) {

@@ -9,24 +9,25 @@
 
 namespace fpkcheck::report {
 
-/// Maximum number of curves by default: more curves that nearly coincide are indistinguishable.
+/// Maximum number of curves in the default selection: readers cannot distinguish more curves that
+/// nearly coincide.
 inline constexpr std::size_t kMaxCurves = 6;
 
-/// Ids of the solutions shown in the picture of a case.
+/// Ids of the solutions whose curves the picture of a case shows.
 ///
-/// The default selection has all external densities. Up to kMaxCurves curves in all follow by
-/// priority: the reference, the other solutions of the full problem (report/references.hpp), the
-/// closest closure of each formulation, other equations by decreasing trust, other closures (ok and
-/// closest first).
-/// @param requested ids, families or solvers, all of whose curves are shown; or "all"; empty for the
-///               default selection
+/// The default selection contains all external densities, then other solutions up to a total of
+/// kMaxCurves curves. These solutions are selected in the following order: the reference, the other
+/// solutions of the full problem (report/references.hpp), the closest closure of each formulation,
+/// solutions of other equations by decreasing trust, other closures (ok and closest first).
+/// @param requested ids, families or solvers whose curves are shown; or "all"; an empty list for
+///               the default selection
 std::set<std::string> select_curves(const results::Case& case_result,
                                     const std::vector<std::string>& requested = {});
 
-/// Checks that every requested item matches a solution.
+/// Checks that every requested id, family or solver matches a solution.
 /// @param requested as in select_curves
 /// @param available  identities of the available solutions
-/// @throws InputError with a message of a single line for an item that matches no solution
+/// @throws InputError with a message of one line if a requested name matches no solution
 void validate_curves(const std::vector<std::string>& requested,
                      std::span<const transform::Identity> available);
 

@@ -61,8 +61,8 @@ struct PlacedPanel {
   char letter;
 };
 
-// The panels row by row, lettered as in the paper. A single journal column has consecutive letters,
-// since panels are missing.
+// The panels row by row, lettered as in the paper. A figure for a single journal column omits
+// panels, and letters the remaining panels consecutively.
 std::vector<PlacedPanel> placed_panels(const FigureContent& content, FigureWidth width) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
@@ -99,7 +99,7 @@ std::string legend_label(const DrawnCurve& drawn) {
   const auto& solution = *drawn.solution;
   std::string label = solution.id();
   if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
-  // Curves do not show atoms: the label has their probabilities.
+  // A curve cannot show atoms: the label states the probabilities of the atoms.
   for (const auto& atom : solution.atoms) {
     label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
   }
@@ -130,7 +130,7 @@ Legend legend(const FigureContent& content, FigureWidth width) {
     legend.entries.push_back({fmt::format("NaN {}", kReferenceIntervalStyle),
                               fmt::format("half-width of the interval of {}", content.reference)});
   }
-  // Only on a screen: the hint names a command-line option.
+  // The hint appears only in figures for a screen, since the hint names a command-line option.
   if (content.hidden_count > 0 && width == FigureWidth::screen) {
     legend.entries.push_back({"NaN with lines linetype nodraw",
                               fmt::format("{} more curves: --curves all", content.hidden_count)});
@@ -157,7 +157,8 @@ std::string density_script(const problem::Problem& problem, const FigureContent&
   }
   return output_commands(file_stem, grid.size()) +
          "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n"
-         // By default a point's box erases the lines below an interval, in SVG far around.
+         // By default the box of a point type erases the lines below a confidence interval, and in
+         // SVG also lines in a wide area around the interval.
          "set pointintervalbox 0.0001\n\n" +
          data(content) + settings() + PanelGrid::kLabels + title.command + panels +
          legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";

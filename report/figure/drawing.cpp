@@ -33,9 +33,9 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Runs gnuplot on a script.
+// Runs gnuplot on a script and reports errors.
 // @param target file that gnuplot writes
-// @param picture file named in messages
+// @param picture file that error messages name
 void run_script(const std::string& gnuplot, const fs::path& script, const std::string& format,
                 const fs::path& target, const fs::path& picture) {
   const auto outcome = run_gnuplot(gnuplot,
@@ -52,8 +52,9 @@ void run_script(const std::string& gnuplot, const fs::path& script, const std::s
   }
 }
 
-// Sets the printed size of an SVG. gnuplot measures an SVG in pixels and does not scale tics and
-// marks, so that the picture itself is drawn for a screen.
+// Sets the printed size in an SVG file. gnuplot measures an SVG in pixels and does not scale tics
+// and marks. Therefore gnuplot draws the SVG for a screen, and this function sets the printed size
+// afterwards.
 std::string set_printed_size(std::string svg, double across) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
@@ -67,7 +68,7 @@ std::string set_printed_size(std::string svg, double across) {
       fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", across, across * height / width));
 }
 
-/// A new temporary directory, removed by the destructor.
+/// A new temporary directory, which the destructor removes.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
@@ -89,9 +90,9 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-// gnuplot names the graphics included by STEM.tex STEM.pdf, as the picture in format pdf, and
-// writes the name with its directory. Here the graphics are STEM-tex.pdf without directory, for
-// LaTeX's \graphicspath.
+// Renames the graphics file that STEM.tex includes to STEM-tex.pdf. gnuplot calls this file
+// STEM.pdf, like the picture in format pdf, and writes the directory into STEM.tex. The new name
+// has no directory, so that LaTeX's \graphicspath applies.
 void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::path& picture) {
   const TemporaryDirectory directory;
   const fs::path drawn = directory.path() / "drawn.tex", graphics = directory.path() / "drawn.pdf";
@@ -127,7 +128,7 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
 
 std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path& figures,
                                       const std::string& stem, const FigureOptions& options) {
-  // Draws one format; returns a warning if this failed.
+  // Draws the picture in one format; returns a warning if gnuplot drew no picture.
   const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
       draw(gnuplot, figures / (stem + ".gp"), figures / fmt::format("{}.{}", stem, name(format)),

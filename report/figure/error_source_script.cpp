@@ -23,7 +23,7 @@ using transform::Moments;
 
 constexpr std::size_t kMaxMaps = 4, kMaxMapsInColumn = 2;
 constexpr int kColourBar = 12, kBesideMap = 80;  // width of a colour bar, and with tics, in pixels
-// Outer cells below this fraction of the largest value are invisible and omitted.
+// Outer cells with values below this fraction of the largest value are invisible, and are omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
 struct MapRow {
@@ -67,8 +67,8 @@ double largest_value(const ErrorSource& source) {
   return most;
 }
 
-/// The range of cells with a visible value in some map. The range includes y = 0 if the cells begin
-/// there, and is symmetric in y'.
+/// The range of the cells that have a visible value in at least one map. The range is symmetric in
+/// y', and includes y = 0 if the cells begin at y = 0.
 struct VisiblePart {
   std::size_t y_begin = 0, y_end = 1, v_begin = 0, v_end = 0;
 };
@@ -95,14 +95,15 @@ VisiblePart visible_part(const Case& case_result, const std::vector<std::string>
   return part;
 }
 
-// The square root keeps values visible that are small relative to those at the wall.
+// The colour scale uses the signed square root, so that values remain visible that are small
+// relative to the values at the wall.
 double signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
 double limit_of(const ErrorSource& source) { return std::max(largest_value(source), 1e-300); }
 
-// The data block of a map, with a row for each y'.
+// The data block of a heat map, with a row of cells for each y'.
 std::string source_block(const ErrorSource& source, const std::string& name,
                          const VisiblePart& part) {
   std::string text = name + " << EOD\n";
@@ -116,8 +117,8 @@ std::string source_block(const ErrorSource& source, const std::string& name,
   return text + "EOD\n";
 }
 
-// Tics of the colour bar at equal steps of the value, placed by the signed root, in units of the
-// power of ten in the label.
+// Tics of the colour bar at equal steps of the value. The positions of the tics are signed square
+// roots of the values; the tic labels are in units of the power of ten in the axis label.
 std::string colour_axis(double limit) {
   constexpr int kMostSteps = 5;  // on either side of 0; then at least two tics are on each side
   const double step = tic_step(0, limit, kMostSteps);
@@ -161,8 +162,9 @@ std::string source_panel(const Case& case_result, const std::string& id, std::si
       dv);
 }
 
-// On a screen each density has a column, but a single density has a row of two maps. On paper each
-// density has a row, and in a single journal column all maps are stacked.
+// On a screen each solution has a column of two maps, but a single solution has a row of two maps.
+// On paper each solution has a row of two maps. In a single journal column all maps are below one
+// another.
 PanelGrid grid_for(std::size_t densities, FigureWidth width) {
   constexpr int kColumnOnScreen = 375, kMoments = static_cast<int>(std::size(kRows));
   const int count = static_cast<int>(densities);

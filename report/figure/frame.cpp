@@ -10,14 +10,14 @@ namespace fpkcheck::report {
 namespace {
 
 constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
-// Height of letters: 11 points in pixels on a screen of 96 dpi, and points on paper, where journals
-// require at least 7.
+// Height of letters: 11 points, in pixels, on a screen of 96 dpi; on paper in points, where
+// journals require at least 7 points.
 constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
 // Resolution of a PNG for print, in dpi.
 constexpr double kPrintResolution = 300;
 
-// Points per pixel of the layout on paper, and in a PDF for the screen, whose letters have the same
-// size.
+// Points per pixel of the layout on paper. The same value applies to a PDF for the screen, so that
+// letters have the same size in both.
 constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
 double png_scale(FigureWidth medium) {
@@ -41,7 +41,7 @@ std::string png_terminal(const FigureSize& size) {
       scale * size.width, scale * size.height, scaled);
 }
 
-// Sizes in inches. Cairo draws lines at half their width, hence the factor 2.
+// The sizes are in inches. The factor 2 compensates that Cairo draws lines at half of their width.
 std::string cairo_scale(const FigureSize& size) {
   return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
                      size.width * kPointsPerPixel / kPointsPerInch,
@@ -126,7 +126,8 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
       kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
 }
 
-// All upright, without italics: viewers of SVG drop the spaces beside a change of font.
+// All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
+// font.
 FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::parameters_text(problem, true);

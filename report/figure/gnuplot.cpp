@@ -31,11 +31,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A pipe from standard output and standard error of the child; its standard input is empty.
+/// A pipe from standard output and standard error of a child process. The standard input of the
+/// child process is empty.
 class ErrorPipe {
  public:
   ErrorPipe() {
-    // Close on exec: a second child of another thread must not inherit the ends.
+    // Both ends of the pipe are closed on exec: a child process that another thread starts must not
+    // inherit the ends.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -55,8 +57,8 @@ class ErrorPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Reads to the end of the output and returns its beginning. Nothing after the deadline or a stop
-  /// request.
+  /// Reads to the end of the output and returns the beginning of the output; nothing if the
+  /// deadline passes or a stop is requested.
   std::optional<std::string> read_until_end(Clock::time_point deadline) {
     constexpr std::size_t kMost = 10000;  // callers report only the first line
     close(ends_[1]);                      // the read returns end of file only without open writers
@@ -83,8 +85,8 @@ class ErrorPipe {
   posix_spawn_file_actions_t actions_;
 };
 
-/// Spawn attributes that reset SIGPIPE: this program ignores the signal, and a child would inherit
-/// that.
+/// Spawn attributes that reset SIGPIPE to its default action. This program ignores SIGPIPE, and a
+/// child process would inherit this setting.
 class DefaultSignals {
  public:
   DefaultSignals() {
@@ -105,7 +107,8 @@ class DefaultSignals {
   posix_spawnattr_t attributes_;
 };
 
-/// @return the exit code of the child, -1 if a signal ended the child; nothing while the child runs
+/// @return the exit code of the child process, or -1 if a signal ended the process; nothing while
+///         the process runs
 std::optional<int> reap_child(pid_t child, int options) {
   int status = 0;
   pid_t ended = 0;
@@ -117,8 +120,8 @@ std::optional<int> reap_child(pid_t child, int options) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Waits for the exit of a child that has closed its output.
-/// @return the exit code; nothing after the deadline or a stop request
+/// Waits for the exit of a child process that has closed its output.
+/// @return the exit code; nothing if the deadline passes or a stop is requested
 std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
@@ -128,7 +131,7 @@ std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   }
 }
 
-// A null-terminated array, for the C interface.
+// A null-terminated array of strings for the C interface of posix_spawn.
 std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (auto& text : texts) pointers.push_back(text.data());
@@ -151,8 +154,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            std::chrono::milliseconds time_limit) {
   std::string before;
   for (const auto& assignment : assignments) before += assignment + "; ";
-  // No shell is involved, so that paths need no quotes. gnuplot runs a name that begins with '<' as
-  // a command: the absolute path begins with '/'.
+  // The process is started without a shell, so that paths need no quotes. gnuplot would run a file
+  // name that begins with '<' as a command: an absolute path, which begins with '/', prevents this.
   std::vector<std::string> arguments{program, "-d", "-e", before,
                                      std::filesystem::absolute(script).string()};
   auto argv = null_terminated_pointers(arguments);

@@ -11,8 +11,8 @@
 namespace fpkcheck::report {
 namespace {
 
-// Letter width and line height that gnuplot assumes for the font of the SVG, the larger font, in
-// pixels.
+// Letter width and line height, in pixels, that gnuplot assumes for the larger font, which is the
+// font of the SVG.
 constexpr double kLetter = 10.5, kLine = 25.2;
 constexpr double kMargin = 16;
 constexpr double kStripLeft = 0.02, kStripRight = 0.98;  // fractions of the width

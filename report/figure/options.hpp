@@ -10,7 +10,8 @@
 /// Options of pictures.
 namespace fpkcheck::report {
 
-/// `tex` is LaTeX: STEM.tex with the texts, for \input, and the graphics in STEM-tex.pdf.
+/// The file format of a figure. The format `tex` is LaTeX: the file STEM.tex contains the texts,
+/// for \input, and STEM-tex.pdf contains the graphics.
 enum class FigureFormat { png, svg, pdf, tex };
 inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFormat::png, "png"},
                                                                        {FigureFormat::svg, "svg"},
@@ -21,7 +22,7 @@ constexpr std::span<const base::EnumEntry<FigureFormat>> names(FigureFormat) {
 }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
-/// The medium of a picture: a narrow picture has fewer panels side by side.
+/// The medium and width of a figure. A narrow figure has fewer panels side by side.
 enum class FigureWidth { screen, two_columns, one_column };
 inline constexpr base::EnumEntry<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
@@ -35,8 +36,8 @@ constexpr std::string_view name(FigureWidth width) { return base::name_of(width)
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// Curves in the picture of a case: ids, families or solvers, or "all"; empty for the default
-  /// selection (report/figure/curve_selection.hpp).
+  /// The solutions whose curves the picture of a case shows: ids, families or solvers, or "all"; an
+  /// empty list for the default selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

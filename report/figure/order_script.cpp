@@ -25,7 +25,8 @@ using transform::Solution;
 constexpr const char* kTitles[] = {"displacement", "velocity"};
 constexpr const char* kUncertaintyColour = "#555555";
 
-/// Style of a family: that of its middle member. Members that are not ok have open marks.
+/// The style of a family's curve: the style of the middle member of the family. Members that are
+/// not ok have open marks.
 struct FamilyStyle {
   std::string colour;
   PointTypes points;
@@ -46,7 +47,8 @@ std::string open_mark_style(const FamilyStyle& plot_style) {
                      plot_style.colour, plot_style.points.open);
 }
 
-// An external density: a mark at its order, or a horizontal line without an order.
+// An external density is drawn as a mark at its order, or as a horizontal line if the density has
+// no order.
 std::string external_density_style(const Solution& external_density) {
   const std::string colour = gnuplot_string(external_density.identity.plot_style.colour);
   if (!external_density.identity.order) {
@@ -66,7 +68,7 @@ std::string block_identifier(transform::Variable variable, const char* what, std
   return fmt::format("{}_{}{}", name(variable), what, number);
 }
 
-/// Data and commands of a panel.
+/// The data blocks and the plot commands of one panel.
 class OrderPanel {
  public:
   explicit OrderPanel(const Convergence& distances) : distances_(distances) {
@@ -94,7 +96,7 @@ class OrderPanel {
   }
 
  private:
-  // Members that are not ok get a white filled mark, then an open mark, over the filled mark.
+  // A member that is not ok gets a white filled mark, and an open mark over the filled mark.
   void add(const Family& family) {
     std::string all, hollow;
     for (const Solution* member : family.solutions) {

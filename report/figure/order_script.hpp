@@ -7,11 +7,12 @@
 
 namespace fpkcheck::report {
 
-/// Whether a family has at least two orders with known distances to the reference.
+/// Whether at least one family of closures has two or more orders with known distances to the
+/// reference.
 bool has_several_orders(const results::Case& case_result);
 
-/// A gnuplot script that draws the L1 distances of families to the reference over the order
-/// (report/convergence.hpp).
+/// A gnuplot script that draws the L1 distances between closures and the reference against the
+/// order n, with a curve for each family (report/convergence.hpp).
 std::string order_script(const results::Case& case_result, const std::string& file_stem,
                          FigureWidth width);
 

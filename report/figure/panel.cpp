@@ -59,7 +59,7 @@ std::string axes(Panel panel, const MarginalCurves& marginal) {
           logarithmic_bottom(r), kPowerOfTenFormat, logarithmic_top(r));
       break;
     case Panel::difference: {
-      // If all differences are 0, as for the reference alone, any range will do.
+      // If all differences are 0, as for the reference alone, the range is arbitrary.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       text += fmt::format("set yrange [{:.4g}:{:.4g}]\n", -half, half);
       density = "Δ" + density;
@@ -91,7 +91,8 @@ std::string using_columns(Panel panel, bool with_interval) {
 }
 
 std::string plot(Panel panel, const MarginalCurves& marginal, const std::string& reference) {
-  // More points would hide the lines; marks on a line need to be fewer.
+  // The number of points is limited, since more points of a simulation would hide the lines of
+  // other curves. A curve that is drawn as a line has fewer marks.
   constexpr std::size_t kPointsOnACurve = 35, kMarksOnACurve = 8;
   std::vector<std::string> parts;
   const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;
@@ -119,7 +120,7 @@ std::string plot(Panel panel, const MarginalCurves& marginal, const std::string&
         is_reference_interval ? kReferenceIntervalStyle
                               : curve_style(drawn.plot_style(), with_interval)));
     if (as_points || is_reference_interval || !has_marks(drawn.solution->identity)) continue;
-    // The marks of different curves are shifted: curves may nearly coincide.
+    // The marks of different curves have different abscissae, since the curves may nearly coincide.
     const auto between = std::max<std::size_t>(1, points / kMarksOnACurve);
     parts.push_back(fmt::format("{} every {}::{} using {} with points {} linecolor rgb {} notitle",
                                 block, between, place++ * between / marked,
@@ -132,8 +133,8 @@ std::string plot(Panel panel, const MarginalCurves& marginal, const std::string&
 }  // namespace
 
 std::string block_name(const MarginalCurves& marginal, const DrawnCurve& drawn) {
-  // gnuplot requires a letter first. The index keeps ids distinct that differ only in replaced
-  // characters.
+  // The name of a data block must begin with a letter in gnuplot. The index keeps names distinct if
+  // ids differ only in replaced characters.
   std::string name = fmt::format("{}{}_{}", transform::name(marginal.variable),
                                  &drawn - marginal.curves.data(), drawn.curve->solution);
   std::ranges::replace_if(
@@ -146,8 +147,8 @@ std::string difference_block_name(const MarginalCurves& marginal, const DrawnCur
 }
 
 std::string curve_style(const transform::PlotStyle& plot_style, bool with_interval) {
-  // A style may come from a file: quoting prevents the end of the string and the injection of
-  // commands.
+  // A style may come from a file: quoting prevents that a quotation mark in the style ends the
+  // string and injects commands.
   const std::string colour = gnuplot_string(plot_style.colour);
   if (plot_style.as_points) {
     return fmt::format("with {} pointtype 6 pointsize dot linewidth {} linecolor rgb {}",

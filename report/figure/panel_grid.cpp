@@ -3,7 +3,7 @@
 namespace fpkcheck::report {
 namespace {
 
-// Left margin of a panel with tics and axis label, and with tics only.
+// Left margin, in pixels, of a panel with tics and axis label, and of a panel with tics only.
 constexpr int kLeft = 92, kTicsAlone = 52;
 
 }  // namespace

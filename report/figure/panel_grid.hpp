@@ -5,7 +5,8 @@
 
 namespace fpkcheck::report {
 
-/// Layout of panels of equal size in rows between the title and the legend of a figure, in pixels.
+/// The layout of a figure, in pixels: panels of equal size in rows and columns between the title
+/// and the legend.
 struct PanelGrid {
   FigureWidth medium = FigureWidth::screen;
   int width = 1100;  ///< width of the picture
@@ -19,20 +20,22 @@ struct PanelGrid {
   int left_margin = 0;          ///< left margin of the picture, for a common label of the rows
   int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
-  /// Commands that separate labels and titles of neighbouring rows. The label offset for LaTeX is
-  /// fixed, since gnuplot has no width for tic labels set by LaTeX.
+  /// gnuplot commands that shift labels and titles, so that neighbouring rows do not overlap. The
+  /// label offset for LaTeX is fixed, since gnuplot does not compute the width of tic labels set by
+  /// LaTeX.
   static constexpr const char* kLabels =
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
   PanelBox place(int row, int column) const;
-  /// @param panel index of the panel, counted row by row
+  /// @param panel index of the panel, counted row by row from 0
   PanelBox place(std::size_t panel) const {
     return place(static_cast<int>(panel) / columns, static_cast<int>(panel) % columns);
   }
 };
 
-/// A grid with the width of the medium; a single journal column has less space between the rows.
+/// Makes the panel grid of a figure with the width of a medium. A figure for a single journal
+/// column has less space between the rows.
 /// @param on_screen width of the picture on a screen, in pixels
 PanelGrid panel_grid(FigureWidth medium, int on_screen);
 

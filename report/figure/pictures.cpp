@@ -85,7 +85,8 @@ std::vector<std::string> draw_pictures(const fs::path& directory, const results:
         fmt::format("no pictures: {}; install gnuplot, then run `fpkcheck report {}`",
                     missing.what(), directory.string()));
   }
-  // After a stop request the last picture is missing by intention: no warning.
+  // After a stop request the missing last picture gives no warning, since the user requested the
+  // stop.
   return base::stop_requested() ? std::vector<std::string>() : warnings;
 }
 

@@ -10,15 +10,16 @@
 
 namespace fpkcheck::report {
 
-/// Removes the pictures and scripts that draw_pictures made for the cases of a run.
+/// Removes the pictures and scripts that draw_pictures wrote for the cases of a run.
 void remove_pictures(const std::filesystem::path& directory, const results::Run& run);
 
-/// Draws every case into DIRECTORY/figures: NAME.png or other formats, and the script NAME.gp that
-/// draws them, with NAME = results::file_stem of the case. Likewise NAME-budget with an error
-/// budget, NAME-sources with error sources, and NAME-order with several orders of a family. Earlier
-/// pictures of a case are removed, so that a case that cannot be drawn has none.
+/// Draws the pictures of every case into DIRECTORY/figures: NAME.png or other formats, and the
+/// gnuplot script NAME.gp of these pictures, with NAME = results::file_stem of the case. Further
+/// pictures are NAME-budget if the case has an error budget, NAME-sources if the case has error
+/// sources, and NAME-order if a family has several orders. Earlier pictures of each case are
+/// removed first, so that no outdated picture remains for a case that cannot be drawn.
 /// @param gnuplot name or path of the program
-/// @param others  pictures drawn after those of the cases
+/// @param others additional pictures, drawn after the pictures of the cases
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a script cannot be written
 std::vector<std::string> draw_pictures(const std::filesystem::path& directory,

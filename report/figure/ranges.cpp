@@ -22,8 +22,8 @@ struct Extent {
 
 constexpr double kVisibleFraction = 1.0 / 500;
 
-// Extends the ranges to the walls, half a bin beyond the bin centres: to the wall at y = 0, and to
-// either end of the bins if the density has not decayed there.
+// Extends the ranges by half a bin beyond the bin centres where the density may end: at the wall y
+// = 0, and at each end of the bins at which the density has not decayed.
 void include_walls(const results::Curve& curve, double peak, Extent& linear, Extent& logarithmic) {
   const auto widths = results::bin_widths(curve);
   if (widths.empty()) return;
@@ -60,7 +60,7 @@ std::pair<double, double> difference_decades(const FigureRanges& r) {
 }
 
 double logarithmic_bottom(const FigureRanges& ranges, double floor) {
-  // The factor 0.8 leaves space below the lowest point.
+  // The factor 0.8 leaves space between the lowest point and the axis.
   const double least = std::min(0.8 * ranges.least_density, logarithmic_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }

@@ -10,10 +10,10 @@
 
 namespace fpkcheck::report {
 
-/// The smallest density on the logarithmic panels, as in the paper.
+/// The smallest density on the logarithmic axes, as in the figures of the paper.
 inline constexpr double kSmallestDrawnDensity = 1e-6;
 
-/// Axis ranges of the panels of one marginal.
+/// The axis ranges of the panels of one marginal density.
 struct FigureRanges {
   double linear_from, linear_to;            ///< where a density exceeds 1/500 of linear_top
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
@@ -24,9 +24,9 @@ struct FigureRanges {
   double least_difference;    ///< the smallest maximum of a curve of differences
 };
 
-/// The difference of a curve from that of the reference. Over smooth bins the absolute difference,
-/// and for the reference the half-width of its 95 % confidence intervals, the limit of
-/// significance.
+/// The difference between a curve and the curve of the reference. Over smooth bins the values are
+/// absolute differences; for the reference itself, the values are the half-widths of its 95 %
+/// confidence intervals, which limit the significance of differences.
 struct Difference {
   std::vector<double> abscissa, values;
   std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
@@ -34,34 +34,36 @@ struct Difference {
   bool empty() const { return values.empty(); }
 };
 
-/// A curve of a figure, drawn in the style of its solution.
+/// A curve of a figure, drawn in the plot style of its solution.
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::Curve* curve;
   Difference difference;  ///< from the curve of the reference; empty without reference
 
-  /// Flags the bins of regular width. The axes divide bins at a spike into narrow bins
-  /// (compare::comparison_axes), whose large densities would compress all other values.
+  /// Whether each bin has the regular width. At a spike of the density compare::comparison_axes
+  /// uses narrow bins, whose large densities would compress all other values on an axis.
   std::vector<bool> broad_bins() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
 
-/// Range of a logarithmic axis of differences in whole decades: from two decades below the smallest
-/// maximum of a curve to the largest, at most eight decades.
+/// The range of a logarithmic axis of differences, in whole decades and at most eight decades. The
+/// upper end is the largest difference. The lower end is two decades below the smallest of the
+/// curves' maxima.
 std::pair<double, double> difference_decades(const FigureRanges& ranges);
 
-/// Lower end of the logarithmic axis of a density: a power of ten below all values and at least a
-/// decade below the upper end, but no lower than `floor`.
+/// The lower end of the logarithmic axis of a density: a power of ten that is below all values and
+/// at least a decade below the upper end, but at least `floor`.
 double logarithmic_bottom(const FigureRanges& ranges, double floor = kSmallestDrawnDensity);
-/// Upper end of the logarithmic axis of a density: above the peak.
+/// The upper end of the logarithmic axis of a density, above the peak of the density.
 inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.largest_density; }
 
-/// A note with the height of a spike that exceeds the linear panel; empty without such a spike.
+/// A note that states the height of a spike beyond the linear axis; empty if no spike exceeds the
+/// axis.
 std::string spike_note(const FigureRanges& ranges);
 
-/// Ranges that contain all the curves. Pass only reliable curves: a single outlier would compress
-/// all others.
+/// The axis ranges that contain all given curves. Callers should pass only reliable curves, since a
+/// single outlier would compress all other curves.
 FigureRanges figure_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

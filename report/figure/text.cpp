@@ -33,7 +33,8 @@ std::string_view latex_escape(char c) {
   return "";
 }
 
-// The text within braces that begin here, or a single letter; advances the position behind both.
+// Returns the text within the braces that begin at the position, or else a single letter. Advances
+// the position behind the braces or the letter.
 std::string_view argument(std::string_view text, std::size_t& position) {
   const bool in_braces = position < text.size() && text[position] == '{';
   const auto from = in_braces ? position + 1 : position;

@@ -9,23 +9,24 @@ namespace fpkcheck::report {
 /// Greek letters, exponents; characters with a meaning in LaTeX are escaped.
 std::string to_latex(const std::string& enhanced);
 
-/// An enhanced text as a string expression in a script, for all formats. The expression uses the
-/// function say() of output_commands.
+/// Converts gnuplot's enhanced text to a string expression of a gnuplot script that is valid in all
+/// figure formats. The expression calls the function say(), which output_commands defines.
 std::string gnuplot_text(const std::string& enhanced);
 
-/// A plain text as such an expression; the text appears literally.
+/// Converts a plain text to a string expression of a gnuplot script; the text appears literally in
+/// all figure formats.
 std::string gnuplot_literal(const std::string& text);
 
-/// Minus sign U+2212, as in the numbers that gnuplot prints.
+/// The minus sign U+2212, which gnuplot uses in the numbers that it prints.
 inline constexpr const char* kMinus = "\u2212";
 
-/// The text of a number with minus signs in place of hyphens.
+/// Replaces the hyphens in the text of a number by minus signs.
 std::string with_minus_signs(std::string number);
 
-/// "+1.2 × 10^{−3}" in enhanced text; "0" of 0.
+/// The text of a number in gnuplot's enhanced text: "+1.2 × 10^{−3}", and "0" for the value 0.
 std::string scientific_text(double value);
 
-/// Argument of `set format` for a logarithmic axis: powers of ten.
+/// The argument of gnuplot's `set format` for a logarithmic axis, which prints powers of ten.
 extern const char* const kPowerOfTenFormat;
 
 }  // namespace fpkcheck::report

@@ -23,13 +23,14 @@ using compare::BudgetRow;
 using compare::ClosureBudget;
 using transform::Variable;
 
-/// The budget of a closure for a marginal.
+/// The error budget of one closure for one marginal density.
 struct LabelledRow {
   std::string label;  ///< id of the closure, with kNotOkMark if not ok
   const BudgetRow* row;
 };
 
-/// The budgets for a marginal, and the names of all parts in the order of the chain.
+/// The error budgets of all closures for one marginal density, and the names of all parts in the
+/// order in which the approximations are removed.
 struct MarginalBudget {
   Variable variable;
   std::vector<LabelledRow> rows;
@@ -77,7 +78,7 @@ Json bars(const MarginalBudget& marginal, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
   for (const auto& [label, row] : marginal.rows) {
     const BudgetPart* part = row->find(name);
-    // A logarithmic axis has positive values only.
+    // The value is omitted unless it is positive, since the axis is logarithmic.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
     y.push_back(plotly_text(label));
@@ -133,10 +134,10 @@ std::string figure(const MarginalBudget& marginal) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Makes the cell of a part.
+/// A function that makes the table cell of a part of the budget.
 using PartCell = std::function<std::string(const BudgetPart&)>;
 
-// The columns of closures, totals and parts.
+// The table columns of closures, total distances and parts of the budget.
 std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
                                             const std::function<std::string(double)>& text,
                                             double BudgetRow::*total, const PartCell& cell) {
@@ -156,7 +157,8 @@ std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
   return columns;
 }
 
-// A column with a sampling error of the last step of the chain.
+// A table column with a sampling error of the last part of the budget, the distance to the
+// simulation.
 HtmlColumn sampling_error_column(const MarginalBudget& marginal, const std::string& header,
                                  std::optional<double> BudgetPart::*member) {
   HtmlColumn column{header};

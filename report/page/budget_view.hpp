@@ -6,19 +6,20 @@
 #include "report/page/plot.hpp"
 #include "results/run.hpp"
 
-/// The error budget of a case on the page: the contribution of each approximation to the distance
-/// between a closure and the end of its chain of models.
+/// The error budget of a case on the page: the contribution of each approximation to the L1
+/// distance between a closure and the most accurate solution of the budget.
 namespace fpkcheck::report {
 
-/// A paragraph that explains plots and tables and names the end of the chain; empty without a
-/// budget.
+/// A paragraph that explains the plots and tables of the error budget, and names the solution to
+/// which the total distances refer. The text is empty if the case has no budget.
 std::string budget_introduction(const results::Case& case_result);
 
-/// A bar plot for each marginal. Empty without a budget.
-/// @param prefix of the ids of the plots
+/// A bar plot of the error budget for each marginal density. The list is empty if the case has no
+/// budget.
+/// @param prefix prefix of the ids of the plots
 std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix);
 
-/// Tables of the same numbers and of the tails.
+/// HTML tables of the L1 distances and the tail distances of the error budget.
 std::string budget_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

@@ -7,22 +7,25 @@
 /// The tables of a case on the page, in HTML.
 namespace fpkcheck::report {
 
-/// A row per solution: equation and impact, status, moments, distances to the reference and to the
-/// other solutions of the full problem, mass, energy residual, seconds.
+/// The table of the solutions of a case. The row of a solution has equation and impact condition,
+/// status, moments, distances to the reference and to the other solutions of the full problem,
+/// mass, energy residual and seconds.
 std::string results_table(const results::Case& case_result);
 
-/// Errors of moments outside the guaranteed bounds: the distance from the midpoint, known to the
-/// half-width. Empty without bounds.
+/// The table of the errors of those moments that lie outside the guaranteed bounds. The error of
+/// such a moment is the distance to the midpoint of the bounds, with the half-width of the bounds
+/// as uncertainty. The text is empty if the case has no bounds.
 std::string bound_errors_table(const results::Case& case_result);
 
-/// Errors of moments estimated from residuals. Empty without such estimates.
+/// The table of the errors of moments that were estimated from residuals. The text is empty if the
+/// case has no such estimates.
 std::string residual_errors_table(const results::Case& case_result);
 
-/// The reasons of solutions that are not ok, as a list; empty if all are ok.
+/// The list of the reasons why solutions are not ok; empty if all solutions are ok.
 std::string reasons_html(const results::Case& case_result);
 
-/// Diagnostics of all solutions: mass, energy residual, error estimates, sampling errors; then the
-/// metrics of each family (family_tables.hpp).
+/// The tables of diagnostics: first mass, energy residual, error estimates and sampling errors of
+/// all solutions, then the metrics of each family (family_tables.hpp).
 std::string diagnostics_tables(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 using transform::Solution;
 using transform::Variable;
 
-// The common part of the traces of both kinds of plots. Solutions that are not ok have open marks.
+// The properties that the plotly.js traces of order plots and cost plots share. Solutions that are
+// not ok have open marks.
 template <class L1>
 Json base_trace(const Family& family, const L1& l1, LogRange& range) {
   Json l1s = Json::array(), names = Json::array(), symbols = Json::array(), colours = Json::array();
@@ -37,7 +38,7 @@ Json base_trace(const Family& family, const L1& l1, LogRange& range) {
 }
 
 Json log_axis(const std::string& title, const LogRange& range) {
-  // The range leaves room for marks and names at both ends.
+  // The axis range leaves space for marks and names at both ends.
   return {{"type", "log"},
           {"range", range.exponents(0.3, 0.4)},
           {"exponentformat", "power"},
@@ -58,7 +59,7 @@ std::string figure(const Json& data, const Json& x_axis, Variable variable,
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A horizontal line across the plot.
+/// A plotly.js trace of a horizontal line across the plot.
 Json horizontal_line_trace(const std::string& name, double l1, const Json& line, double from,
                            double to) {
   return {{"type", "scatter"},
@@ -71,7 +72,8 @@ Json horizontal_line_trace(const std::string& name, double l1, const Json& line,
           {"hovertemplate", "%{y:.3g}"}};
 }
 
-/// An external density: a mark at its order, or a horizontal line without an order.
+/// The plotly.js trace of an external density: a mark at the order of the density, or a horizontal
+/// line if the density has no order.
 Json external_density_trace(const Solution& external_density, double l1, double from, double to) {
   const auto& plot_style = external_density.identity.plot_style;
   Json trace = horizontal_line_trace(
@@ -121,8 +123,8 @@ std::string order_figure(const Convergence& distances) {
   return figure(data, x_axis, distances.variable, *distances.reference, l1s);
 }
 
-// Position of the name beside a mark: it differs between neighbours within a family and between
-// families, so that fewer names overlap.
+// The position of the name beside a mark. The position differs between neighbouring marks of a
+// family and between families, so that fewer names overlap.
 const char* text_position(std::size_t place_of_family, std::size_t place_in_it) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(place_of_family + place_in_it) % kSides.size()];

@@ -19,11 +19,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kSmallestShown = 1e-7;
-// Replaces ends of intervals at or below zero, which have no logarithm; far below the axis.
+// The value that replaces ends of confidence intervals at or below zero, which have no logarithm.
+// The value lies far below the axis.
 constexpr double kBelowAxis = 1e-12;
 
-/// The rows of a plot, axes "", "2", "3" of plotly.js, from the bottom. The differences are at the
-/// top, since the densities nearly coincide.
+/// The rows of a density plot from bottom to top, with the axes "", "2" and "3" of plotly.js. The
+/// differences are in the top row, since the densities nearly coincide.
 enum Row { kLinear, kLogarithmic, kDifference };
 
 std::string axis(char letter, Row row) {
@@ -82,15 +83,16 @@ class DensityPlot {
     add_curve(drawn, kDifference, "difference");
   }
 
-  // Name of the array of abscissae. Curves on the bins of the first curve share its array.
+  // The name of the array with the abscissae of a curve. Curves with the same bins as the first
+  // curve share the array of the first curve.
   std::string abscissa_name(const DrawnCurve& drawn) const {
     const results::Curve& first = *marginal_.curves.front().curve;
     const bool same = drawn.curve->abscissa == first.abscissa;
     return (same ? first.solution : drawn.curve->solution) + " x";
   }
 
-  // Name of the array of abscissae of a difference. Differences on the bins of the first curve's
-  // difference share its array.
+  // The name of the array with the abscissae of a difference. Differences with the same bins as the
+  // first difference share the array of the first difference.
   std::string difference_abscissa_name(const DrawnCurve& drawn) const {
     const DrawnCurve& first = marginal_.curves.front();
     const bool same = drawn.difference.abscissa == first.difference.abscissa;
@@ -105,7 +107,8 @@ class DensityPlot {
     const std::string& id = drawn.curve->solution;
     const std::string x =
         row == kDifference ? difference_abscissa_name(drawn) : abscissa_name(drawn);
-    // Legends have the order of the tables, not the drawing order.
+    // The entries of the legend have the order of the tables, not the order in which curves are
+    // drawn.
     const auto rank = drawn.solution - case_result_.solutions.data();
     Json json{{"type", "scatter"},           {"name", legend_name(*drawn.solution)},
               {"legendgroup", id},           {"legendrank", rank},
@@ -122,7 +125,8 @@ class DensityPlot {
     const auto& plot_style = drawn.solution->identity.plot_style;
     if (plot_style.as_points) {
       json["mode"] = "markers";
-      // More than 40 points would hide the lines.
+      // The number of points is at most about 40, since more points would hide the lines of other
+      // curves.
       json["marker"] = {{"color", plot_style.colour},
                         {"symbol", "circle-open"},
                         {"size", 6},
@@ -212,7 +216,7 @@ class DensityPlot {
     return json;
   }
 
-  // The range of the axis of differences: initially hidden curves do not affect it.
+  // The axis range of the differences, which ignores initially hidden curves.
   FigureRanges visible_ranges() const {
     std::vector<DrawnCurve> curves;
     std::ranges::copy_if(

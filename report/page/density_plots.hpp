@@ -10,12 +10,13 @@
 
 namespace fpkcheck::report {
 
-/// A plot for each marginal with three rows: the density on a linear and on a logarithmic axis, and
-/// the difference from the reference. The simulation is shown as points in a 95 % band.
-/// @param prefix of the ids of the plots
+/// A plot for each marginal density with three rows: the density on a linear axis, the density on a
+/// logarithmic axis, and the difference from the reference. The simulation is shown as points
+/// within a band of 95 % confidence intervals.
+/// @param prefix prefix of the ids of the plots
 std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix);
 
-/// The same plots for given curves.
+/// The density plots of a case for given curves.
 /// @param content the curves of the case
 /// @param shown   ids of the initially visible solutions
 std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,

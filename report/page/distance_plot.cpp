@@ -15,7 +15,7 @@ namespace {
 
 using transform::Solution;
 
-// Lengths in units of the SVG, which the page scales to its width.
+// Lengths in units of the SVG, which the page scales to the width of the page.
 constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
 constexpr double kLeast = 1e-9;  // smaller distances are drawn here
 
@@ -74,7 +74,7 @@ class DistancePlot {
         kTop, bottom());
   }
 
-  // The rectangle of distances within the error estimate of the references.
+  // Draws the rectangle of the distances that are below the error estimate of the references.
   std::string reference_error_rectangle() const {
     if (!(reference_error_ > 0)) return "";
     const double end = x_of(reference_error_);
@@ -128,7 +128,8 @@ class DistancePlot {
     return "";
   }
 
-  // Filled circle: ok; open circle: another status; cross: no admissible density.
+  // A filled circle marks status ok, an open circle another status with a density, and a cross a
+  // solution without an admissible density.
   std::string mark(const AgreementRow& row, std::size_t c, double y) const {
     const AgreementEntry& entry = row.entries[c];
     const auto l1 = entry.largest_l1();

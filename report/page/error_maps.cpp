@@ -19,7 +19,8 @@ using Json = nlohmann::ordered_json;
 using results::Case;
 using transform::Moments;
 
-// Resolution of the colours and of the value shown for a cell.
+// Number of levels of a map's values, which limits the resolution of the colours and of the value
+// shown for a cell.
 constexpr int kErrorLevels = 127;
 
 struct MappedMoment {
@@ -30,7 +31,8 @@ struct MappedMoment {
 constexpr MappedMoment kMappedMoments[] = {{"y2", "E[y\u00b2]", &Moments::y2},
                                            {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
 
-// Ids of the closures that are ok, closest first, then of all others.
+// The ids of the solutions: first the closures that are ok, the closest closure first, then all
+// other solutions.
 std::vector<std::string> solutions_by_accuracy(const Case& one) {
   std::vector<std::string> ids;
   for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
@@ -64,8 +66,8 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
   const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
     return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
   });
-  // The window of the reference, or of the first joint density without a reference: nearly all
-  // densities have the same window.
+  // The maps use the window of the reference, or the window of the first joint density if there is
+  // no reference: nearly all densities have the same window.
   const auto* measure = compare::reference(one.solutions);
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();

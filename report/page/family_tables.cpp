@@ -25,14 +25,16 @@ bool is_repeated_option(const Metric& observation, const Solution& solution) {
          solution.options.end();
 }
 
-// "support" for "support.edge_density"; empty for a path without group.
+// The group of a metric's path: "support" for "support.edge_density"; empty if the path has no
+// group.
 std::string_view group_of(const std::string& path) {
   const auto dot = path.find('.');
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
-// Paths of the metrics with a value that repeats no option, in the order of the first solution with
-// the metric. Groups follow, sorted by name, since a file keeps the order only within a group.
+// The paths of the metrics that have a value and repeat no option, in the order of the first
+// solution with the metric. Grouped metrics follow, sorted by the name of the group, since a file
+// keeps the order only within a group.
 std::vector<std::string> metric_paths(const Family& family) {
   std::vector<std::string> paths;
   std::set<std::string> told;
@@ -52,7 +54,8 @@ std::vector<std::string> metric_paths(const Family& family) {
   return paths;
 }
 
-// "support.edge_density" becomes "support: edge density".
+// The label of a metric in the table: the path "support.edge_density" becomes "support: edge
+// density".
 std::string path_text(const std::string& path) {
   std::string text;
   for (const char c : path) {
@@ -62,8 +65,9 @@ std::string path_text(const std::string& path) {
   return text;
 }
 
-// Text of a metric. In a confined closure Q_n may rise while a fixed term keeps the exponent
-// decreasing: the radius alone would look like the reason for status inadmissible.
+// The text of a metric's value. In a confined closure Q_n may rise although the whole exponent
+// decreases, because of the fixed confinement term. The radius alone would then wrongly appear to
+// be the reason for status inadmissible, so that the text adds an explanation.
 std::string told(const Solution& solution, const std::string& path) {
   const Metric* found = find(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);

@@ -12,7 +12,8 @@ std::string_view css_class(const HtmlColumn& column) {
   return column.align == Align::right ? " class=\"number\"" : "";
 }
 
-// A status in a coloured frame. The name of the status is the CSS class, which sets the colour.
+// The HTML of a status in a coloured frame. The CSS class, which sets the colour, is the name of
+// the status.
 std::string status_chip(const std::string& status) {
   std::string letters = status;
   std::ranges::replace_if(

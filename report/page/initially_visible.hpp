@@ -7,9 +7,9 @@
 
 namespace fpkcheck::report {
 
-/// Ids of the solutions that are initially visible in a plot: the solutions of the full problem
-/// (report/references.hpp), the closest closure of each family and external densities; all
-/// solutions if these are fewer than two.
+/// The ids of the solutions that are initially visible in a plot: the solutions of the full problem
+/// (report/references.hpp), the closest closure of each family, and external densities. If this
+/// selection has fewer than two solutions, all solutions are visible.
 std::set<std::string> initially_visible(const results::Case& case_result);
 
 }  // namespace fpkcheck::report

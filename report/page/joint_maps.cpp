@@ -22,8 +22,8 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Resolves differences down to 1e-8 of the largest. Logarithmic maps show ratios in the tails,
-// where densities are larger than this resolution.
+// Number of levels that resolves differences down to 1e-8 of the largest difference. Logarithmic
+// maps show ratios in the tails, where the densities exceed this resolution.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -51,7 +51,8 @@ const JointDensity* find(const results::Case& one, const std::string& solution) 
   return found == one.joints.end() ? nullptr : &*found;
 }
 
-// Ids of the closures, closest first, then of the other solutions that are ok.
+// The ids of the closures that are ok, the closest closure first, then of the other solutions that
+// are ok.
 std::vector<std::string> compared_solutions(const results::Case& one,
                                             const std::string& reference) {
   std::vector<std::string> ids;
@@ -70,8 +71,8 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
 }
 
 // The reference of the joint densities: the solution of the full problem with the smallest error
-// estimate. Control variates reduce the sampling error of smooth bins, not of cells: a simulation
-// with control variates comes last.
+// estimate. A simulation with control variates has the lowest priority, since control variates
+// reduce the sampling error of smooth bins but not of cells.
 const transform::Solution* joint_reference(const results::Case& one) {
   const transform::Solution* best = nullptr;
   const auto error = [](const transform::Solution& solution) {
@@ -106,7 +107,7 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
     const JointDensity* joint = find(one, id);
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
-    // The atoms are points of the plane, outside the integral over cells.
+    // The atoms are points of the phase plane, which the integral over the cells does not include.
     maps.differences.back().l1 += compare::atom_distance(
         transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
   }

@@ -10,14 +10,15 @@
 
 namespace fpkcheck::report {
 
-/// The difference between the joint density of a solution and that of the reference.
+/// The difference between the joint density of a solution and the joint density of the reference.
 struct JointDifference {
   std::string solution;  ///< id
   double l1;             ///< L1 distance over all common cells, including atoms
   SignedRoots values;    ///< the differences over cells, ordered as reference_density
 };
 
-/// Joint densities of one case, on the common cells with a visible density of the reference.
+/// The joint densities of one case, on those common cells in which the density of the reference is
+/// visible.
 struct JointMaps {
   std::string reference;                     ///< id
   std::vector<double> y_edges;               ///< ny + 1
@@ -27,13 +28,14 @@ struct JointMaps {
   std::vector<JointDifference> differences;  ///< closures (closest first), then the others
 };
 
-/// @return nothing without a reference or without another solution with status ok
+/// The maps of the joint densities of a case.
+/// @return nothing if the case has no reference, or no other solution with status ok
 std::optional<JointMaps> joint_maps(const results::Case& one);
 
-/// HTML elements of the heat maps with their controls; page.js draws the maps.
+/// The HTML elements of the heat maps of joint densities, with controls; page.js draws the maps.
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);
 
-/// The maps in JSON, the input of page.js.
+/// The maps of joint densities in JSON, the input of page.js.
 std::string joint_maps_json(const JointMaps& maps, const std::string& prefix);
 
 }  // namespace fpkcheck::report

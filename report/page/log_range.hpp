@@ -7,8 +7,8 @@
 
 namespace fpkcheck::report {
 
-/// The range of a logarithmic axis that contains all included values, with a margin at both ends.
-/// Values without a finite logarithm are ignored.
+/// The range of a logarithmic axis that contains all values passed to include(), with a margin at
+/// both ends. Values without a finite logarithm are ignored.
 class LogRange {
  public:
   void include(double value) {
@@ -17,7 +17,7 @@ class LogRange {
     most_ = std::max(most_, value);
   }
 
-  /// The ends of the axis as exponents of ten.
+  /// The ends of the axis as exponents of ten; the margins are in decades.
   std::array<double, 2> exponents(double room_below, double room_above) const {
     if (most_ < least_) return {-1, 1};
     return {std::log10(least_) - room_below, std::log10(most_) + room_above};

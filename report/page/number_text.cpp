@@ -12,7 +12,7 @@ namespace {
 
 bool is_finite_number(const std::optional<double>& value) { return value && std::isfinite(*value); }
 
-// "1.2e-05" becomes "1.2e-5".
+// Removes the leading zeros of the exponent: "1.2e-05" becomes "1.2e-5".
 std::string without_padded_exponent(std::string text) {
   const auto e = text.find('e');
   if (e == std::string::npos || e + 2 >= text.size()) return text;
@@ -21,8 +21,9 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// The format flag "#" keeps zeros and a bare point, in some versions of fmt with a zero: "150." and
-// "150.0" with three digits become "150".
+// Removes a bare decimal point at the end. The format flag "#" keeps trailing zeros and also a bare
+// decimal point, to which some versions of fmt add a zero: with three digits both "150." and
+// "150.0" become "150".
 std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
   if (point == std::string::npos) return text;

@@ -43,13 +43,13 @@ bool has_simulation(const results::Case& case_result) {
   });
 }
 
-/// A part of the section of a case, with a link in the menu.
+/// A subsection in the section of a case, with a link in the menu.
 struct Part {
   std::string anchor, name;
 };
 
-/// The section of a case with the plots for page.js. The densities come first; the rest is in closed
-/// <details> elements.
+/// The section of a case, and the plots of the section for page.js. The density plots are first;
+/// all other subsections are in closed <details> elements.
 class CaseSection {
  public:
   CaseSection(const results::Run& run, const results::Case& case_result, const std::string& id)
@@ -94,7 +94,7 @@ class CaseSection {
   const std::string& html() const { return html_; }
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// The plots and maps of the section in JSON.
+  /// The plots and maps of the section in JSON, the input of page.js.
   std::string plots() const {
     return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
                        errors_);
@@ -135,7 +135,8 @@ std::string section_html(const PageSection& section) {
          element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Links to the sections: a few cases directly, all cases with parameters and parts in a menu.
+// Links to the sections of the page. A few cases have direct links; a menu has all cases with their
+// parameters and subsections.
 std::string navigation(const results::Run& run, const std::vector<CaseSection>& sections,
                        const std::vector<PageSection>& others) {
   constexpr std::size_t kMaxDirectLinks = 6;
@@ -167,7 +168,8 @@ std::string timings_section(const results::Run& run) {
              escape_html(run.program.command));
 }
 
-// Replaces the {{placeholders}} of the frame in a single pass: inserted texts are not searched.
+// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders in
+// inserted texts are not replaced.
 std::string fill_template(std::string_view frame,
                           const std::map<std::string, std::string_view>& parts) {
   std::string page;
@@ -212,7 +214,7 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       element("h2", "The problem") + problem_html(run) +
       details_html("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
       timings_section(run) + "</main>\n";
-  // Compressed once per process: plotly.js is constant.
+  // plotly.js is constant, and is therefore compressed only once per process.
   static const std::string plotly = gzip_base64(plotly_script());
   return fill_template(page_frame(), {{"title", title},
                                       {"style", page_style()},

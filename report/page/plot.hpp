@@ -12,30 +12,33 @@ namespace fpkcheck::report {
 struct Plot {
   std::string id;       ///< id of its HTML element
   std::string caption;  ///< plain text
-  /// JSON for plotly.js: "data" (traces), "layout", and "arrays", numbers shared by several traces.
-  /// "@name" in a trace refers to the array of this name. "height" is in pixels, without the
-  /// legend. Traces with the same "legendgroup" are hidden or shown together in all plots of a
-  /// case.
+  /// JSON for plotly.js with the keys "data" (traces), "layout" and "arrays" (numbers that several
+  /// traces share). "@name" in a trace refers to the array of this name. The "height" of the plot
+  /// is in pixels, without the legend. Traces with the same "legendgroup" are hidden or shown
+  /// together in all plots of a case.
   std::string figure;
 };
 
-/// HTML elements of the plots, in which page.js draws: side by side on a wide screen, else stacked.
+/// The HTML elements in which page.js draws the plots. The elements are side by side on a wide
+/// screen, else one below the other.
 std::string plots_html(const std::vector<Plot>& plots);
 
-/// The plots of one case in JSON, the input of page.js: {"id", "figure"} each.
+/// The plots of one case in JSON, the input of page.js, with an element {"id", "figure"} for each
+/// plot.
 std::string plots_json(const std::vector<Plot>& plots);
 
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string plotly_text(std::string_view text);
 
-/// The name of a solution in legends for plotly.js, see plotly_text: the id, with the status unless
-/// ok.
+/// The name of a solution in legends of plotly.js, escaped by plotly_text: the id, followed by the
+/// status unless the status is ok.
 std::string legend_name(const transform::Solution& solution);
 
-/// Converts a dash type of gnuplot, "(10,4)", to plotly.js: "10px,4px".
+/// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 
-/// The symbol of a variable on the page, "y" or "y′", and of its density, "p(y)" or "p(y′)".
+/// The symbol of a variable on the page, "y" or "y′", and the symbol of its marginal density,
+/// "p(y)" or "p(y′)".
 std::string variable_text(transform::Variable variable);
 std::string density_text(transform::Variable variable);
 

@@ -7,8 +7,9 @@
 
 namespace fpkcheck::report {
 
-/// The problem in words and as a formula, with all terms that occur in some of the problems.
-/// @param problems at least one
+/// The statement of the problem in words and as a formula. The formula has every term that occurs
+/// in at least one of the given problems.
+/// @param problems the problems; at least one problem
 std::string problem_statement(std::span<const problem::Problem* const> problems);
 
 }  // namespace fpkcheck::report

@@ -37,7 +37,7 @@ std::string term(std::string_view name, const std::string& meaning) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), escape_html(meaning));
 }
 
-/// The first solution of each id, over all cases.
+/// For each id the first solution with this id over all cases.
 std::vector<const Solution*> distinct_solutions(const results::Run& run) {
   std::vector<const Solution*> all;
   for (const auto& case_result : run.cases) {
@@ -93,7 +93,7 @@ std::string parts_html() {
   return html + kUncertainty + "</dl>\n";
 }
 
-// The value of the same parameter in another problem, if present.
+// The value of the same parameter in another problem; empty if the problem lacks the parameter.
 std::optional<base::Value> value_in(const Problem& other, const DisplayedParameter& parameter) {
   for (const auto& candidate : problem::displayed_parameters(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
@@ -109,7 +109,8 @@ bool varies(const results::Run& run, const DisplayedParameter& parameter) {
   });
 }
 
-// "λ, impulses per unit of time", or the meaning alone for a parameter without symbol.
+// The symbol and the meaning of a parameter: "λ, impulses per unit of time"; the meaning alone if
+// the parameter has no symbol.
 std::string label(const DisplayedParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;

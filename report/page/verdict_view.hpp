@@ -7,11 +7,11 @@
 
 namespace fpkcheck::report {
 
-/// A paragraph of the answer, in the style of the top of the page.
+/// A paragraph of the verdict's answer in HTML, in the style of the top of the page.
 std::string answer_html(const std::string& sentence);
 
-/// The first section of the page: the answer, the matrix of distances and its picture, the outcome
-/// of each method, and the recommendation.
+/// The first section of the page, the verdict: the answer, the matrix of distances, a picture of
+/// the matrix, the outcome of each method, and the recommendation.
 /// @param anchors ids of the sections of the cases, in the order of the cases
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors);
 

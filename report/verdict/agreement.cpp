@@ -17,7 +17,7 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
   return one ? one : other;
 }
 
-// Distances within the error estimate of the reference are not significant.
+// Whether the distances are at most the error estimate of the reference, and thus not significant.
 bool is_within_reference_error(const Solution& reference, const AgreementEntry& entry) {
   const auto within = [&](const std::optional<double>& l1, Variable variable) {
     const double known = compare::error_estimate(reference, variable);
@@ -105,7 +105,8 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
         place = known + 1;
         continue;
       }
-      // Inserted behind the solution that precedes it in the case where it first occurs.
+      // A new row is inserted behind the row of the preceding solution in the first case that has
+      // the new solution.
       place = all.insert(place, AgreementRow{&solution.identity, {}}) + 1;
     }
   }
@@ -114,7 +115,7 @@ std::vector<AgreementRow> agreement_rows(const results::Run& run) {
       row.entries.push_back(agreement_entry(one, row.identity->id));
     }
   }
-  // Solutions that apply to no case have no row.
+  // A solution that is not applicable to any case has no row.
   std::erase_if(all, [](const AgreementRow& row) {
     return std::ranges::all_of(row.entries, [](const AgreementEntry& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;

@@ -5,11 +5,12 @@
 
 #include "results/run.hpp"
 
-/// The verdict on a run: accuracy of the reference, solutions that reproduce it, recommendation.
+/// The verdict on a run: the accuracy of the reference, the solutions that reproduce the reference,
+/// and the recommended method.
 namespace fpkcheck::report {
 
-/// A solution is close if neither marginal exceeds this L1 distance: the default accuracy required
-/// of closures.
+/// Limit for close solutions: a solution is close if both marginal densities are within this L1
+/// distance of the reference. The value is the default accuracy required of closures.
 inline constexpr double kCloseL1 = 0.02;
 
 /// Agreement of a solution with the reference of its case.
@@ -23,23 +24,25 @@ enum class Agreement {
   distant             ///< a marginal farther away than kCloseL1
 };
 
-/// A solution in a case and its agreement with the reference.
+/// A solution of a case, and its agreement with the reference of the case.
 struct AgreementEntry {
   Agreement agreement = Agreement::absent;
   const transform::Solution* solution = nullptr;  ///< null where it is absent
   std::optional<double> y{}, ydot{};              ///< L1 distances to the reference, where known
 
-  /// The larger of the known distances.
+  /// The larger of the known L1 distances of both marginal densities.
   std::optional<double> largest_l1() const;
-  /// Whether the solution is the reference, indistinguishable from it or within kCloseL1 of it.
+  /// Whether the solution reproduces the reference: the solution is the reference, or is
+  /// indistinguishable from the reference, or has distances of at most kCloseL1.
   bool reproduces() const;
 };
 
 /// The agreement of the solution `id` with the reference of a case. An external density with a
-/// single marginal is assessed by this marginal.
+/// single marginal density is assessed by this marginal density.
 AgreementEntry agreement_entry(const results::Case& one, std::string_view id);
 
-/// A solution over the cases of a run: a row of the matrix of agreements.
+/// The agreement of one solution with the references over all cases of a run: a row of the matrix
+/// of agreements.
 struct AgreementRow {
   const transform::Identity* identity;  ///< from the first case with the solution
   std::vector<AgreementEntry> entries;  ///< in the order of the cases
@@ -48,17 +51,19 @@ struct AgreementRow {
   int case_count() const;
   /// Number of cases in which the solution reproduces the reference.
   int reproduced_count() const;
-  /// Number of cases with this agreement.
+  /// Number of cases in which the solution has this agreement with the reference.
   int count(Agreement agreement) const;
-  /// Largest distance of a marginal over the cases with a density, if any.
+  /// Largest L1 distance of one marginal density over the cases in which the solution has a
+  /// density; empty if there is no such case.
   std::optional<double> largest_l1_of(std::optional<double> AgreementEntry::*marginal) const;
-  /// Largest distance of both marginals.
+  /// Largest L1 distance of both marginal densities over the cases.
   std::optional<double> largest_l1() const;
-  /// Longest time over the cases.
+  /// Longest wall-clock time of the solution over the cases, in seconds.
   double seconds() const;
 };
 
-/// The rows of all solutions of a run, a row per id, by increasing trust as in the cases.
+/// The matrix rows of all solutions of a run, with a row for each id, by increasing trust as in the
+/// cases.
 std::vector<AgreementRow> agreement_rows(const results::Run& run);
 
 }  // namespace fpkcheck::report

@@ -14,7 +14,8 @@
 namespace fpkcheck::report {
 namespace {
 
-// "0.0043", "7.2e-4": two digits in six characters, so that four cases fit into 80 characters.
+// The text of a distance in six characters: "0.0043", "7.2e-4". The text has two significant
+// digits, so that four cases fit into 80 characters.
 std::string short_l1_text(const std::optional<double>& l1) {
   if (!l1) return kAbsent;
   if (*l1 == 0 || *l1 >= 0.001) return fmt::format("{:.2g}", *l1);
@@ -29,7 +30,7 @@ Column solution_column(const std::vector<AgreementRow>& all) {
   return column;
 }
 
-// The columns of both marginals for case k.
+// The columns with the distances of both marginal densities for case k.
 std::pair<Column, Column> case_columns(const std::vector<AgreementRow>& all, std::size_t k,
                                        const std::string& name) {
   Column y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
@@ -48,7 +49,8 @@ std::size_t total_width_of(const std::vector<Column>& columns) {
   return total - 1;
 }
 
-// As many cases as fit into the width form a block; further blocks follow below.
+// The matrix is divided into blocks, one below the other. A block has as many cases as fit into the
+// width.
 std::string matrix_blocks(const results::Run& run, const std::vector<AgreementRow>& all,
                           const TextFormat& format) {
   std::string text;

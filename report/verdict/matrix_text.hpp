@@ -8,12 +8,13 @@
 
 namespace fpkcheck::report {
 
-/// The answer of the verdict in plain text with line breaks.
+/// The answer of the verdict in plain text, broken into lines.
 std::string answer_text(const Verdict& run_verdict, const TextFormat& format);
 
-/// The matrix of several cases: a row for each solution, and for each case both L1 distances to its
-/// reference, as many cases side by side as fit, with the meanings of the marks. The lines of the
-/// verdict and the recommendation follow. Plain ASCII.
+/// The verdict as plain ASCII text. A run of several cases has a matrix with a row for each
+/// solution. For each case the row has both L1 distances to the reference of the case; as many
+/// cases as fit are side by side. The meanings of the marks, the lines of the verdict and the
+/// recommendation follow.
 std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
                          const TextFormat& format);
 

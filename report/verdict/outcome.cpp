@@ -11,7 +11,7 @@ namespace {
 
 using transform::Status;
 
-// Meaning of a status without a density.
+// The meaning of a status of solutions without a density.
 std::string_view status_meaning(Status status) {
   switch (status) {
     case Status::not_converged:
@@ -27,7 +27,8 @@ std::string_view status_meaning(Status status) {
   }
 }
 
-// "L1 distance up to .. in 2 of 4 cases", over the cases with this agreement.
+// The largest distances over the cases with a given agreement: "L1 distance up to .. in 2 of 4
+// cases".
 std::string distance_text(const AgreementRow& row, Agreement agreement, const char* how,
                           int cases) {
   MarginalDistances most{};

@@ -25,7 +25,8 @@ std::string comma_separated(const Words& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// "mcs", or where cases differ "mcs (fd-kf in case2)".
+// The names of the references: "mcs"; or "mcs (fd-kf in case2)" if the cases have different
+// references.
 std::string reference_names(const results::Run& run) {
   std::map<std::string, Words> cases;
   for (const auto& case_result : run.cases) {
@@ -42,7 +43,7 @@ std::string reference_names(const results::Run& run) {
   return text;
 }
 
-/// Accuracy of the references of a run, as maxima over the cases.
+/// The accuracy of the references of a run. Each number is the maximum over the cases.
 struct ReferenceAccuracy {
   int judged = 0;             ///< cases with a reference
   double y = 0, ydot = 0;     ///< error estimates of the references
@@ -131,13 +132,14 @@ bool is_paper_closure(const AgreementRow& row) {
          row.identity->impact == problem::Impact::delta;
 }
 
-// An external density that belongs to no family of several orders.
+// Whether a solution is an external density that belongs to no family of several orders.
 bool is_single_external_density(const AgreementRow& row) {
   return transform::is_external(*row.identity) && !is_distinguished_by_order(row);
 }
 
-// "epc-gaussian (the paper's closure) at n = 6, not at n = 2, 4, 8".
-// @param any set to whether some order reproduces the references
+// The text of the orders that reproduce the references: "epc-gaussian (the paper's closure) at n =
+// 6, not at n = 2, 4, 8".
+// @param any set to whether at least one order reproduces the references
 std::string reproducing_orders_text(const std::vector<const AgreementRow*>& members, bool& any) {
   std::vector<const AgreementRow*> good, bad;
   for (const AgreementRow* row : members) {
@@ -177,8 +179,8 @@ VerdictLine verdict_line(const AgreementRow& row, const std::string& reference, 
           outcome(row, reference, cases)};
 }
 
-// The largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089, 8 has
-// 0.0017".
+// The text of the largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089,
+// 8 has 0.0017".
 VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int cases) {
   Words parts;
   bool all = true, first = true;
@@ -222,8 +224,9 @@ std::vector<VerdictLine> verdict_lines(const results::Run& run,
   return lines;
 }
 
-// The fastest solution with status ok and total error within the accuracy in every case: its
-// distance to the reference plus the error estimate of the reference.
+// The fastest solution that has status ok and sufficient accuracy in every case. The accuracy is
+// sufficient if the distance to the reference plus the error estimate of the reference is within
+// the required accuracy.
 const AgreementRow* fastest_row(const std::vector<AgreementRow>& all, double accuracy,
                                 double known) {
   const AgreementRow* best = nullptr;

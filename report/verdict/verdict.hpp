@@ -7,7 +7,7 @@
 
 namespace fpkcheck::report {
 
-/// The outcome of a method, or of one order of a closure, in one line.
+/// One line of the verdict: the outcome of a method, or of one order of a closure.
 struct VerdictLine {
   std::string subject;  ///< "epc-gaussian-n6", "epc-polar"
   bool reproduced;      ///< the references of all cases with this solution are reproduced
@@ -18,14 +18,15 @@ struct VerdictLine {
 struct Verdict {
   std::vector<AgreementRow>
       agreement_rows;  ///< rows of the matrix, for all solutions; point into the run
-  /// Paragraphs: contradictions with the guaranteed bounds, the reference and its accuracy, the
-  /// solutions that reproduce it.
+  /// Paragraphs on contradictions with the guaranteed bounds, on the reference and its accuracy,
+  /// and on the solutions that reproduce the reference.
   std::vector<std::string> answer;
-  /// A line for each order of the closure with first-order impact (the paper's), each other
-  /// formulation, each approximate equation, and each external density or family of external
-  /// densities.
+  /// A line for each order of the paper's closure (with the impact to first order in 1-r), for each
+  /// other formulation, for each approximate equation, and for each external density or family of
+  /// external densities.
   std::vector<VerdictLine> lines;
-  /// The recommended method, the fastest method of sufficient accuracy, and the reasons.
+  /// Sentences that recommend the solution for reference values and the fastest method of
+  /// sufficient accuracy, with the reasons.
   std::vector<std::string> recommendation;
 };
 
