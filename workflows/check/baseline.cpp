@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// Removes a solution that no method of this program made, with its distances, error budget and
-// curves: it cannot be solved again.
+// Removes a solution that no method of this program made, with the distances, error budget and
+// curves of the solution. Such a solution cannot be solved again.
 void remove_solution(results::Case& case_result, const std::string& id) {
   std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
@@ -27,8 +27,8 @@ void remove_solution(results::Case& case_result, const std::string& id) {
   std::erase_if(case_result.curves, [&](const auto& curve) { return curve.solution == id; });
 }
 
-// A simulation is compared by its own standard errors: without them, or interrupted, it cannot
-// serve as a baseline.
+// A simulation is compared in units of its standard errors. A simulation without standard errors,
+// or an interrupted simulation, cannot serve as a baseline.
 void require_complete_simulation(const Solution& solution) {
   const auto* interrupted = transform::find(solution.metrics, kInterrupted);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {
@@ -42,7 +42,8 @@ void require_complete_simulation(const Solution& solution) {
   }
 }
 
-// The methods of a case. Solutions of external densities have none: they are removed, with a note.
+// The methods of the solutions of a case. Solutions that are external densities have no method:
+// such solutions are removed from the case, with a note.
 RepeatedCase plan_repetition(results::Case& case_result, const methods::Registry& registry,
                              const base::Values& option_overrides,
                              std::vector<std::string>& notes) {
@@ -106,7 +107,7 @@ results::Run repeat_run(const Baseline& baseline, const std::string& command, in
   std::size_t total = 0, before = 0;
   for (const auto& case_result : baseline.cases) total += case_result.methods.size();
   results::Run run{results::this_program(command), {}};
-  // Each case has its own list of methods.
+  // The methods are listed for each case, since cases of a run may have different methods.
   for (const auto& [problem, methods] : baseline.cases) {
     auto cases = methods::run_cases({problem}, methods, threads, [&](methods::RunProgress at) {
       at.done += before;

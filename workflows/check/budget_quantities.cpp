@@ -12,7 +12,7 @@ namespace {
 using compare::BudgetPart;
 using compare::BudgetRow;
 
-// The chain of models as text: two rows with different texts cannot be compared.
+// The parts of a budget row as text: two budget rows with different parts cannot be compared.
 std::string chain(const BudgetRow& row) {
   std::string text = row.reference + ":";
   for (const BudgetPart& part : row.parts) {
@@ -21,7 +21,8 @@ std::string chain(const BudgetRow& row) {
   return text;
 }
 
-/// @param simulation the end of the chain, where the runs differ by sampling; else null
+/// @param simulation the simulation to which the total distances refer, if the runs differ by
+///                   sampling; else a null pointer
 void add_row(const BudgetRow& row, const transform::Solution* simulation,
              const Tolerances& tolerances, Quantities& quantities) {
   const PartQuantities part{quantities, row.solution,
@@ -37,8 +38,9 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
                            tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
-    // Largest factor between the tails, or their numbers of bins, of two simulations: each
-    // simulation selects its own bins. docs/checking.md has the measurement.
+    // Largest allowed factor between the tail distances of two simulations, and between the numbers
+    // of bins of these tails: each simulation selects its own bins. docs/checking.md has the
+    // measurement.
     constexpr double kMaxTailFactor = 5;
     Quantity& quantity = add(name, tail);
     quantity.allowed = simulation == nullptr ? tolerances.tail() : kMaxTailFactor - 1;

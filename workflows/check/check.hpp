@@ -21,23 +21,23 @@ struct Check {
   bool agrees() const;
 };
 
-/// Compares the quantities that two runs share, and reports those that only one run has. Times,
-/// options and metrics of kind work or text are not compared: they describe the computation, not
-/// the solution.
-/// @param now a run that was solved by this program: its metrics have kinds
-/// @throws InputError when the new run lacks a case
+/// Compares the quantities that two runs share, and reports the quantities that only one run has.
+/// Times, options and metrics of kind work or text are not compared, since such values describe the
+/// computation and not the solution.
+/// @param now a run that this program has solved, so that each metric has a kind
+/// @throws InputError if the new run lacks a case of the baseline
 Check check(const results::Run& baseline, const results::Run& now, const Tolerances& tolerances,
             bool with_marginals = true);
 
-/// Text for the terminal: what changed, for each kind the largest change that is within its
-/// tolerance, and a closing sentence.
+/// The result of the comparison as text for the terminal: the quantities that changed, for each
+/// kind the largest change within its tolerance, and a closing sentence.
 std::string check_table(const Check& check, const report::TextFormat& format);
 
-/// Contents of check.json.
+/// The result of the comparison in JSON, the contents of check.json.
 /// @param baseline path of the baseline, as the user typed it
 std::string check_json(const Check& check, const std::string& command, const std::string& baseline);
 
-/// Counts of the compared quantities of one kind.
+/// The number of compared quantities of one kind, and the number of those beyond the tolerance.
 struct KindSummary {
   QuantityKind kind;
   std::size_t count = 0;
@@ -45,7 +45,8 @@ struct KindSummary {
   const QuantityChange* largest = nullptr;  ///< within its tolerance, and closest to it
 };
 
-/// Summaries of the kinds that occur, in the order of the enum. Their pointers refer to `check`.
+/// Summaries of the kinds of quantities that occur in a check, in the order of the enum. The
+/// pointers in the summaries refer to `check`.
 std::vector<KindSummary> summarise_by_kind(const Check& check);
 
 }  // namespace fpkcheck::check

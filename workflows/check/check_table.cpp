@@ -23,7 +23,7 @@ std::string change_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.2g}", value) : kAbsent;
 }
 
-// Few digits, and all where the few do not show the change.
+// The texts of both values with few digits; with all digits if few digits do not show the change.
 std::string value_text(const Value& value, int digits) {
   if (base::is_unset(value)) return kAbsent;
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
@@ -83,7 +83,7 @@ std::string kinds_table(const Check& check, const TextFormat& format) {
   return report::rows(std::move(columns), format);
 }
 
-// The largest changes in units of their tolerance, in the order of the run.
+// The changes that are largest in units of their tolerance, in the order of the run.
 std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
                                             std::size_t most) {
   if (moved.size() <= most) return moved;

@@ -23,7 +23,7 @@ bool has_finite_divergence(const results::Case& one, const PairDistances& pair) 
 }
 
 void add_tail(const compare::Distances& d, const PartQuantities& pair, double allowed) {
-  // The decades and their numbers of bins identify the tail: tails over other bins are not
+  // The decades and their numbers of bins identify a tail: tails over different bins are not
   // compared.
   std::string bins;
   for (const auto& decade : d.log10_tail) {

@@ -15,11 +15,11 @@ using results::Curve;
 using transform::Solution;
 
 constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
-// A bin with a wider interval (relative to its density) holds a handful of events: only the L1
-// distance covers it.
+// Largest half-width of a bin's 95 % interval relative to the density. A bin with a wider interval
+// has few events, and contributes only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
-// True where both curves have the same bins up to rounding.
+// Whether both curves have the same bins up to rounding errors.
 bool has_same_bins(const Curve& one, const Curve& other) {
   constexpr double kAbscissaTolerance = 1e-9;
   if (one.abscissa.size() != other.abscissa.size() || one.abscissa.empty()) return false;
@@ -44,8 +44,8 @@ double standard_error(const Curve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / kNormal95;
 }
 
-// The bin with the largest change. For simulations the change is in standard errors, over the bins
-// that both runs resolve.
+// The bin of a marginal density with the largest change. For simulations the change is in standard
+// errors, and only bins that both runs resolve are compared.
 QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, const Curve& is,
                             bool has_sampling_error, const Tolerances& tolerances) {
   const double peak = std::ranges::max(was.density);

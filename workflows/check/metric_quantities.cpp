@@ -17,14 +17,14 @@ using transform::Kind;
 using transform::Metric;
 using transform::Metrics;
 
-// Path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for "peaks[3]",
-// else the whole solution.
+// The path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for
+// "peaks[3]"; for other metrics the name of the whole solution.
 std::string parent_path(const std::string& path) {
   const auto end = path.find_last_of(".[");
   return end == std::string::npos ? kWholeSolution : path.substr(0, end);
 }
 
-// The path without indices of lists: "quantiles.y[].value".
+// The path of a metric without the indices of lists: "quantiles.y[].value".
 std::string without_indices(const std::string& path) {
   std::string result;
   for (const char c : path) {
@@ -58,7 +58,7 @@ class MetricQuantities {
       } else if (o.kind == Kind::result && !coefficient_terms_.contains(parent_path(o.path))) {
         add_result(o);
       } else if (o.kind == Kind::error && !standard_error_paths_.contains(o.path)) {
-        // Numbers of effective samples are proportional to 1 / error^2.
+        // The number of effective samples is proportional to 1 / error^2.
         whole_.number(o.path, QuantityKind::simulated_error, number_in(o.value), 2);
       }
     }
@@ -71,7 +71,8 @@ class MetricQuantities {
   }
 
  private:
-  // The results with the same parent are the powers of its term: that of x1^4 x2^2 is "a(4,2)".
+  // The results with the same parent are the powers of the coefficient's term: the coefficient of
+  // x1^4 x2^2 has the name "a(4,2)".
   std::string coefficient_name(const Metric& o) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
@@ -83,7 +84,7 @@ class MetricQuantities {
                        fmt::join(powers, ","));
   }
 
-  // The part of a group, a list or an entry of a list; opened at its first use.
+  // The part for a group, a list or an element of a list. The part is opened at its first use.
   PartQuantities part(const std::string& name) {
     const PartQuantities result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolution && opened_parts_.insert(name).second) {
@@ -117,8 +118,8 @@ class MetricQuantities {
     const double standard_error =
         error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
     in.number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
-    // The standard error of a value sensitive to rounding comes from a handful of events: its own
-    // relative error is as large.
+    // The standard error of a value that is sensitive to rounding comes from few events, and is
+    // therefore as uncertain as the value itself.
     if (error == nullptr || o.is_rounding_sensitive) return;
     in.number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
   }
@@ -142,7 +143,8 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
   for (const auto& o : now) {
     if (o.kind == Kind::work || o.kind == Kind::text) ignored_paths.insert(without_indices(o.path));
   }
-  // At any index of a list, and in a list of work that is empty in the new run.
+  // A metric in a list is also ignored if the new run has an ignored metric at another index of the
+  // same list, or if an enclosing list has kind work and is empty in the new run.
   const auto is_ignored = [&](const std::string& path) {
     for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
       if (ignored_paths.contains(path.substr(0, end + 2))) return true;

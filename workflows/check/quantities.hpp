@@ -4,49 +4,55 @@
 #include "workflows/check/quantity.hpp"
 #include "workflows/check/tolerances.hpp"
 
-/// The quantities of a case that two runs are compared by.
+/// The quantities of a case by which two runs are compared.
 namespace fpkcheck::check {
 
-/// "p(y)" or "p(y')".
+/// The symbol of a marginal density: "p(y)" or "p(y')".
 constexpr const char* density_name(transform::Variable variable) {
   return variable == transform::Variable::ydot ? "p(y')" : "p(y)";
 }
 
-/// The quantities that every solution has: equation and impact, status, moments, mass, energy
-/// residual, smallest density, error estimate; then its metrics. Of a simulation also the standard
-/// errors and sampling errors. Moments, mass and energy residual of a simulation are judged in
-/// standard errors.
+/// The quantities of a solution: equation and impact condition, status, moments, mass, energy
+/// residual, smallest density, error estimate, then the metrics. The quantities of a simulation
+/// include the standard errors and the sampling errors. Changes of moments, mass and energy
+/// residual of a simulation are judged in standard errors.
 Quantities solution_quantities(const transform::Solution& solution, const Tolerances& tolerances);
 
-/// Adds the metrics of a solver, judged by their kind. Words must be equal. Results and
-/// coefficients are judged relative to their size, or to their least scale where that is larger. A
-/// result with a standard error is judged in units of it, and the standard error itself by its
-/// ratio, except that of a delicate value. Metrics of kind work and text are ignored.
-/// @param whole the part of the whole solution. Quantities of kind `simulated_error` hold, in place
-///        of their tolerance, the power of a standard error that they are proportional to
+/// Adds the metrics of a solver to the quantities. The kind of a metric determines how its change
+/// is judged. Words must be equal. Changes of results and coefficients are relative to the value,
+/// or to the least scale of the metric if this scale is larger. The change of a result with a
+/// standard error is in units of the standard error. The change of a standard error is the ratio of
+/// both runs minus 1; the standard error of a value that is sensitive to rounding is ignored.
+/// Metrics of kind work and text are ignored.
+/// @param whole the part that stands for the whole solution. The tolerance of a quantity of kind
+///        `simulated_error` is replaced by an exponent: the quantity is proportional to this power
+///        of a standard error
 void add_metrics(const transform::Metrics& metrics, const Tolerances& tolerances,
                  const PartQuantities& whole);
 
-/// Gives the metrics of a run read from files, which store values alone, the kinds and scales of
-/// the same metrics in the new run.
+/// Copies kinds and scales from the metrics of the new run to the same metrics of a run that was
+/// read from files, since files store only the values.
 transform::Metrics copy_metric_kinds(transform::Metrics baseline, const transform::Metrics& now);
 
-/// l1, l2, sup, hellinger, kl and the decades of the tail of every pair of solutions. Of a pair
-/// with a simulation only l1 is judged: by the triangle inequality l1 changes by no more than the
-/// L1 distance between the two simulations. A kl that is infinite in one of the runs is left out: a
-/// rounding error in the far tail decides between finite and infinite.
-/// @param other the same case in the other run
+/// The distances l1, l2, sup, hellinger and kl and the distances in the decades of the tail, for
+/// every pair of solutions. For a pair with a simulation only l1 is compared: by the triangle
+/// inequality l1 changes by at most the L1 distance between the two simulations. A distance kl that
+/// is infinite in one of the runs is omitted, since a rounding error in the far tail decides
+/// whether kl is finite.
+/// @param other the same case in the other one of the two runs
 Quantities distance_quantities(const results::Case& one, const results::Case& other,
                                const Tolerances& tolerances);
 
-/// The error budget of every closure. Where its chain of models ends in a simulation that differs
-/// by sampling, the parts that depend on the simulation are judged by its sampling error.
+/// The parts of the error budget of every closure. If the total distance refers to a simulation,
+/// and the simulations of both runs differ by sampling, the tolerance of the parts that depend on
+/// the simulation follows from the sampling error.
 Quantities budget_quantities(const results::Case& one, const results::Case& other,
                              const Tolerances& tolerances);
 
-/// Compares every marginal density and returns its bin with the largest change. For a simulation
-/// the change is in standard errors, over the bins with a 95 % half-width of at most half the
-/// density; the tolerance allows for their number. The L1 distance of the two simulations follows.
+/// Compares every marginal density, and returns the bin of the density with the largest change. For
+/// a simulation the change is in standard errors. Only bins whose 95 % interval has a half-width of
+/// at most half the density are compared, and the tolerance takes the number of these bins into
+/// account. The L1 distance between the two simulations follows.
 std::vector<QuantityChange> marginal_changes(const results::Case& baseline,
                                              const results::Case& now,
                                              const Tolerances& tolerances);

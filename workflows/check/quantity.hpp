@@ -16,42 +16,44 @@ struct Quantity {
   base::Value value = {};
   double allowed = 0;  ///< for `simulated_l1`: in deviations of the L1 beyond its expectation
   double scale = 1;    ///< changes are divided by this scale
-  /// For `simulated`: standard error, NaN where a run does not state it. For `simulated_l1`:
-  /// expected L1 by sampling, and its 99 % quantile.
+  /// For the kind `simulated`: the standard error, NaN if the run states no standard error. For the
+  /// kind `simulated_l1`: the expected L1 sampling error, and the 99 % quantile of this error.
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains it: "density", "peaks[3]"
-  /// True of the quantity that opens a part and holds its presence or length. A change of that
-  /// quantity is reported once; the rest of the part is then not compared.
+  /// Whether the quantity opens a part and states the presence or the length of the part. A change
+  /// of such a quantity is reported once; all other quantities of the part are then not compared.
   bool opens_part = false;
 };
 using Quantities = std::vector<Quantity>;
 
-/// Name of the part that contains all quantities of a solution.
+/// Name of the part that contains all quantities of a solution outside other parts.
 inline constexpr const char* kWholeSolution = "solution";
 /// Name of the part that contains the error estimates of a solution.
 inline constexpr const char* kStatedError = "stated error";
 
-/// Appends the quantities of one part of a solution to a list.
+/// A writer that appends the quantities of one part of a solution to a list.
 struct PartQuantities {
   Quantities& quantities;
   std::string solution, name;
 
-  /// Appends the quantity that opens the part: its presence, or a value that identifies it. Must
-  /// precede all other quantities of the part.
+  /// Appends the quantity that opens the part: the presence of the part, or a value that identifies
+  /// the part. This call must precede the calls for all other quantities of the part.
   const PartQuantities& begin(QuantityKind kind, const base::Value& what = "there",
                               const std::string& outer = kWholeSolution) const;
   void word(const std::string& of, const base::Value& value) const;
   /// Appends a number; a number that is not finite becomes an empty value, as in files. The
-  /// reference is valid until the next quantity is appended.
+  /// returned reference is valid until the next quantity is appended.
   Quantity& number(const std::string& of, QuantityKind kind, double value, double allowed,
                    double scale = 1) const;
 };
 
-/// The finite number in a value of type double or integer; NaN for every other value.
+/// The number in a value of type double or integer, if the number is finite; NaN for every other
+/// value.
 double number_in(const base::Value& value);
 
-/// Compares the quantities of two runs, paired by solution and name, and reports those that only
-/// one run has. Errors that the baseline lacks are not reported: older programs did not write them.
+/// Compares the quantities of two runs in pairs with equal solution and name, and reports the
+/// quantities that only one run has. Error estimates that the baseline lacks are not reported,
+/// since older programs did not write these estimates.
 std::vector<QuantityChange> compare_quantities(const std::string& case_name,
                                                const Quantities& baseline, const Quantities& now);
 

@@ -10,10 +10,10 @@
 
 namespace fpkcheck::check {
 
-/// The change of a quantity that only one run has.
+/// The value of QuantityChange::change for a quantity that only one run has.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Kind of a compared quantity; the kind selects the unit and the tolerance of a change.
+/// The kind of a compared quantity. The kind determines the unit and the tolerance of a change.
 enum class QuantityKind {
   status,          ///< status or another word: must be equal
   moment,          ///< relative; E[y'] relative to at least 1e-3 of the deviation of y'
@@ -30,7 +30,7 @@ enum class QuantityKind {
   simulated_l1,    ///< L1 between two simulations, or change of an L1 to a simulation
   simulated_error  ///< error by sampling that a simulation states: ratio of the runs - 1
 };
-/// Labels for tables and check.json, and the unit of a change.
+/// The label of each kind in tables and check.json, and the unit of a change.
 inline constexpr base::EnumEntry<QuantityKind> kQuantityKindNames[] = {
     {QuantityKind::status, "status and words"},
     {QuantityKind::moment, "moments", "relative"},
@@ -52,7 +52,7 @@ constexpr std::span<const base::EnumEntry<QuantityKind>> names(QuantityKind) {
 constexpr std::string_view name(QuantityKind kind) { return base::name_of(kind); }
 constexpr std::string_view unit(QuantityKind kind) { return base::meaning_of(kind); }
 
-/// One quantity of the baseline and of the new run, with its change.
+/// One quantity with its values in the baseline and in the new run, and with its change.
 struct QuantityChange {
   std::string case_name;
   std::string solution;  ///< id of the solution
@@ -64,7 +64,7 @@ struct QuantityChange {
   double allowed;
 
   bool moved() const { return !(change <= allowed); }
-  /// The change in units of its tolerance.
+  /// The change of the quantity in units of the tolerance.
   double change_over_tolerance() const { return change == 0 ? 0 : change / allowed; }
 };
 

@@ -6,33 +6,38 @@
 #include "workflows/check/quantity.hpp"
 #include "workflows/check/tolerances.hpp"
 
-/// Differences between two runs of a simulation that sampling errors explain. A simulation here is
-/// a solution that states standard errors.
+/// Tolerances for those differences between two runs of a simulation that sampling errors explain.
+/// In this file a simulation is any solution that states standard errors.
 namespace fpkcheck::check {
 
-/// Names of the metrics that every simulation may have: the number of independent streams behind
-/// its standard errors, and whether the simulation was interrupted before its end.
+/// Paths of two metrics of simulations: the number of independent streams from which the standard
+/// errors are estimated, and whether the simulation was interrupted before its end.
 inline constexpr const char* kStreams = "streams";
 inline constexpr const char* kInterrupted = "interrupted";
 
-/// True where both solutions are simulations and differ in a moment or its standard error. The same
-/// seed on the same machine gives identical digits: then the result is false.
+/// Whether both solutions are simulations and differ in a moment or in the standard error of a
+/// moment. Two simulations with the same seed on the same machine are identical: for such
+/// simulations the result is false.
 bool differs_by_sampling(const transform::Solution& one, const transform::Solution& other);
 
-/// Standard error of a simulation's mass. 1 - mass is the fraction q of the samples outside the
-/// bins. With n effectively independent samples the standard error is sqrt((q + 1/n) / n), where
-/// 1/n allows for one more sample. NaN where the simulation states no sampling error.
+/// The standard error of the mass of a simulation. The fraction of the samples outside the bins is
+/// q = 1 - mass. With n effectively independent samples the standard error is sqrt((q + 1/n) / n),
+/// where 1/n allows for one more sample outside the bins. The result is NaN if the simulation
+/// states no sampling error.
 double standard_error_of_mass(const transform::Solution& solution);
 
-/// Turns the quantity into one of kind `simulated_l1`, whose tolerance follows from the sampling
-/// error. Without a stated sampling error the quantity stays as it is.
+/// Changes the kind of a quantity to `simulated_l1`, with a tolerance that follows from the
+/// sampling error. Without a stated sampling error the quantity is unchanged.
 void set_sampling_tolerance(Quantity& quantity,
                             const std::optional<transform::SamplingError>& sampling,
                             transform::Variable variable, const Tolerances& tolerances);
 
-/// Allowed change of error^power between two runs of a simulation, as ratio - 1, for the largest of
-/// so many errors. A standard error from n streams has the relative deviation 1 / sqrt(2 (n - 1));
-/// the ratio of two has sqrt(2) times that.
+/// The allowed change of error^power between two runs of a simulation, as the ratio of both runs
+/// minus 1. A standard error that is estimated from n streams has the relative standard deviation 1
+/// / sqrt(2 (n - 1)), and the ratio of two such standard errors has the relative standard deviation
+/// 1 / sqrt(n - 1).
+/// @param number_of_errors number of compared errors; the tolerance holds for the largest change
+/// among these errors
 double allowed_error_change(const transform::Solution& simulation, std::size_t number_of_errors,
                             double power, const Tolerances& tolerances);
 

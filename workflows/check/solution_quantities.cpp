@@ -25,8 +25,9 @@ void add_density(const Solution& s, const Tolerances& tolerances, const PartQuan
   };
   const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // E[y'] = 0 in every stationary state. A value below 1e-3 of the deviation of y' is an error of
-    // the method; its last digits are rounding.
+    // The mean velocity E[y'] is 0 in every stationary state. A value of E[y'] below 1e-3 of the
+    // standard deviation of y' is an error of the method, and the last digits of this value are
+    // rounding errors.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
     add(symbol, QuantityKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
@@ -54,7 +55,7 @@ void add_stated_error(const Solution& s, const Tolerances& tolerances,
     add(density_name(variable), l1(*s.error, variable), 0);
   }
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The error of a moment has the rounding error of the moment.
+    // The error estimate of a moment contains the rounding error of the moment.
     add(symbol, s.error->moments.*moment, std::abs(s.moments.*size));
   }
 }
@@ -96,7 +97,8 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
   if (s.sampling) add_sampling(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling) add_sampling(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metrics(s.metrics, tolerances, whole);
-  // Tolerances adjusted for multiple comparisons; until here `allowed` holds the powers.
+  // The tolerances are adjusted for multiple comparisons. Before this loop the member `allowed`
+  // contains the exponents (see add_metrics).
   const auto errors =
       std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
   for (Quantity& quantity : quantities) {

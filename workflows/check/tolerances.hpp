@@ -5,23 +5,24 @@
 namespace fpkcheck::check {
 
 /// Tolerances for the change of a quantity between two runs. docs/checking.md has the measurements
-/// behind the numbers.
+/// from which the numbers follow.
 struct Tolerances {
-  /// For deterministic quantities: moments relative, mass and energy residual absolute, densities
-  /// relative to their peak, distances in units of the deviation of the variable. Rounding changes
-  /// these by up to 6e-11.
+  /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
+  /// residual, relative to the peak for densities, in units of the standard deviation of the
+  /// variable for distances. Rounding errors change such quantities by up to 6e-11.
   double deterministic = 1e-8;
-  /// For simulations: in standard errors of the difference, those of both runs in quadrature.
+  /// Tolerance for simulations in standard errors of the difference, which combine the standard
+  /// errors of both runs in quadrature.
   double standard_errors = 4;
 
-  /// For the coefficients of a closure, relative: rounding changes small coefficients of the
-  /// formulation `moment` by up to 1.5e-7.
+  /// Relative tolerance for the coefficients of a closure: rounding errors change small
+  /// coefficients of the formulation `moment` by up to 1.5e-7.
   double coefficient() const { return 50 * deterministic; }
-  /// For the mean |log10| difference in a decade, absolute: rounding changes that of densities of
-  /// 1e-6 of their peak by up to 3e-8.
+  /// Absolute tolerance for the mean |log10| difference in a decade of the tail: for densities of
+  /// 1e-6 of the peak, rounding errors change this difference by up to 3e-8.
   double tail() const { return 100 * deterministic; }
-  /// Bonferroni-adjusted threshold: the largest of n standard normal numbers exceeds it as rarely
-  /// as a single number exceeds `standard_errors`.
+  /// The Bonferroni-adjusted threshold for n comparisons: the largest of n standard normal numbers
+  /// exceeds this threshold as rarely as a single number exceeds `standard_errors`.
   double bonferroni_threshold(std::size_t n) const;
 };
 
