@@ -8,13 +8,13 @@
 #include "base/options/enum_names.hpp"
 #include "transform/marginal.hpp"
 
-/// Statements about the four cases in sections 3 and 4 of the paper whose method this project
-/// checks (*Stochastic response of a vibro-impact Duffing system under external Poisson impulses*),
-/// and their judgement by a run. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures
-/// epc-gaussian-n2, -n4, -n6; its MCS is a simulation.
+/// Claims of the paper whose method this project checks (*Stochastic response of a vibro-impact
+/// Duffing system under external Poisson impulses*): statements about the four cases in sections 3
+/// and 4. A run decides whether the numbers support each claim. The paper's EPC (n = 2), (n = 4),
+/// (n = 6) are the closures epc-gaussian-n2, -n4, -n6; the paper's MCS is a simulation.
 namespace fpkcheck::paper {
 
-/// Relation that a claim states between a closure and the simulation.
+/// The relation between a closure and the simulation that a claim of the paper states.
 enum class Relation {
   agrees,
   agrees_in_tail,
@@ -27,7 +27,8 @@ enum class Relation {
   is_linearisation,
   not_found
 };
-/// Names in files, and the condition that establishes the relation (workflows/paper/criteria.hpp).
+/// The name of each relation in files, and the condition under which the relation holds
+/// (workflows/paper/criteria.hpp).
 inline constexpr base::EnumEntry<Relation> kRelationNames[] = {
     {Relation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
     {Relation::agrees_in_tail, "agrees_in_tail", "the tail is within the limit of agreement"},
@@ -44,7 +45,7 @@ inline constexpr base::EnumEntry<Relation> kRelationNames[] = {
 constexpr std::span<const base::EnumEntry<Relation>> names(Relation) { return kRelationNames; }
 constexpr std::string_view name(Relation relation) { return base::name_of(relation); }
 
-/// A statement of the paper that numbers can decide.
+/// A statement of the paper that measured numbers can support or contradict.
 struct Claim {
   std::vector<int> cases;  ///< numbers in the paper's Table 1; the claim must hold in all of them
   std::string panels;      ///< panels of the case's figure, e.g. "ab"; empty for the text alone
@@ -54,23 +55,23 @@ struct Claim {
   int rival;          ///< n of the other closure, where the relation compares two; else 0
   std::string quote;  ///< quotation from the paper; [..] is our addition
 
-  /// Number of the paper's figure (2 .. 5) that shows a case.
+  /// The number of the paper's figure (2 .. 5) that shows a case.
   static int figure(int number) { return number + 1; }
 };
 
-/// All claims, by case, in the order of the paper's text.
+/// All claims of the paper, sorted by case, in the order of the paper's text.
 const std::vector<Claim>& claims();
 
-/// Text of a claim, e.g. "n=6 agrees with MCS in p(y)".
+/// The text of a claim, e.g. "n=6 agrees with MCS in p(y)".
 std::string claim_text(const Claim& claim);
 
-/// Id of the paper's closure of this order.
+/// The id of the paper's closure of the given order.
 std::string closure_id(int order);
 
-/// Methods that the judgement of all claims requires, in the syntax of Registry::select.
+/// The methods whose solutions are required to judge all claims, in the syntax of Registry::select.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
-/// Name of a case of the paper in problem/named_cases.hpp.
+/// The name that problem/named_cases.hpp gives a case of the paper.
 std::string case_name(int number);
 
 }  // namespace fpkcheck::paper

@@ -25,7 +25,7 @@ std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
-// `differs` holds if L1 or the tail exceeds its limit.
+// The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
 std::string tail_limit(const Judgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
   return judgement.claim.relation == Relation::differs && !text.empty() ? "or " + text : text;
@@ -54,7 +54,8 @@ std::string table_rows(std::span<const Judgement> judgements, const report::Text
   return report::rows(std::move(columns), format);
 }
 
-// "n=6 agrees with MCS in p(y) (case 1, 2)": each claim once, with the cases of this outcome.
+// The texts of the claims with a given outcome: "n=6 agrees with MCS in p(y) (case 1, 2)". Each
+// claim occurs once, with the cases that have this outcome.
 std::string claims_with_outcome(std::span<const Judgement> judgements, Outcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {

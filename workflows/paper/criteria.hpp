@@ -1,25 +1,25 @@
 #pragma once
 
-/// Criteria: numerical limits for the statements of the paper. Each limit has a reason that is
-/// independent of the results.
+/// The criteria: numerical limits by which the claims of the paper are judged. Each limit has a
+/// reason that is independent of the results.
 namespace fpkcheck::paper {
 
-/// Largest L1 distance between densities that agree: the default accuracy required of closures
-/// (`--accuracy`). The probability of every set is then within 0.01.
+/// Largest L1 distance between densities that agree. The value is the default accuracy required of
+/// closures (`--accuracy`): the probabilities of any set then differ by at most 0.01.
 inline constexpr double kAgreementL1 = 0.02;
 
-/// Largest mean |log10 p - log10 MCS| between tails that agree, in decades (a factor of 1.6): the
-/// resolution of the paper's own simulation. At a density of 1e-5, the far end of the tail here,
-/// about ten of its 1e7 samples fall into a bin of width 0.1; the 95 % interval is then +-0.6 of
-/// the density. On the logarithmic axes of the paper's figures, from 1 to 1e-6, the limit is a
-/// thirtieth of the height.
+/// Largest mean |log10 p - log10 MCS| between tails that agree, in decades (a factor of 1.6). The
+/// value is the resolution of the paper's own simulation. At a density of 1e-5, the outer end of
+/// the tail, about ten of the paper's 1e7 samples are in a bin of width 0.1, so that the 95 %
+/// interval is +-0.6 of the density. On the logarithmic axes of the paper's figures, from 1 to
+/// 1e-6, the limit is a thirtieth of the height.
 inline constexpr double kAgreementInTail = 0.2;
 
-/// Largest L1 distance between two bin representations of the same Gaussian: they differ by
-/// rounding and quadrature alone.
+/// Largest L1 distance between two bin representations of the same Gaussian density, which differ
+/// only by rounding and quadrature errors.
 inline constexpr double kSameGaussianL1 = 1e-9;
 
-/// Largest error of the reference, as a fraction of kAgreementL1, with which claims are judged.
+/// Largest error of the reference, as a fraction of kAgreementL1, up to which claims are judged.
 inline constexpr double kMaxReferenceErrorFraction = 0.1;
 
 }  // namespace fpkcheck::paper

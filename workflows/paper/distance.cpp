@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Number of bins in the tail. The bins of a row are those where its closure is positive: a closure
-// with fewer bins than others is 0 in part of the tail.
+// The number of bins in the tail of a budget row. A row has only the bins in which its closure is
+// positive: a closure with fewer bins than other closures is 0 in a part of the tail.
 int tail_bin_count(const results::Case& one, transform::Variable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
@@ -25,8 +25,8 @@ int tail_bin_count(const results::Case& one, transform::Variable variable) {
   return most;
 }
 
-// The chain of a budget may end in a Richardson limit, which is not a solution of the case: then
-// the error of the case's reference counts.
+// The total distance of a budget may refer to a Richardson limit, which is not a solution of the
+// case. In this case the error estimate is that of the case's reference.
 double error_estimate(const results::Case& one, const compare::BudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = compare::reference(one.solutions);

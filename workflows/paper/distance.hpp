@@ -7,26 +7,28 @@
 
 namespace fpkcheck::paper {
 
-/// Distance between a closure and the simulation in one variable, from the error budget.
+/// The distance between a closure and the simulation for one marginal density, taken from the error
+/// budget.
 struct Distance {
   double l1 = 0;
-  /// compare::BudgetRow::total_tail; infinite where the closure is 0 in part of the tail, NaN where
-  /// no bin of the tail is resolved.
+  /// The tail distance compare::BudgetRow::total_tail: infinite if the closure is 0 in a part of
+  /// the tail, NaN if no bin of the tail is resolved.
   double tail = 0;
   double l1_error = 0;  ///< error estimate of the reference
-  /// Distance in the tail between finite volumes and the simulation, which solve the same problem;
-  /// 0 where the budget lacks it.
+  /// The tail distance between finite volumes and the simulation, which solve the same problem; 0
+  /// if the budget lacks this distance.
   double tail_error = 0;
 };
 
-/// @param order order of the paper's closure
-/// @param missing set to the reason where there is no distance
-/// @return empty without the closure, its density, or a reference of sufficient accuracy
-///         (workflows/paper/criteria.hpp)
+/// The distance between the paper's closure of one order and the simulation.
+/// @param order order of the closure
+/// @param missing set to the reason if there is no distance
+/// @return empty if the case lacks the closure, the density of the closure, or a reference of
+///         sufficient accuracy (workflows/paper/criteria.hpp)
 std::optional<Distance> distance_to_simulation(const results::Case& one, int order,
                                                transform::Variable variable, std::string& missing);
 
-/// The maximum of each number of two distances.
+/// The distance whose numbers are the maxima of the corresponding numbers of two distances.
 Distance maximum_of_each(const Distance& one, const Distance& other);
 
 }  // namespace fpkcheck::paper

@@ -21,7 +21,7 @@ using results::Case;
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
 
-// Ids of this program, with the names in the paper.
+// The ids of this program's solutions, with the names of the same methods in the paper.
 std::vector<std::pair<std::string, std::string>> paper_names() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
@@ -31,8 +31,8 @@ std::vector<std::pair<std::string, std::string>> paper_names() {
   return names;
 }
 
-// The case with the four solutions of the paper's figure, under the names of the paper, and their
-// curves.
+// The case with only the four solutions of the paper's figure and their curves, under the names of
+// the paper.
 Case paper_figure_case(const Case& case_result) {
   Case shown{.problem = case_result.problem,
              .solutions = {},
@@ -56,7 +56,8 @@ Case paper_figure_case(const Case& case_result) {
   return shown;
 }
 
-// Calls use(figure, case as the paper shows it, content) for each figure.
+// Calls the function `use` for each figure of the paper, with the number of the figure, the case
+// with the paper's solutions, and the content of the figure.
 template <class Use>
 void for_each_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
@@ -70,7 +71,8 @@ void for_each_figure(const results::Run& run, const Use& use) {
     content.reference.clear();
     for (auto& marginal : content.marginals) {
       for (auto& drawn : marginal.curves) drawn.difference = {};
-      // The paper's axes include the peaks of all curves, whatever the status of the closure.
+      // The axes of the paper's figures include the peaks of all curves, also of closures that are
+      // not ok.
       const auto all_curves = report::figure_ranges(marginal.curves);
       marginal.ranges.linear_top = std::max(marginal.ranges.linear_top, all_curves.linear_top);
       marginal.ranges.largest_density =

@@ -8,15 +8,15 @@
 
 namespace fpkcheck::paper {
 
-/// The paper's Figs. 2-5, one for each case: (a) p(y), (b) its logarithm, (c) p(y'), (d) its
-/// logarithm, of EPC (n = 2), (n = 4), (n = 6) and MCS, under these names. A closure whose status
-/// is not `ok` has the status beside its name. The stems are "paper-fig-2" etc.; a case without any
-/// of these densities has no figure.
+/// The paper's Figs. 2-5, with a figure for each case: (a) p(y), (b) the logarithm of p(y), (c)
+/// p(y'), (d) the logarithm of p(y'). The curves are those of the paper: EPC (n = 2), (n = 4), (n =
+/// 6) and MCS. A closure whose status is not `ok` has the status beside its name. The file stems
+/// are "paper-fig-2" etc.; a case without any of these densities has no figure.
 std::vector<report::Picture> figures(const results::Run& run,
                                      report::FigureWidth width = report::FigureWidth::screen);
 
-/// The same figures as plots of the page, a group for each figure: panels a and b in the first
-/// plot, c and d in the second.
+/// The paper's figures as plots of the page, with a group of two plots for each figure: panels a
+/// and b in the first plot, panels c and d in the second plot.
 std::vector<std::vector<report::Plot>> figure_plots(const results::Run& run);
 
 }  // namespace fpkcheck::paper

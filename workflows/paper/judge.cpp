@@ -46,7 +46,8 @@ class Judge {
     return nullptr;
   }
 
-  // Of several cases, the status in the first where the closure is not ok.
+  // The status of a claim about several cases is the status in the first case in which the closure
+  // is not ok.
   void record_status() {
     for (const int number : claim().cases) {
       const Case* case_result = find_case(number);
@@ -65,7 +66,8 @@ class Judge {
     }
   }
 
-  // The maximum of each number over the given cases and the variables of the claim.
+  // The distance with the maximum of each number over the given cases and the variables of the
+  // claim.
   std::optional<Distance> distance(int order, const std::vector<int>& cases) {
     Distance worst;
     for (const int number : cases) {
@@ -80,14 +82,14 @@ class Judge {
     return worst;
   }
 
-  // True where the tail has a distance; otherwise sets the reason.
+  // Whether the tail distance exists; sets the reason if the tail distance does not exist.
   bool has_tail(const Distance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
   }
 
-  // Sets the measured values and their limits; returns whether the claim holds, or nothing where a
+  // Sets the measured numbers and their limits. Returns whether the claim holds, or nothing if a
   // number is missing.
   std::optional<bool> evaluate_claim() {
     using enum Relation;
@@ -117,7 +119,7 @@ class Judge {
     if (claim().rival != 0) {
       const auto rival = distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
-      // The difference must exceed the error of the reference.
+      // The difference between both distances must exceed the error estimate of the reference.
       limit = {.l1 = rival->l1 - closure_distance->l1_error,
                .tail = rival->tail - closure_distance->tail_error};
     }
@@ -146,7 +148,8 @@ class Judge {
     return judgement_.l1.is_satisfied();
   }
 
-  // Runs of older programs lack the metric: then plain Newton steps are assumed to have converged.
+  // Runs of older programs lack the metric: for such runs the plain Newton steps are assumed to
+  // have converged.
   bool newton_converges() {
     const Solution* closure = find_case(claim().cases.front())->find(closure_id(claim().order));
     if (closure->status == Status::not_converged) return false;

@@ -9,9 +9,9 @@
 
 namespace fpkcheck::paper {
 
-/// Outcome of the judgement of a claim.
+/// The outcome of the judgement of a claim.
 enum class Outcome { established, qualified, not_established, unjudged };
-/// Names in files and tables, and their meanings.
+/// The name of each outcome in files and tables, and the meaning of the outcome.
 inline constexpr base::EnumEntry<Outcome> kOutcomeNames[] = {
     {Outcome::established, "established", "the run's numbers are as the claim states"},
     {Outcome::qualified, "established, but",
@@ -32,15 +32,16 @@ struct MeasuredNumber {
   }
 };
 
-/// A claim, the numbers that decide it, and the outcome.
+/// A claim of the paper, the measured numbers that decide about the claim, and the outcome.
 struct Judgement {
   Claim claim;
-  /// L1 distance between closure and simulation (is_linearisation: to the Gaussian of equivalent
-  /// linearisation); the largest over cases and variables. Without a limit it is shown but does not
-  /// decide.
+  /// The largest L1 distance between closure and simulation over the cases and variables of the
+  /// claim; for the relation is_linearisation, the L1 distance to the Gaussian of equivalent
+  /// linearisation. A distance without a limit is shown, but does not influence the outcome.
   MeasuredNumber l1{};
-  /// Mean |log10 p - log10 MCS| where MCS is 1e-5 .. 1e-3: compare::BudgetRow::total_tail; infinite
-  /// where the closure is 0 in part of that range.
+  /// The tail distance compare::BudgetRow::total_tail: mean |log10 p - log10 MCS| over the bins
+  /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in one
+  /// of these bins.
   MeasuredNumber tail{};
   std::optional<transform::Status> status{};  ///< of the closure; the worst over the cases
   std::string reason{};                       ///< the closure's reason, where it is not `ok`
@@ -48,10 +49,10 @@ struct Judgement {
   std::string note{};  ///< explanation of the outcome, where one is needed
 };
 
-/// Judges all claims of the paper by the distances to the end of the error budget's chain of models
-/// (the simulation, where the run has one). Tables and figures use the same distances.
-/// @param run run of the paper's cases by the methods kRequiredMethods; claims without their
-///        numbers are `unjudged`
+/// Judges all claims of the paper by the total distances of the error budget, which refer to the
+/// simulation if the run has a simulation. Tables and figures use the same distances.
+/// @param run run of the paper's cases by the methods kRequiredMethods; a claim has the outcome
+///        `unjudged` if a required number is missing
 std::vector<Judgement> judge(const results::Run& run);
 
 }  // namespace fpkcheck::paper

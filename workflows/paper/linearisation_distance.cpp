@@ -11,7 +11,7 @@ double l1_to_linearisation(const results::Curve& curve, const problem::Problem& 
   const auto linear = problem::equivalent_linearisation(problem);
   const bool is_y = curve.variable == transform::Variable::y;
   const double sigma = is_y ? linear.displacement_deviation : linear.velocity_deviation;
-  // Probability of z or z' in an interval; both z and -z map to y.
+  // The probability of an interval of y or y', from the density of z or z': both z and -z map to y.
   const auto probability = [&](double from, double to) {
     const double scale = 1 / (std::numbers::sqrt2 * sigma);
     return (is_y ? 1.0 : 0.5) * (std::erf(to * scale) - std::erf(from * scale));

@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-/// Numbers of a judgement as text for tables and sentences; absent numbers are empty.
+/// Texts of the numbers of a judgement for tables and sentences; the text of an absent number is
+/// empty.
 namespace fpkcheck::paper {
 
 std::string l1_text(const std::optional<double>& l1);

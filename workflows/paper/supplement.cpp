@@ -42,7 +42,7 @@ std::string claims_table(std::span<const Judgement> judgements) {
   return report::table_html("The claims, and the numbers that decide them", std::move(columns));
 }
 
-// Quotations, for readers without the paper at hand.
+// The quotations from the paper, for readers who do not have the paper.
 std::string quotes(std::span<const Judgement> judgements) {
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
