@@ -18,12 +18,12 @@ namespace {
 using transform::GridLevel;
 using transform::Solution;
 
-// Density on the outer walls of the box, relative to the peak: so small that the mass beyond the
-// box does not limit the convergence.
+// Largest density on the outer walls of the box, relative to the peak. The value is so small that
+// the mass outside the box does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
-/// Solves the problem on grids and by other methods, with the axes, options and progress that all
-/// solves share.
+/// Solves the problem on all grids and by the other methods. All solves share the comparison axes,
+/// the options and the progress listener.
 class GridStudySolver {
  public:
   GridStudySolver(const problem::Problem& problem, const GridStudyOptions& options,
@@ -93,8 +93,9 @@ class GridStudySolver {
   std::optional<double> y_max_{}, v_max_{};
 };
 
-// The reason why three grids have no limit; empty where there is a limit. The finest density must
-// be ok and the grids must converge: otherwise the extrapolation increases the error.
+// The reason why three grids have no Richardson limit; empty if they have a limit. The finest
+// density must be ok and the grids must converge, since otherwise the extrapolation increases the
+// error.
 std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
                                  const GridRow& fine) {
   for (const GridRow* grid : {&coarse, &middle, &fine}) {
@@ -122,7 +123,8 @@ std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
       fine.observed->l1, transform::kMinOrderForLimit);
 }
 
-// Sets the observed orders of the grids of a scheme, and returns their Richardson limit.
+// Sets the observed orders of convergence of the grids of one scheme, and returns the Richardson
+// limit of these grids.
 GridLimit limit(std::vector<GridRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
@@ -150,7 +152,8 @@ std::optional<MarginalL1> l1(const std::optional<GridLevel>& one,
   return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
 }
 
-// A grid alone has no error estimate: the distance to the limit is the error estimate.
+// The solution on a single grid has no error estimate: the distance to the limit serves as error
+// estimate.
 void set_error_estimate(GridRow& row) {
   if (row.l1) {
     row.solution.error = transform::ErrorEstimate{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};

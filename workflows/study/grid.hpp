@@ -14,7 +14,8 @@
 
 namespace fpkcheck::study {
 
-/// Grids of a grid study.
+/// The grids of a grid study: equation, impact condition, orders of the scheme and levels of
+/// refinement.
 struct GridStudyOptions {
   problem::Equation equation = problem::Equation::kf;
   problem::Impact impact = problem::Impact::map;
@@ -22,14 +23,15 @@ struct GridStudyOptions {
   int levels = 5;                             ///< number of grids for each order, at least 3
   double coarsest = 0.5;                      ///< refinement of the first level
   std::optional<double> origin_refinement{};  ///< as in fd_fpk::Options
-  /// Options of the simulation that is compared with the grids; all others have their defaults.
+  /// Options of the simulation that is compared with the grids; options that are not listed have
+  /// their default values.
   base::Values simulation{};
 };
 
 /// @throws InputError naming the option, its value and its range
 void validate(const GridStudyOptions& options);
 
-/// The solution on one grid.
+/// A row of a grid study: the solution on one grid, and the distance of this solution to the limit.
 struct GridRow {
   int order = 0;  ///< of the scheme
   int level = 1;
@@ -41,7 +43,8 @@ struct GridRow {
   std::optional<MarginalL1> l1 = {};                       ///< distance to the limit
 };
 
-/// The Richardson limit of the grids of a scheme, from the last three levels.
+/// The Richardson limit of the grids of one order of the scheme, extrapolated from the three finest
+/// grids.
 struct GridLimit {
   int order = 0;
   std::string failure = {};  ///< reason why there is no limit; empty where there is a limit
@@ -56,7 +59,8 @@ struct ComparedMethodRow {
   std::optional<MarginalL1> l1 = {};
 };
 
-/// Result of a grid study; the limit at the highest order is the reference of all distances.
+/// The result of a grid study. The Richardson limit at the highest order is the reference of all
+/// distances.
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
@@ -64,30 +68,34 @@ struct GridStudy {
   std::vector<GridRow> rows;              ///< by order, then by level
   std::vector<GridLimit> limits;          ///< by order
   std::vector<ComparedMethodRow> others;  ///< empty without a limit
-  /// Accuracy of the limit: its distance to the limit of the next lower order.
+  /// The accuracy of the limit at the highest order: the L1 distance to the limit at the next lower
+  /// order.
   std::optional<MarginalL1> limit_accuracy = {};
 
   const GridLimit& reference_limit() const { return limits.back(); }
 };
 
-/// Solves a problem on grids of every order and level: by the null vector alone, one after the
-/// other, all on the box of the first grid. Then solves by the closures and simulations of the same
-/// equation (comparison_methods). The Richardson limit at the highest order is the reference of all
-/// distances. There is no limit where a density is missing or not ok, or where the observed order
-/// is below transform::kMinOrderForLimit; then no other method is run.
-/// @throws InputError as validate
+/// Solves a problem on grids of every order and level, one grid after another, by finite volumes
+/// with the null vector alone. All grids use the box of the first grid. Then the closures and
+/// simulations of the same equation (comparison_methods) solve the problem. The Richardson limit at
+/// the highest order is the reference of all distances. A limit does not exist if a density is
+/// missing or not ok, or if the observed order is below transform::kMinOrderForLimit. Without a
+/// limit at the highest order no closure or simulation is run.
+/// @throws InputError in the same cases as validate
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
 
-/// True when there is a limit and the finest grid of no order failed; coarse grids may fail.
+/// Whether the study has a limit and the solution on the finest grid of every order succeeded.
+/// Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
-/// The parts of a StudyOutput.
+/// The files and texts of the grid study for a StudyOutput.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
-/// Grids, limits and other methods, and the fastest method for each accuracy.
+/// The tables of grids, limits and other methods, and the fastest method for each accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
-/// L1 distance against the cell width by order, and against the time for all methods.
+/// A gnuplot script that draws the L1 distance against the cell width for each order of the scheme,
+/// and against the wall-clock time for all methods.
 std::string figure(const GridStudy& study, const std::string& file_stem,
                    report::FigureWidth width = report::FigureWidth::screen);
 

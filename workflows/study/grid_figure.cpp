@@ -23,7 +23,7 @@ bool is_drawn(const Row& row) {
   return row.solution.is_ok() && row.l1;
 }
 
-// "cells-per-deviation milliseconds l1_y l1_ydot"
+// A row of a data block: "cells-per-deviation milliseconds l1_y l1_ydot".
 template <class Row>
 std::string point(const Row& row, double fineness) {
   if (!is_drawn(row)) return "";
@@ -60,7 +60,8 @@ std::string line_style(const SeriesStyle& plot_style) {
                      plot_style.dash, plot_style.filled);
 }
 
-// Reference slope of each scheme's order, dashed, through its first point.
+// Dashed lines with the slope of each scheme's nominal order, through the first point of the
+// scheme.
 std::string order_slopes(const GridStudy& study, double MarginalL1::*variable) {
   std::string text;
   std::set<int> drawn;
@@ -72,7 +73,7 @@ std::string order_slopes(const GridStudy& study, double MarginalL1::*variable) {
   return text;
 }
 
-/// Column of the data that is the abscissa.
+/// The column of the data blocks that is the abscissa of a panel.
 enum Abscissa { by_fineness = 1, by_time = 2 };
 
 std::string panel(const std::vector<Series>& all, const std::string& title, Variable variable,
@@ -91,7 +92,8 @@ std::string panel(const std::vector<Series>& all, const std::string& title, Vari
                      plots + beside);
 }
 
-// Ranges with a margin for the tick marks. Only the points count, not the dashed lines of slope.
+// Axis ranges with a margin for the tick marks. The ranges contain the points, but not necessarily
+// the dashed lines.
 std::string axis_ranges(const GridStudy& study) {
   double least = 1, most = 1e-9;
   for (const auto& row : study.rows) {

@@ -18,7 +18,7 @@ using problem::Impact;
 using transform::Identity;
 using transform::Role;
 
-// Empty also where the solver has the id, but the options are invalid.
+// The result is empty if the solver has no method of this id, or if the options are invalid.
 std::optional<Method> find_method(const Registry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
@@ -28,7 +28,8 @@ std::optional<Method> find_method(const Registry& registry, const std::string& i
   }
 }
 
-// The default members of a solver's families, then their variants by one choice of an option.
+// The default members of a solver's families, then the variants that differ from a default member
+// by one choice of an option.
 std::vector<Method> members_and_variants(const Registry& registry, const methods::Solver& solver,
                                          const std::vector<std::string>& usual) {
   std::vector<Method> found;
@@ -51,7 +52,7 @@ std::string stem_of(const Identity& identity) {
   return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
 }
 
-// The impact of a simulation is exact, like `map`.
+// The impact condition of a simulation is exact, and therefore equivalent to `map`.
 bool solves(const Identity& identity, Equation equation, Impact impact) {
   return identity.equation == equation && identity.impact &&
          (*identity.impact == Impact::delta) == (impact == Impact::delta);

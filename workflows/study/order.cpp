@@ -48,7 +48,8 @@ std::vector<MethodVariant> closures(const Registry& registry) {
   return all;
 }
 
-// L1 error that every closure satisfies: the study shows the errors, whatever their size.
+// The accuracy required of the closures: an L1 error that every closure satisfies, so that the
+// study shows all closures.
 constexpr double kUnlimitedError = 10;
 
 Method method_of_order(const Registry& registry, const MethodVariant& formulation, int order) {

@@ -13,17 +13,19 @@
 
 namespace fpkcheck::study {
 
-/// Formulations and orders of an order study, which solves every combination.
+/// The formulations and orders n of the closures in an order study. The study solves every
+/// combination of formulation and order.
 struct OrderStudyOptions {
   std::vector<std::string> formulations;
   std::vector<int> orders;
 };
 
-/// Names of all formulations that can be studied (closures of the registry), by increasing trust:
-/// "gaussian", "moment-white".
+/// The names of all closure formulations in the registry, by increasing trust: "gaussian",
+/// "moment-white". An order study accepts these names.
 std::vector<std::string> formulations(const methods::Registry& registry);
 
-/// A branch of solutions that a closure followed, from a problem with a known exact solution.
+/// A branch of solutions that the continuation of a closure followed. The branch begins at a
+/// problem with a known exact solution.
 struct Branch {
   struct Point {
     double fraction;  ///< fraction of the way to the full problem
@@ -35,17 +37,20 @@ struct Branch {
   std::vector<Point> points;
 };
 
-/// The branch in the metrics of a solution, under the path "branch"; empty without a branch.
+/// The branch of solutions that the metrics of a solution contain under the path "branch"; empty if
+/// the metrics contain no branch.
 std::optional<Branch> branch(const transform::Metrics& metrics);
 
-/// A closure of one formulation and order.
+/// A row of an order study: the closure of one formulation and order, with its distances to the
+/// reference.
 struct OrderRow {
   std::string formulation;
   int order = 0;
   bool must_converge = false;  ///< default variant of its family that solves the full problem
   transform::Solution solution;
   std::optional<MarginalL1> l1 = {};  ///< distance to the reference
-  /// Mean |log10 p - log10 reference| where the reference density is 1e-5 .. 1e-4.
+  /// The tail distance: mean |log10 p - log10 reference| over the bins with a reference density of
+  /// 1e-5 .. 1e-4.
   std::optional<double> tail_y = {}, tail_ydot = {};
 };
 
@@ -57,22 +62,26 @@ struct OrderStudy {
 };
 
 /// Solves a problem by the given closures and by their reference, the most trusted discretisation
-/// of the full problem; one after the other, so that the times are comparable.
-/// @throws InputError naming an unknown formulation or order
+/// of the full problem. The methods run one after another, so that their wall-clock times are
+/// comparable.
+/// @throws InputError with the name of an unknown formulation or the value of an unknown order
 OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions& options,
                         const methods::Registry& registry,
                         const methods::ProgressListener& listener);
 
-/// True when the reference is ok, and so is every closure with `must_converge`.
+/// Whether the reference and every closure with `must_converge` have status ok.
 bool has_converged(const OrderStudy& study);
 
-/// The parts of a StudyOutput. JSON: id, status and reason of the reference; rows with the keys of
-/// summary.json for a solution (without identity, options and moments) and the distances.
+/// The files and texts of the order study for a StudyOutput. The JSON contains id, status and
+/// reason of the reference, and a row for each closure. The row of a closure has the keys of a
+/// solution in summary.json (except identity, options and moments) and the distances.
 std::string json(const OrderStudy& study, const std::string& command);
 std::string csv(const OrderStudy& study);
-/// The rows, the reasons, the folds of branches, and the convergence over the orders.
+/// The table of the closures, the reasons of closures that are not ok, the folds of branches, and
+/// the convergence with increasing order n.
 std::string table(const OrderStudy& study, const report::TextFormat& format);
-/// L1 distances against the order, and below them the branches that were followed.
+/// A gnuplot script that draws the L1 distances against the order n, and below these panels the
+/// branches of solutions.
 std::string figure(const OrderStudy& study, const std::string& file_stem,
                    report::FigureWidth width = report::FigureWidth::screen);
 

@@ -18,7 +18,8 @@ namespace {
 
 using transform::Variable;
 
-// "order l1_y l1_ydot" for each formulation: the rows that are ok, or the others.
+// The data blocks of each formulation with the columns "order l1_y l1_ydot": the rows that are ok,
+// or the rows that are not ok.
 std::vector<Series> formulation_series(const OrderStudy& study, bool ok) {
   return make_series(
       study.rows, ok ? "ok_" : "not_", [](const OrderRow& row) { return row.formulation; },
@@ -52,7 +53,8 @@ std::string distance_panel(const OrderStudy& study, const char* title, Variable 
                      plots);
 }
 
-// "fraction norm fold" of the rows with a branch, in the order of the branch.
+// The data blocks of the closures with a branch. The columns are "fraction norm fold"; the rows
+// have the order of the points on the branch.
 std::vector<Series> branches(const OrderStudy& study) {
   std::vector<OrderRow> rows;
   std::ranges::copy_if(study.rows, std::back_inserter(rows), [](const OrderRow& row) {

@@ -18,7 +18,8 @@ std::string name_of(const OrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// Sign of the leading form of Q_n itself, also where a confinement bounds the density.
+// The sign of the leading form of Q_n without the confinement term, even if this term makes the
+// density decay.
 std::string leading_form(const OrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::word(metrics, "tail.polynomial_leading_form");
@@ -59,7 +60,7 @@ std::string branch_end_text(const std::string& end) {
   return "is lost by the continuation";
 }
 
-// The folds of a branch from the exact density, and its end.
+// The text on the folds and on the end of a branch of solutions that begins at the exact density.
 std::string branch_sentence(const OrderRow& row, const Branch& branch) {
   std::vector<std::string> folds;
   for (const auto& point : branch.points) {
@@ -72,8 +73,8 @@ std::string branch_sentence(const OrderRow& row, const Branch& branch) {
       100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
-// Mean factor by which the distances fall per step of two orders: a convergent closure converges
-// geometrically, so that a power of n would have no meaning.
+// The mean factor by which the distances decrease if the order n increases by 2. A convergent
+// closure converges geometrically, so that a power of n does not describe the convergence.
 std::string convergence_rate_sentence(const OrderRow& first, const OrderRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1::*of) {
@@ -83,8 +84,9 @@ std::string convergence_rate_sentence(const OrderRow& first, const OrderRow& las
                      factor(&MarginalL1::y), factor(&MarginalL1::ydot));
 }
 
-// Summary of a formulation: orders that are ok, and the change of its distances.
-// @param good the rows of the formulation that are ok
+// The summary of a formulation: the orders with status ok, and the decrease of the distances with
+// the order.
+// @param good the rows of the formulation with status ok
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const OrderRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::study {
 
-/// Files and text of a study.
+/// The files of a study and its text for the terminal.
 struct StudyOutput {
   std::string stem;    ///< stem of its files, e.g. "study-order"
   std::string json;    ///< STEM.json; null for missing numbers
@@ -17,7 +17,9 @@ struct StudyOutput {
 };
 
 /// @param command command line of the run
-/// @param format width of the text; less important columns are left out where rows do not fit
+/// Makes the files and the text of a study.
+/// @param format format of the text; less important columns are omitted if the rows exceed the
+///               width
 /// @param width medium and width of the figure
 template <class Study>
 StudyOutput output(const Study& study, const std::string& command, const report::TextFormat& format,

@@ -6,7 +6,7 @@
 #include "report/figure/script_parts.hpp"
 #include "transform/identity.hpp"
 
-/// Common parts of the figures of all studies.
+/// Parts of gnuplot scripts that the figures of all studies share.
 namespace fpkcheck::study {
 
 using report::data_block;
@@ -16,7 +16,7 @@ using report::PanelBox;
 using report::series_styles;
 using report::SeriesStyle;
 
-/// A curve of a figure: its points, label and style.
+/// A curve of a figure with points, label and plot style.
 struct Series {
   std::string block;  ///< name of its data block in the script
   std::string label;
@@ -24,8 +24,8 @@ struct Series {
   SeriesStyle plot_style;
 };
 
-/// Makes one series of each group of neighbouring rows with the same label. The style is that of
-/// the row in the middle.
+/// Makes a series from each group of neighbouring rows with the same label. The plot style of the
+/// series is the style of the group's middle row.
 /// @param label function: label of a row
 /// @param points function: text of a row's points; may be empty
 template <class Row, class Label, class Points>

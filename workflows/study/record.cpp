@@ -20,7 +20,8 @@ Value value_at(const Record& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// Words and integers unchanged, numbers in the format, and "" for absent values.
+// The text of a value: words and integers unchanged, other numbers in the given format, "" for an
+// absent value.
 std::string text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);

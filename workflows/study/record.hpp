@@ -17,16 +17,16 @@ struct MarginalL1 {
   double y, ydot;
 };
 
-/// A row of a study for files and tables: values under paths such as "observed_order.l1".
+/// A row of a study for files and tables. The values have paths such as "observed_order.l1".
 using Record = base::Values;
 
-/// A member of an optional struct as a value; empty where the struct is.
+/// The value of a member of an optional struct; empty if the struct is absent.
 template <class Owner>
 base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
   return owner ? base::Value((*owner).*member) : base::Value();
 }
 
-/// Adds the fields status, reason, seconds, l1_y and l1_ydot.
+/// Adds the fields status, reason, seconds, l1_y and l1_ydot of a solution to a record.
 void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1>& l1,
                  Record& record);
 
@@ -38,17 +38,19 @@ struct TableColumn {
   bool left_aligned = false;
 };
 
-/// Table of the rows. Absent values and numbers that are not finite are a dash. The column "status"
-/// has its own kind.
+/// A text table of the records. A dash stands for an absent value or a number that is not finite.
+/// The column "status" is formatted as a column of statuses.
 std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
                        const report::TextFormat& format);
 
-/// CSV of the rows, with a header. Absent values and numbers that are not finite are empty.
-/// @param columns paths separated by blanks; NAME=PATH where the header has another name
+/// The records in CSV with a header. Absent values and numbers that are not finite have an empty
+/// field.
+/// @param columns paths of the columns, separated by blanks; NAME=PATH for a column whose header
+///                differs from the path
 std::string csv_text(const std::vector<Record>& rows, const std::string& columns);
 
-/// JSON of a study: schema, program, study, the case as in summary.json, the fields of `itself`,
-/// and the named lists of rows.
+/// The JSON of a study: schema, program, name of the study, the case as in summary.json, the fields
+/// of the study as a whole, and the named lists of records.
 std::string study_json(const std::string& study, const problem::Problem& problem,
                        const std::string& command, const Record& itself,
                        const std::vector<std::pair<std::string, std::vector<Record>>>& lists);
@@ -61,14 +63,15 @@ std::vector<Record> records(const std::vector<Row>& rows) {
   return all;
 }
 
-/// A number for a sentence or a cell; a dash for absent numbers and numbers that are not finite.
+/// The text of a number for a sentence or a cell; a dash if the number is absent or not finite.
 /// @param format format for fmt, e.g. "{:.1e}"
 std::string number_text(const std::optional<double>& number, const char* format);
 
-/// Joins items as in "2, 4 and 6".
+/// Joins texts to an enumeration such as "2, 4 and 6".
 std::string join_with_and(const std::vector<std::string>& items);
 
-/// For a solution that is not ok: "  NAME STATUS: REASON", wrapped; else empty.
+/// The text " NAME STATUS: REASON" of a solution that is not ok, broken into lines; empty if the
+/// solution is ok.
 std::string reason_text(const std::string& name, const transform::Solution& solution,
                         std::size_t width);
 

@@ -13,13 +13,14 @@
 
 namespace fpkcheck::study {
 
-/// A closure of the series on one velocity step, with its growth.
+/// The regularised equation on a grid with one velocity step, with the growth rate of disturbances.
 struct RegularisationRow : fd_fpk::RegularisationRow {
   bool symbol_grows = false;
   std::optional<double> growth_rate = {};  ///< of disturbances; empty where none grows
 };
 
-/// Effect of the regularisations of the fourth derivative on a sequence of finer steps.
+/// The effects of the regularisations of the fourth derivative on a sequence of decreasing velocity
+/// steps.
 struct RegularisationStudy {
   static constexpr const char* kName = "regularisation";
   problem::Problem problem;
@@ -27,22 +28,23 @@ struct RegularisationStudy {
   std::vector<RegularisationRow> rows;
 };
 
-/// fd_fpk::study_regularisation with the growth rates of its rows.
+/// The study of fd_fpk::study_regularisation, with a growth rate for each row.
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const methods::ProgressListener& listener);
 RegularisationStudy add_growth_rates(const problem::Problem& problem,
                                      const fd_fpk::RegularisationStudy& fd_study);
 
-/// True when on the finest step the default length has a density and no growth.
+/// Whether, for the default length on the smallest velocity step, a density exists and no
+/// disturbance grows.
 bool has_converged(const RegularisationStudy& study);
 
-/// The parts of a StudyOutput. JSON: the two lengths, and a row for each scheme and step;
-/// `growth_rate` is null where nothing grows.
+/// The files and texts of the regularisation study for a StudyOutput. The JSON contains the two
+/// lengths, and a row for each scheme and step; `growth_rate` is null if no disturbance grows.
 std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
-/// The rows, remarks on missing values, and sentences that summarise the numbers.
+/// The table of the rows, remarks on missing values, and sentences that summarise the numbers.
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);
-/// Empty: this study has no figure.
+/// An empty script: the regularisation study has no figure.
 inline std::string figure(const RegularisationStudy&, const std::string&, report::FigureWidth) {
   return {};
 }

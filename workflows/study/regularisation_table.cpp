@@ -17,7 +17,8 @@ namespace {
 
 using report::wrap_text;
 
-// Text of the symbol's growth. Without growth the rate is 0: it tends to 0 for long waves.
+// The text of the growth rate of the symbol. If no wave grows, the rate is 0, since the rate of
+// long waves tends to 0.
 std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
   return row.symbol && of == &fd_fpk::Growth::rate ? "0" : "";
@@ -76,7 +77,7 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                     format);
 }
 
-// List of steps, e.g. "h = 0.158, 0.0791 and 0.0395".
+// The text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
 std::string step_list(const std::vector<RegularisationRow>& rows) {
   std::vector<std::string> steps;
   for (const auto& row : rows) steps.push_back(step_text(row));
@@ -95,8 +96,8 @@ std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
   return chosen;
 }
 
-// States where the literal scheme grows. The exponent of h is that of the growth rate between the
-// two finest steps that grow.
+// The sentence that states on which steps disturbances of the unregularised scheme grow. The
+// exponent of h describes the growth rate between the two smallest steps with growth.
 std::string literal_sentence(const RegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
@@ -156,7 +157,7 @@ std::string threshold_sentence(const RegularisationStudy& study) {
   return text;
 }
 
-// Each remark once, with the rows that have it.
+// The remarks of all rows. Each remark occurs once, with the rows to which the remark applies.
 std::string remarks(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;

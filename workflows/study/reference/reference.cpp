@@ -50,14 +50,15 @@ mcs::Options long_simulation(const problem::Problem& problem, const ReferenceOpt
   return simulation;
 }
 
-// p(x) as the average over a narrow bin: the curvature changes it by less than 1e-6.
+// The density p(x), computed as the average over a narrow bin: because of the curvature, the
+// average differs from p(x) by less than 1e-6.
 double density_at(const Solution& solution, Variable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
   return transform::marginal(*solution.density, variable, edges).density.front();
 }
 
-// Rounds x to two significant digits.
+// Rounds a number to two significant digits.
 double round_to_two_digits(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;
@@ -96,9 +97,9 @@ double covered_fraction(const Solution& exact, const transform::Marginal& simula
 
 int ReferenceValue::agreed_digits(int most) const {
   const double difference = std::abs(seventh - fifth) / std::abs(seventh);
-  // Digits that agree to half a unit of the last digit.
+  // The number of digits to which both values agree within half a unit of the last digit.
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // Kept as a double: it may be infinite, or NaN from 0/0.
+  // The number of digits is a double, since the number may be infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMomentDigits = 7;
 constexpr int kDensityDigits = 5;
 
-// Text with this number of significant digits, including trailing zeros.
+// The text of a number with the given number of significant digits, including trailing zeros.
 std::string digits(double x, int significant) {
   if (x == 0) return "0";
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));

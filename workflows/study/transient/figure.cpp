@@ -16,11 +16,11 @@ namespace {
 
 using fd_fpk::Snapshot;
 
-// Pixels of the maps: the resolution of the drawn figure.
+// The numbers of pixels of a colour map, which equal the resolution of the drawn figure.
 constexpr int kMaxColumns = 400;
 constexpr int kPixelRows = 200;
 
-/// A panel: colour map of a density over (t, x), x = y or y'.
+/// A panel of the figure: the colour map of a marginal density over (t, x), with x = y or x = y'.
 struct DensityMap {
   std::string block;  ///< name of its data block in the script
   std::string title;
@@ -55,7 +55,8 @@ DensityMap density_map(const TransientRun& run, DensityMap map, const std::vecto
       map.to = std::max(map.to, edges[b + 1]);
     }
   }
-  // Snapshots are evenly spaced; with more snapshots than pixels, columns are interpolated.
+  // The snapshots are evenly spaced in time. If the run has more snapshots than the map has columns
+  // of pixels, the columns are interpolated.
   const int last = static_cast<int>(snapshots.size()) - 1;
   const int columns = std::min(last, kMaxColumns - 1);
   for (int c = 0; c <= columns; ++c) {

@@ -25,7 +25,7 @@ std::vector<double> values_over_time(const TransientRun& run, Of of) {
   return values;
 }
 
-// Values of p(time, x), row by row.
+// The values of a marginal density p(time, x), row by row.
 std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
   std::vector<double> values;
   for (const Snapshot& s : run.result.snapshots) {
@@ -34,7 +34,8 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
   return values;
 }
 
-/// Writes a coordinate of cells, its bounds, and the marginal density over it.
+/// Writes the cell centres of a coordinate, the cell edges, and the marginal density over this
+/// coordinate.
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {

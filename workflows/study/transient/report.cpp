@@ -18,7 +18,7 @@ using report::wrap_text;
 
 constexpr const char* kFile = "transient.nc";
 
-// Sets a value that rounds to 0 in five digits to 0, so that no "-0.00000" is printed.
+// Replaces a value that rounds to 0 in five digits by 0, so that the text is not "-0.00000".
 double without_negative_zero(double value) {
   constexpr double kHalfADigit = 5e-6;
   return std::abs(value) < kHalfADigit ? 0 : value;

@@ -10,7 +10,8 @@
 
 namespace fpkcheck::study {
 
-/// A density over time with its problem and options: the source of its files, figures and tables.
+/// A density over time with problem and options. Files, figures and tables are made from this
+/// object.
 struct TransientRun {
   std::string command;  ///< the command line
   problem::Problem problem;
@@ -22,18 +23,20 @@ struct TransientRun {
 /// Version of the schema of transient_json.
 inline constexpr int kTransientSchema = 1;
 
-/// JSON of a density over time without the marginals: program, case, options, status, counts, and
-/// the quantities of each snapshot.
+/// The JSON of a density over time, without the marginal densities: program, case, options, status,
+/// counts, and the quantities of each snapshot.
 std::string transient_json(const TransientRun& run);
 
-/// Table for the terminal: a line of parameters, a row for each snapshot (an even selection when
-/// there are many), and the reason when the status is not ok. Plain ASCII.
-/// @param width characters per line of the sentences; rows take 78
+/// The table of a density over time for the terminal, in plain ASCII: a line of parameters, a row
+/// for each snapshot (or for evenly selected snapshots, if there are many), and the reason if the
+/// status is not ok.
+/// @param width characters per line of the sentences; the rows of the table always have 78
+///              characters
 std::string transient_table(const TransientRun& run, std::size_t width);
 
 /// A gnuplot script that draws (a) p(y, t) and (b) p(y', t) as colour maps over time. The script
-/// contains the data. It draws FILE_STEM.png, or the format of format='svg', 'pdf' or 'tex'; the
-/// gnuplot variable `target` names another file.
+/// contains the data. The script draws FILE_STEM.png; the gnuplot variable format='svg', 'pdf' or
+/// 'tex' selects another format, and the gnuplot variable `target` sets another file name.
 /// @param run must have at least two snapshots
 std::string transient_figure(const TransientRun& run, const std::string& file_stem,
                              report::FigureWidth width = report::FigureWidth::screen);
@@ -47,21 +50,21 @@ std::string transient_figure(const TransientRun& run, const std::string& file_st
 ///     over time    y1, y2, y4, v1, v2, v4 (moments as in summary.json), yv = E[y y'], energy,
 ///                  power, power_residual, impact_rate, mass, min_density
 ///
-/// The global attributes hold the command, the case, the options, the start and the status. All
-/// quantities are non-dimensional. The file is written completely or not changed.
+/// The global attributes are the command, the case, the options, the initial state and the status.
+/// All quantities are non-dimensional. The file is either written completely or left unchanged.
 /// @param run must have at least one snapshot
-/// @throws std::runtime_error with a message of one line when the file cannot be written
+/// @throws std::runtime_error with a message of one line if the file cannot be written
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
-/// Stem of the file names in figures/ for a case's figure over time.
+/// The stem of the file names, in figures/, of a case's figure of the density over time.
 std::string transient_picture_stem(const std::string& case_name);
 
-/// Writes transient.nc and figures/transient-CASE.gp with its pictures into a directory that
-/// prepare_output_directory prepared. Each file is complete or absent. Files of an earlier run of the case are
-/// removed when this run has no data for them.
+/// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
+/// directory that prepare_output_directory prepared. Each file is complete or absent. A file of an
+/// earlier run of the case is removed if this run has no data for such a file.
 /// @param gnuplot program that draws the pictures
-/// @return warnings, one line each, about pictures that could not be drawn
-/// @throws std::runtime_error when a file cannot be written
+/// @return warnings about pictures that could not be drawn, one line each
+/// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_transient(const std::filesystem::path& directory,
                                          const TransientRun& run,
                                          const report::FigureOptions& figures = {},
