@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm exists
 
-/// Values of the polynomial's basis functions for a point.
+/// The values of the basis functions of the quadratic polynomial for a point.
 class Terms {
  public:
   explicit Terms(const Plan& plan) : plan_(plan) {
@@ -37,7 +37,7 @@ class Terms {
         linear.push_back(
             greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
       } else {
-        // One indicator function for each word.
+        // Each word has an indicator function.
         for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
       }
     }
@@ -68,7 +68,8 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
   if (measured.empty()) return;
   const Terms terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
-  // Ridge regression, so that all coefficients are determined with few points too.
+  // The fit is a ridge regression, so that all coefficients are determined even if few points are
+  // measured.
   constexpr double kRidge = 0.03;
   Eigen::MatrixXd normal = kRidge * Eigen::MatrixXd::Identity(unknowns, unknowns);
   normal(0, 0) = 0;
@@ -79,7 +80,8 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // exp of the fitted mean logarithm underestimates the mean: scale to the measured sum.
+  // The exponential of the fitted mean logarithm underestimates the mean: the expected times are
+  // scaled to the sum of the measured times.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -93,7 +95,7 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
 
 std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
                                        std::size_t count) {
-  // Steps by the golden section do not resonate with the period of a product of axes.
+  // The golden ratio as step avoids resonance with the periods of a Cartesian product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
   const std::size_t most = std::min(count, candidates.size());

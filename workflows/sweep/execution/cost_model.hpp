@@ -8,21 +8,21 @@
 
 namespace fpkcheck::sweep {
 
-/// Model of the wall-clock times of the points of a plan, fitted to measured points. The logarithm
-/// of the seconds is a quadratic polynomial of the varied keys (of their logarithms on logarithmic
-/// axes), fitted by least squares.
+/// A model of the wall-clock times of all points of a plan, fitted to the times of measured points.
+/// The logarithm of the seconds is a quadratic polynomial of the values of the varied keys, or of
+/// the logarithms of these values on logarithmic axes, and is fitted by least squares.
 class CostModel {
  public:
-  /// A solved point and its wall-clock time.
+  /// A solved point and the measured wall-clock time of its solves.
   struct Measurement {
     std::size_t point;
     double seconds;
   };
 
-  /// @param measured may be empty: then all points have the same expected time
+  /// @param measured measured points; if there are none, all points have the same expected time
   CostModel(const Plan& plan, std::span<const Measurement> measured);
 
-  /// Expected seconds of a point; the measured seconds where it was measured.
+  /// The expected seconds of a point; for a measured point the measured seconds.
   double expected(std::size_t point) const { return expected_[point]; }
   const std::vector<double>& all() const { return expected_; }
 
@@ -30,9 +30,9 @@ class CostModel {
   std::vector<double> expected_;
 };
 
-/// Selects about `count` points, evenly distributed over the candidates: a sample to measure
-/// first.
-/// @param candidates candidates in increasing order
+/// Selects about `count` points that are evenly distributed over the candidates. These points are
+/// the sample that is measured first.
+/// @param candidates numbers of the candidate points in increasing order
 std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
                                        std::size_t count);
 

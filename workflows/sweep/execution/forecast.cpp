@@ -16,7 +16,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Size of the sample: enough points for the fit, few in comparison with the plan.
+// The number of points in the sample: sufficient for the fit, but small in comparison with the
+// plan.
 constexpr std::size_t kMinSample = 24, kMaxSample = 64;
 constexpr double kSampleFraction = 0.06;
 
@@ -25,8 +26,8 @@ std::size_t sample_size(std::size_t points) {
                     kMinSample, kMaxSample);
 }
 
-// By leave-one-out cross-validation: root of the sum of squares of the errors, over the sum of the
-// seconds.
+// The relative standard error of the predicted sum, by leave-one-out cross-validation: the root of
+// the sum of squares of the prediction errors, divided by the sum of the seconds.
 double relative_standard_error(const Plan& plan,
                                const std::vector<CostModel::Measurement>& sample) {
   if (sample.size() < 3) return 1;

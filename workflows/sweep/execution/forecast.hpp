@@ -11,18 +11,18 @@
 
 namespace fpkcheck::sweep {
 
-/// How points are assigned to workers.
+/// The rule by which points are assigned to workers.
 enum class Dispatch {
   longest_first,  ///< to the next free worker, the longest expected point first
   in_order,       ///< to the next free worker, in order
   shards          ///< in advance, every N-th point to the same worker
 };
 
-/// Time until the last worker is done.
+/// The wall-clock time until the last worker has solved its last point.
 /// @param seconds wall-clock time of each point
 double makespan(std::span<const double> seconds, std::size_t workers, Dispatch dispatch);
 
-/// Expected times of a plan, from a sample of its points.
+/// The expected wall-clock times of a plan, estimated from a sample of points.
 struct Forecast {
   std::vector<CostModel::Measurement> sample{};
   std::vector<double> seconds{};  ///< expected, for each point
@@ -30,9 +30,10 @@ struct Forecast {
   double megabytes = 0;  ///< largest resident set, all threads together; 0 where nothing was solved
 };
 
-/// Solves a sample of a plan, and predicts the other points from the sample and from `solved`.
-/// Nothing is written.
-/// @param solved points that were solved before; if they are enough, no more points are solved
+/// Solves a sample of the points of a plan, and predicts the times of the other points from the
+/// sample and from `solved`. No file is written.
+/// @param solved points that were solved before; if these points suffice for the prediction, no
+///               further point is solved
 /// @param threads 0 for one per processor
 /// @throws any exception of a solver
 Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads);

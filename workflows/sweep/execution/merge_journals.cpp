@@ -60,7 +60,8 @@ Plan plan_from_journal(const Json& json, const fs::path& file, const methods::Re
   }
 }
 
-// The shards that contain these points, out of `of` shards: "1/3 (2 points), 2/3 (1 point)".
+// The text of the shards, out of `of` shards, that contain the given points: "1/3 (2 points), 2/3
+// (1 point)".
 std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) {
   constexpr std::size_t kMaxNamedShards = 8;  // fit a line; the rest are named in later runs
   std::map<std::size_t, std::size_t> counts;
@@ -75,7 +76,7 @@ std::string shards_text(const std::vector<std::size_t>& points, std::size_t of) 
                      others > 0 ? fmt::format(" and {} more", others) : "");
 }
 
-// @param of number of shards that wrote the journals
+// @param of number of shards into which the sweep was divided
 std::string missing_points_text(const std::set<std::size_t>& there, std::size_t total,
                                 std::size_t of) {
   std::vector<std::size_t> missing;
@@ -95,7 +96,8 @@ MergedSweep merge_journals(const std::vector<fs::path>& directories,
   fs::path of_plan;
   std::vector<PointResult> points;
   std::set<std::size_t> seen;
-  // With several numbers of shards, take the largest: then the fewest points are solved twice.
+  // If the journals have different numbers of shards, the largest number is used, so that the
+  // fewest points are solved twice.
   std::size_t damaged = 0, of = 1;
   for (const auto& directory : directories) {
     for (const auto& file : journals_in(directory)) {

@@ -9,15 +9,15 @@
 
 namespace fpkcheck::sweep {
 
-/// Joined content of several journals.
+/// The joined results of several journals of one sweep.
 struct MergedSweep {
   SweepResults results;
   std::vector<std::string> remarks{};  ///< on missing points and damaged lines
 };
 
-/// Reads and joins all journals in the directories.
-/// @throws InputError with a message of one line, where a directory has no journal or the plans
-///         differ
+/// Reads all journals in the directories and joins their results.
+/// @throws InputError with a message of one line if a directory has no journal, or if the journals
+///         have different plans
 MergedSweep merge_journals(const std::vector<std::filesystem::path>& directories,
                            const methods::Registry& registry);
 

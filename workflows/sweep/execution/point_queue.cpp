@@ -6,8 +6,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Points of the initial sample, and measured points that suffice to sort the others. Fewer suffice,
-// so that no thread waits for the last point of the sample.
+// The number of points in the initial sample, and the smaller number of measured points that
+// suffices to sort the other points. The smaller number avoids that threads wait for the last point
+// of the sample.
 constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace

@@ -11,27 +11,31 @@
 
 namespace fpkcheck::sweep {
 
-/// Points to solve, in the order of their assignment: first a sample from all regions of the plan;
-/// as soon as the sample gives expected times, the longest expected point first. So no long point
-/// begins when all others are done. Thread-safe.
+/// A thread-safe queue of the points to solve. The first points are a sample from all regions of
+/// the plan. When the measured times of the sample suffice to predict times, the queue is sorted by
+/// decreasing expected time, so that no thread begins a long point when all other points are
+/// solved.
 class PointQueue {
  public:
-  /// Counts of the points of this queue, and the remaining time.
+  /// The state of the queue: numbers of points, and expected remaining time.
   struct State {
     std::size_t done = 0, total = 0;  ///< numbers of points of this queue
-    /// Expected seconds of all remaining solves; empty before enough points are measured.
+    /// The sum of the expected seconds of all unsolved points; empty until enough points are
+    /// measured.
     std::optional<double> remaining_seconds = {};
   };
 
   /// @param own_points points of this queue, in increasing order
-  /// @param solved points that were solved before; those of other queues still count for the cost
-  ///        model
+  /// @param solved points that were solved before; points of other queues also contribute to the
+  ///        cost model
   PointQueue(const Plan& plan, const std::vector<std::size_t>& own_points,
              const std::vector<PointResult>& solved);
 
-  /// @return the next point; empty when there is none
+  /// Removes the next point from the queue.
+  /// @return the point; empty if the queue is empty
   std::optional<std::size_t> next();
-  /// Records the wall-clock time of a solved point. Must be called for every solved point.
+  /// Records the wall-clock time of a solved point. This function must be called for every solved
+  /// point.
   void record_solved(std::size_t point, double seconds);
 
   State state() const;

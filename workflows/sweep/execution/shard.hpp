@@ -8,23 +8,25 @@
 
 namespace fpkcheck::sweep {
 
-/// A part of a plan that is solved independently of the other parts.
+/// A shard: a subset of the points of a plan that is solved independently of the other shards.
 struct Shard {
   std::size_t number = 1, of = 1;  ///< number 1 .. of
 
-  /// Points of this shard: each `of`-th point, so that neighbours, which have similar times, are in
-  /// different shards.
+  /// The points of this shard: every `of`-th point, so that neighbouring points, which have similar
+  /// times, are in different shards.
   std::vector<std::size_t> points(std::size_t total) const;
-  /// The shard, out of `of` shards, that contains this point.
+  /// The shard, out of `of` shards, that contains the given point.
   static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
-  /// Name of the journal: "journal", or "journal.3-of-16".
+  /// The file name of the shard's journal: "journal", or "journal.3-of-16".
   std::string journal_name() const;
 };
 
-/// The shard that writes the journal of this name; empty where the name is no journal of a shard.
+/// The shard that writes the journal with the given file name; empty if the name is not the name of
+/// a shard's journal.
 std::optional<Shard> shard_of_journal(std::string_view name);
 
-/// @throws InputError where the text is not i/N
+/// Parses the text i/N of a shard.
+/// @throws InputError if the text has another form
 Shard parse_shard(std::string_view text);
 
 }  // namespace fpkcheck::sweep

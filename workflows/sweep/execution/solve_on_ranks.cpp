@@ -23,8 +23,9 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// Exponential backoff between two polls for messages: each poll takes time from the solver threads
-/// on the same processor. The wait delays no thread, since each thread has a point in reserve.
+/// Exponential backoff between two polls for messages, since each poll takes processor time from
+/// the solver threads. The waiting time delays no solver thread, since a point is in reserve on
+/// each rank.
 class Backoff {
  public:
   void wait() {
@@ -38,7 +39,7 @@ class Backoff {
   std::chrono::microseconds next_ = kShortest;
 };
 
-// First letter of a message: its type.
+// The types of messages. The first letter of a message is its type.
 namespace message_type {
 constexpr char kRequest = 'w';   // worker to coordinator: request for a point
 constexpr char kSolved = 's';    // worker to coordinator: result of a point, and the next request
@@ -58,10 +59,11 @@ std::size_t parse_point_message(const std::string& text) {
   return point;
 }
 
-/// The solver threads of a rank; another thread exchanges messages with the other ranks.
+/// The solver threads of a rank. A separate thread exchanges messages with the other ranks.
 class SolverThreads {
  public:
-  /// @param next blocks until there is a point; empty at the end
+  /// @param next returns the next point, and blocks until a point is available; empty if no points
+  ///             remain
   /// @param done called with each solved point
   SolverThreads(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
                 std::function<void(SolvedPoint&&)> done)
@@ -92,7 +94,7 @@ class SolverThreads {
   std::vector<std::jthread> threads_;  // last member: destroyed, and so joined, before the others
 };
 
-/// The first rank: assigns the points and collects the results.
+/// The coordinator on the first rank, which assigns the points and collects the results.
 class Coordinator {
  public:
   Coordinator(const Plan& plan, JournaledQueue& progress, base::Communicator& ranks, int threads)
@@ -124,7 +126,9 @@ class Coordinator {
  private:
   std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.next(); }
 
-  // True for the final message of a rank. Otherwise replies with a point, or that none remain.
+  // Processes a message of a worker, and replies with a point or with the message that no points
+  // remain. Returns whether the message was the final message of the worker; a final message has no
+  // reply.
   bool is_final_message(const base::Communicator::Message& message) {
     const char message_type = message.text.empty() ? message_type::kFailed : message.text.front();
     if (message_type == message_type::kFinished) return true;
@@ -158,7 +162,7 @@ class Coordinator {
   SolverThreads solvers_;
 };
 
-/// Every other rank: requests points and sends their results.
+/// A worker on any other rank, which requests points and sends the results.
 class Worker {
  public:
   Worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
@@ -175,7 +179,8 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   void run() {
-    // One request more than threads: a point in reserve, so that no thread waits for a reply.
+    // The number of open requests exceeds the number of threads by one, so that one point is in
+    // reserve and no thread waits for a reply.
     for (int k = 0; k <= threads_; ++k) send_request(std::string(1, message_type::kRequest));
     int solving = 0;
     Backoff backoff;
@@ -223,7 +228,7 @@ class Worker {
     }
   }
 
-  // Called by the solver threads:
+  // The following functions are called by the solver threads.
   std::optional<std::size_t> next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ended_ || !waiting_.empty(); });
@@ -239,7 +244,7 @@ class Worker {
     solved_.push_back(std::move(text));
   }
 
-  // Called by the thread that exchanges messages:
+  // The following functions are called by the thread that exchanges messages.
   void add_point(std::size_t point) {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(point);

@@ -48,7 +48,7 @@ std::string JournaledQueue::resumed_text() const {
   std::string text =
       fmt::format("resumed from {}: {} of {} points kept, {} to solve",
                   base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
-  // A damaged line does not identify its point.
+  // A damaged line of the journal does not show which point the line contains.
   if (damaged == 1) text += ", including the point of 1 damaged line";
   if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
   return text;

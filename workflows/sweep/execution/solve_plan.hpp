@@ -13,29 +13,30 @@
 
 namespace fpkcheck::sweep {
 
-/// Called with the state of the queue after each point, by several threads but never concurrently.
-/// An exception of the listener ends the sweep.
+/// A function that is called with the state of the queue after each solved point. Several threads
+/// call the listener, but never concurrently. An exception of the listener ends the sweep.
 using QueueStateListener = std::function<void(const PointQueue::State&)>;
 
-/// The journal of a sweep and the queue of the points that the journal lacks. A solved point moves
-/// from the queue to the journal. Thread-safe.
+/// The journal of a sweep, with a queue of the points that the journal lacks. A solved point moves
+/// from the queue to the journal. The class is thread-safe.
 class JournaledQueue {
  public:
-  /// Opens the journal in the directory, or creates it.
+  /// Opens the journal in the directory, or creates a new journal.
   /// @throws the exceptions of Journal's constructor
   JournaledQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
                  QueueStateListener listener);
 
-  /// The next point to solve; empty when there is none, or after a request to stop.
+  /// Removes the next point from the queue; empty if no point remains, or after a stop request.
   std::optional<std::size_t> next();
-  /// Stores the result of a point.
+  /// Writes the result of a solved point to the journal.
   void store(SolvedPoint&& solved);
 
   PointQueue::State state() const { return queue_.state(); }
-  /// One line for a sweep that resumes: numbers of points that are kept and that remain, and of
-  /// points that are solved again because of damaged lines. Empty for a new journal.
+  /// A line of text about a resumed sweep: the number of points that are kept, the number of points
+  /// that remain, and the number of points that are solved again because of damaged lines. The text
+  /// is empty for a new journal.
   std::string resumed_text() const;
-  /// Results of all solved points, those of earlier runs first.
+  /// The results of all solved points; points of earlier runs come first.
   std::vector<PointResult> points() const { return points_; }
 
  private:
@@ -49,13 +50,14 @@ class JournaledQueue {
   std::vector<PointResult> points_;
 };
 
-/// Writes the marginal densities of a point, if it has any, to marginals/NUMBER.csv.
+/// Writes the marginal densities of a point to marginals/NUMBER.csv. No file is written if the
+/// point has no marginal density.
 /// @throws std::runtime_error with a message of one line
 void write_marginals(const Plan& plan, const std::filesystem::path& directory,
                      const SolvedPoint& solved);
 
-/// Solves the remaining points, one point at a time on each thread.
-/// @param threads 0 for one per processor
+/// Solves the remaining points of the queue; each thread solves one point at a time.
+/// @param threads number of threads; 0 for one thread per processor
 void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads);
 
 }  // namespace fpkcheck::sweep

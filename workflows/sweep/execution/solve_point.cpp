@@ -71,7 +71,8 @@ MethodResult make_method_result(const Solution& solution) {
   return result;
 }
 
-// L1 distances of both marginals; empty if either is missing.
+// The L1 distances of both marginal densities to the reference; empty if one of these distances is
+// missing.
 std::optional<MarginalPair> distance(const compare::Comparison& comparison,
                                      const Solution& solution, const Solution& reference) {
   const auto l1 = [&](Variable variable) {

@@ -8,15 +8,15 @@
 
 namespace fpkcheck::sweep {
 
-/// A solved point of a sweep.
+/// A solved point of a sweep: the result that the journal stores, and the marginal densities.
 struct SolvedPoint {
   PointResult result;
   std::vector<results::Curve> curves;  ///< marginal densities, if the plan stores them
 };
 
-/// Solves a point by all methods of its plan, one after another, and compares them with the point's
-/// reference. A failure (inconsistent values, insufficient memory) is a result with status `failed`
-/// and a reason.
+/// Solves a point by all methods of the plan, one method after another, and compares the solutions
+/// with the reference of the point. After a failure (inconsistent values, insufficient memory) the
+/// result has the status `failed` and a reason.
 SolvedPoint solve_point(const Plan& plan, std::size_t point);
 
 }  // namespace fpkcheck::sweep
