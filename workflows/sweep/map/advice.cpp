@@ -14,7 +14,8 @@ struct MapNeighbour {
   const MappedPoint* point;
 };
 
-// The points of the map with the same impulse law and relative mean, the closest first.
+// The points of the map with the same impulse law and the same relative mean as the problem; the
+// closest point comes first.
 std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
                                             const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;
@@ -26,8 +27,8 @@ std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
   return neighbours;
 }
 
-// Moves the most accurate of the methods that take about as long as the fastest to the front:
-// wall-clock times are no more accurate than that.
+// Selects the methods that take at most 1.5 times as long as the fastest method, and moves the most
+// accurate of these methods to the front. The factor is the accuracy of wall-clock times.
 void move_most_accurate_first(std::vector<NearbyResults>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
@@ -45,8 +46,8 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// Upper bound of a result's error: L1 to the reference plus the error estimate of the reference.
-// For the reference itself its error estimate alone.
+// An upper bound of the L1 error of a result: the L1 distance to the reference plus the error
+// estimate of the reference. For the reference itself the bound is the error estimate alone.
 double error_bound(const MappedResult& answer, const MappedResult& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }

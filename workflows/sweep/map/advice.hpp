@@ -8,38 +8,41 @@
 
 namespace fpkcheck::sweep {
 
-/// Points of the map within this distance of a problem count as nearby.
+/// Largest distance (map_coordinates.hpp) at which a point of the map is nearby a problem.
 inline constexpr double kNearbyDistance = 1;
-/// Least number of points for each method: with fewer nearby, the closest points at any distance.
+/// Least number of points for the assessment of a method. If fewer points are nearby, the closest
+/// points at any distance are used.
 inline constexpr std::size_t kMinNearbyPoints = 4;
 
-/// Results of a method at the points closest to a problem, among the points where it was tried:
-/// those within kNearbyDistance, and at least kMinNearbyPoints.
+/// The results of a method at the points closest to a problem. Only points at which the method was
+/// tried are used: all such points within kNearbyDistance, and at least kMinNearbyPoints points.
 struct NearbyResults {
   std::string id;
   std::size_t points = 0, ok = 0;
   std::size_t underestimated = 0;  ///< points with MappedResult::underestimated and L1 > accuracy
   std::optional<double> worst_l1 = {};  ///< over the densities: `ok` or `inaccurate`
   double seconds = 0;                   ///< median
-  /// The method was `ok` at all these points, with L1 plus the reference's error estimate below the
-  /// accuracy; there are at least kMinNearbyPoints points, the closest within kNearbyDistance.
+  /// Whether the method is expected to be sufficiently accurate. At each of these points the method
+  /// was `ok`, and the L1 distance plus the error estimate of the reference was below the accuracy.
+  /// There are at least kMinNearbyPoints points, and the closest point is within kNearbyDistance.
   bool promised = false;
 };
 
-/// Recommendation of methods for a problem by a validity map. No guarantee: the map has no data
-/// between its points.
+/// A recommendation of methods for a problem, derived from a validity map. The recommendation is no
+/// guarantee, since the map has no data between its points.
 struct Advice {
   MapCoordinates coordinates;
   double accuracy;
   double nearest_distance;        ///< distance of the closest point; infinite where no
                                   ///< point has the same impulse law and relative mean
   std::size_t nearby_points = 0;  ///< number of points within kNearbyDistance
-  /// Methods with `promised` first, by increasing time. Exception: the first method is the most
-  /// accurate of those that take at most 1.5 times as long as the fastest.
+  /// The results of all methods. The methods with `promised` come first, by increasing time, except
+  /// for the first method: the first method is the most accurate of all methods that take at most
+  /// 1.5 times as long as the fastest method.
   std::vector<NearbyResults> methods{};
 
   bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
-  /// The methods with `promised`, the recommended method first.
+  /// The results of the methods with `promised`; the recommended method comes first.
   std::vector<NearbyResults> promised() const;
 };
 
@@ -47,7 +50,7 @@ struct Advice {
 /// @param accuracy largest acceptable L1 error of p(y) and p(y')
 Advice advice(const problem::Problem& problem, double accuracy, const ValidityMap& map);
 
-/// The same for given coordinates.
+/// Recommends methods for a problem with the given map coordinates.
 Advice advice(const MapCoordinates& coordinates, double accuracy, const ValidityMap& map);
 
 }  // namespace fpkcheck::sweep

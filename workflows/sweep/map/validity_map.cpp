@@ -43,7 +43,8 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
   }
 }
 
-// Parses a number that is finite and, being a fraction, ratio, distance or time, not negative.
+// Parses a finite number that is not negative. All numbers of the map are fractions, ratios,
+// distances or times.
 std::optional<double> parse_nonnegative(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -52,7 +53,7 @@ std::optional<double> parse_nonnegative(std::string_view text) {
   return number;
 }
 
-/// A line of the map, and its location for error messages.
+/// A line of the map, with the location of the line for error messages.
 struct MapLine {
   std::string_view text;
   std::string where;
@@ -71,7 +72,7 @@ struct MapLine {
 
 std::optional<MappedResult> parse_result(const MapLine& line, std::string_view cell) {
   if (cell.empty()) return std::nullopt;
-  // The "e" of an exponent is not a status letter.
+  // The letter "e" of a decimal exponent is not a status letter.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) {
@@ -100,7 +101,8 @@ MappedPoint parse_point(const MapLine& line, std::size_t methods) {
                                     .law = std::string(cells[4]),
                                     .relative_mean = line.number(cells[5])},
                     .method_results = {}};
-  // The distance takes logarithms of these two.
+  // The distance between problems contains the logarithms of these two numbers, which must
+  // therefore be positive.
   for (const std::size_t k : {0, 1}) {
     if (line.number(cells[k]) == 0) line.throw_error(cells[k], "must be above 0");
   }

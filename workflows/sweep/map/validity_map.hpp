@@ -10,45 +10,48 @@
 
 namespace fpkcheck::sweep {
 
-/// Result of a method at a point of the map.
+/// The result of one method at a point of the validity map.
 struct MappedResult {
   transform::Status status;
-  /// L1 distance to the reference, the larger of both marginals; for the reference itself its error
-  /// estimate. Empty without a density.
+  /// The larger of the L1 distances of both marginal densities to the reference; for the reference
+  /// itself its error estimate. The value is empty if the method gives no density.
   std::optional<double> l1;
-  /// Status `ok`, but L1 exceeds twice the stated error plus the reference's error estimate.
+  /// Whether the method underestimates its error: the status is `ok`, but the L1 distance exceeds
+  /// twice the stated error plus the error estimate of the reference.
   bool underestimated;
   double seconds;
 
   bool is_ok() const { return status == transform::Status::ok; }
 };
 
-/// A problem that was solved by many methods.
+/// A point of the validity map: a problem that was solved by many methods.
 struct MappedPoint {
   MapCoordinates coordinates;
   std::vector<std::optional<MappedResult>>
       method_results;  ///< in the order of ValidityMap::methods; empty: not tried
 };
 
-/// Validity map: results of the methods over the parameters (docs/validity.md).
+/// The validity map: results of many methods for problems over a range of parameters
+/// (docs/validity.md).
 struct ValidityMap {
   std::vector<std::string> methods;  ///< ids; the last one is the reference of every point
   std::vector<MappedPoint> points;
 };
 
-/// Reads a map: lines of comma-separated values, the first line with the names of the columns
+/// Reads a validity map from comma-separated values. The first line has the names of the columns
 ///
 ///     impulses_per_decay_time, damping_ratio, cubic_share, restitution, law, mean_share, ID, ..
 ///
-/// and under each id a cell: L1, the letter of the status, and milliseconds. Examples: ".0042o310";
-/// "i5.1" without a density; empty where the method was not tried. Letters: o ok, x ok but error
-/// underestimated, i inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u
-/// not_offered.
+/// Each following line is a point. Its cell under the id of a method has the L1 distance, the
+/// letter of the status, and milliseconds: ".0042o310", or "i5.1" without a density. The cell is
+/// empty if the method was not tried. The letters are o ok, x ok but error underestimated, i
+/// inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
 /// @param where name of the map in error messages
 /// @throws InputError with a message of one line
 ValidityMap read_validity_map(std::string_view text, const std::string& where);
 
-/// The map of this project, workflows/sweep/map/validity.csv, made by scripts/validity.
+/// The validity map that is compiled into the program: workflows/sweep/map/validity.csv, made by
+/// scripts/validity.
 const ValidityMap& shipped_validity_map();
 
 }  // namespace fpkcheck::sweep

@@ -22,7 +22,8 @@ using base::Value;
 constexpr std::size_t kMaxValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// Twelve digits suffice for every solver, and 0.57 is easier to read than 0.5700000000000001.
+// The values are rounded, since 0.57 is easier to read than 0.5700000000000001. Twelve digits are
+// more accurate than every solver.
 double round_to_twelve_digits(double number) {
   double rounded = number;
   const std::string text = fmt::format("{:.12g}", number);
@@ -37,7 +38,7 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   return parts;
 }
 
-/// The key whose values are parsed, and its label in messages.
+/// The key whose values are parsed, and the label of the key in error messages.
 struct AxisParser {
   const base::Parameter& parameter;
   std::string label;  ///< e.g. "--vary system.restitution"

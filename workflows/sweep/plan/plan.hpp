@@ -12,7 +12,7 @@
 
 namespace fpkcheck::sweep {
 
-/// Source of the error estimate of a closure.
+/// The source of the error estimates of closures in a sweep.
 enum class ClosureErrors {
   reference,  ///< distance to the point's reference, plus the error estimate of the reference
   residuals   ///< residuals in the backward equation, as for a run; needs no other solution
@@ -24,7 +24,8 @@ constexpr std::span<const base::EnumEntry<ClosureErrors>> names(ClosureErrors) {
 }
 constexpr std::string_view name(ClosureErrors errors) { return base::name_of(errors); }
 
-/// Plan of a sweep: a case, its varied keys, and the methods for each point.
+/// The plan of a sweep: a base case, the varied keys with their values, and the methods that solve
+/// each point.
 struct Plan {
   problem::Problem base;
   std::vector<Axis> axes;
@@ -35,8 +36,8 @@ struct Plan {
   ClosureErrors closure_errors = ClosureErrors::reference;
   Points points{};  ///< make_points() of the axes
 
-  /// The base case with the values of a point.
-  /// @throws InputError where the values are inconsistent
+  /// The problem at a point: the base case with the values of the point.
+  /// @throws InputError if the values are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 

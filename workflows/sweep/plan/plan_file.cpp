@@ -35,7 +35,7 @@ std::size_t parse_point_count(const IniSetting& line) {
                                in_quotes(line.text), kMaxPoints));
 }
 
-/// Lines of the section [sweep] by their keys.
+/// The lines of the section [sweep], by key.
 using SweepLines = std::map<std::string, IniSetting>;
 
 SweepLines sweep_lines(const std::vector<IniSetting>& all) {

@@ -11,7 +11,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A parsed plan, without the methods: a registry makes them from their names.
+/// A parsed plan that has the names of methods instead of the methods: a registry makes the methods
+/// from these names.
 struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};
@@ -22,7 +23,8 @@ struct PlanSpecification {
   std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]
 };
 
-/// Reads a case (as problem::load_case) or a plan. A plan is a case file with two more sections:
+/// Reads a case (as problem::load_case) or a plan. A plan is a case file with two additional
+/// sections:
 ///
 ///     [sweep]
 ///     case = case1            ; instead of [system] and [impulse]

@@ -31,8 +31,8 @@ Enum enum_from_json(const Json& json) {
   return *value;
 }
 
-// Makes an integer a double: JSON does not distinguish 1 from 1.0, and all numbers of keys are
-// doubles.
+// Converts an integer to a double: JSON does not distinguish 1 from 1.0, and all numeric values of
+// keys are doubles.
 base::Value integer_to_double(base::Value value) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   return whole == nullptr ? value : static_cast<double>(*whole);
@@ -59,7 +59,7 @@ methods::Method method_from_json(const Json& json, const methods::Registry& regi
   return registry.method(*found, results::values_in(json.at("options")));
 }
 
-// Name of an element of a list, for messages.
+// The name of an element of a list, for error messages.
 std::string element_title(const Json& json) {
   for (const char* field : {"id", "key"}) {
     if (json.is_object() && json.contains(field)) return results::text_of(json.at(field));
@@ -73,7 +73,8 @@ std::string element_titles(const Json& list) {
   return base::sanitise(text);
 }
 
-// Text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty without one.
+// The text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty if there is
+// no difference.
 std::string first_difference(const std::string& where, const Json& was, const Json& is) {
   if (was == is) return "";
   if (was.is_object() && is.is_object()) {

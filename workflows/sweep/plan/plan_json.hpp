@@ -6,15 +6,15 @@
 
 namespace fpkcheck::sweep {
 
-/// JSON of a plan for journals. It contains all that two sweeps must share for their results to be
-/// joined.
+/// The JSON of a plan for journals. The JSON contains all values that must be equal in two sweeps
+/// whose results are joined.
 results::Json plan_json(const Plan& plan);
 
-/// The plan from the JSON of plan_json.
+/// Reads a plan from the JSON that plan_json makes.
 /// @throws nlohmann::json::exception, InputError
 Plan plan_from_json(const results::Json& json, const methods::Registry& registry);
 
-/// Text of the first difference between two plans; empty where they are equal.
+/// The text that describes the first difference between two plans; empty if the plans are equal.
 std::string plan_difference(const results::Json& before, const results::Json& now);
 
 }  // namespace fpkcheck::sweep

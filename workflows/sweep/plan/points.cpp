@@ -58,8 +58,8 @@ Points list(const std::vector<Axis>& axes) {
   return points;
 }
 
-// The Sobol sequence without its first point, the corner (Sobol 1967; direction numbers of Joe and
-// Kuo 2008).
+// The Sobol sequence without its first point, which is a corner of the box (Sobol 1967; direction
+// numbers of Joe and Kuo 2008).
 Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::sweep {
 
-/// Design of a plan: how the axes determine its points.
+/// The design of a plan: the rule by which the axes determine the points.
 enum class Design {
   product,  ///< Cartesian product of the axes; the last axis varies fastest
   list,     ///< point k has the k-th value of every axis
@@ -23,13 +23,13 @@ constexpr std::string_view name(Design design) { return base::name_of(design); }
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
-/// Points of a plan: for each point the values of all axes, in the order of the axes.
+/// The points of a plan. A point has a value of each axis, in the order of the axes.
 using Points = std::vector<std::vector<base::Value>>;
 
-/// Makes the points of a plan.
-/// @param sobol_points number of points for the design sobol; 0 for others
-/// @throws InputError with a message of one line, where axes and design are inconsistent or there
-///         are too many points
+/// Makes the points of a plan from axes and design.
+/// @param sobol_points number of points for the design sobol; 0 for other designs
+/// @throws InputError with a message of one line if axes and design are inconsistent, or if the
+///         plan has more than kMaxPoints points
 Points make_points(const std::vector<Axis>& axes, Design design, std::size_t sobol_points);
 
 }  // namespace fpkcheck::sweep

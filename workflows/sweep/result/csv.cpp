@@ -13,7 +13,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Ten digits: more than the accuracy of any solver, and small files.
+// Number of digits: ten digits exceed the accuracy of every solver, and keep the files small.
 std::string number_cell(double number) {
   return std::isfinite(number) ? fmt::format("{:.10g}", number) : std::string();
 }
@@ -29,7 +29,8 @@ void append_pair(const std::optional<MarginalPair>& pair, std::vector<std::strin
   cells.push_back(pair ? number_cell(pair->ydot) : "");
 }
 
-// Part of a column name: "closure + impact" becomes "closure_and_impact".
+// The name of a part of the error budget within a column name: "closure + impact" becomes
+// "closure_and_impact".
 std::string column_name(std::string part) {
   for (std::size_t at = part.find(" + "); at != part.npos; at = part.find(" + ")) {
     part.replace(at, 3, "_and_");
@@ -38,7 +39,7 @@ std::string column_name(std::string part) {
   return part;
 }
 
-// Empty cells where the values of the point are inconsistent.
+// The cells are empty if the values of the point are inconsistent.
 std::string groups_cells(const Plan& plan, std::size_t point) {
   try {
     const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));

@@ -27,7 +27,7 @@ constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
 
 std::string with_checksum(const std::string& text) { return results::crc32(text) + ' ' + text; }
 
-// The text after its checksum; empty where the checksum is wrong.
+// The text of a line after the checksum; empty if the checksum is wrong.
 std::optional<std::string> without_checksum(const std::string& line) {
   if (line.size() <= kChecksum + 1 || line[kChecksum] != ' ') return std::nullopt;
   std::string text = line.substr(kChecksum + 1);
@@ -46,7 +46,7 @@ Json header(const Json& plan) {
           {"plan", plan}};
 }
 
-// The plan in the first line of a journal.
+// Reads the plan in the first line of a journal.
 Json plan_json_of_line(const std::string& line, const std::filesystem::path& file) {
   const auto text = without_checksum(line);
   const std::string name = sanitise(file.string());

@@ -11,34 +11,38 @@
 
 namespace fpkcheck::sweep {
 
-/// Content of a journal.
+/// The content of the journal of a sweep.
 struct JournalContent {
   std::string plan;                   ///< text of plan_json; empty for a new journal
   std::vector<PointResult> points{};  ///< each point once, in the order in which they were solved
   std::size_t damaged = 0;            ///< number of lines that were ignored
 };
 
-/// Reads a journal while no process writes it.
-/// @throws InputError with a message of one line, where the file is no journal
+/// Reads a journal. No process may write to the journal meanwhile.
+/// @throws InputError with a message of one line if the file is no journal
 JournalContent read_journal(const std::filesystem::path& file);
-/// @throws InputError also where the journal belongs to another plan
+/// Reads the journal of a plan.
+/// @throws InputError with a message of one line if the file is no journal, or belongs to another
+///                    plan
 JournalContent read_journal(const std::filesystem::path& file, const Plan& plan);
 
-/// Journal of a sweep: the file that a sweep resumes from. The first line holds the plan; each
-/// solved point adds a line. Each line begins with its CRC-32. A killed process can leave at most
-/// its last line incomplete: that line is dropped and its point solved again.
+/// The journal of a sweep: the file from which an interrupted sweep is resumed. The first line
+/// contains the plan; each solved point adds a line. Each line begins with a CRC-32 checksum of the
+/// line. If the process is killed, at most the last line is incomplete: such a line is ignored, and
+/// its point is solved again.
 class Journal {
  public:
-  /// Opens the journal, or creates it.
-  /// @throws InputError with a message of one line, where the file belongs to another plan, is no
-  ///         journal, or is open in another process; std::runtime_error where it cannot be written
+  /// Opens the journal, or creates a new journal.
+  /// @throws InputError with a message of one line if the file belongs to another plan, is no
+  ///         journal, or is open in another process; std::runtime_error if the file cannot be
+  ///         written
   Journal(const std::filesystem::path& file, const Plan& plan);
 
-  /// Content of the journal when it was opened.
+  /// The content that the journal had when it was opened.
   const JournalContent& initial_content() const { return initial_content_; }
 
-  /// Appends a point completely or not at all; not thread-safe. Flushes to the disk if the last
-  /// flush was more than 1 s ago.
+  /// Appends the result of a point: the line is written completely or not at all. The file is
+  /// flushed to the disk if the last flush was more than 1 s ago. This function is not thread-safe.
   /// @throws std::runtime_error with a message of one line
   void append(const PointResult& result);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// A netCDF file with the dimensions of a plan.
+/// A writer of a netCDF file that has the dimensions of a plan.
 class SweepFile {
  public:
   SweepFile(results::NetCdfWriter& file, const SweepResults& results)
@@ -40,7 +40,8 @@ class SweepFile {
     file_.labels("solution", solution_, ids);
   }
 
-  /// @param number value for a method's result; empty where it has none
+  /// @param number function that returns the value for a method's result; empty if the result has
+  ///               no such value
   /// @return the variable's id
   int write_variable(const std::string& name, const std::string& meaning,
                      const std::function<std::optional<double>(const MethodResult&)>& number,

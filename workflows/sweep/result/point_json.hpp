@@ -5,13 +5,15 @@
 
 namespace fpkcheck::sweep {
 
-/// JSON of a point for a line of the journal. The keys are short, since there are many lines.
+/// The JSON of a point's result for a line of the journal. The keys are short, since a journal has
+/// many lines.
 results::Json point_json(const PointResult& result);
 
-/// point_json on one line; control characters in texts are escaped, invalid UTF-8 is replaced.
+/// The JSON of point_json as one line of text; control characters in texts are escaped, and invalid
+/// UTF-8 is replaced.
 std::string journal_text(const PointResult& result);
 
-/// The point from the JSON of point_json.
+/// Reads the result of a point from the JSON that point_json makes.
 /// @throws nlohmann::json::exception, InputError
 PointResult point_from_json(const results::Json& json);
 

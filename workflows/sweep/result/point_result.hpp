@@ -9,14 +9,14 @@
 
 namespace fpkcheck::sweep {
 
-/// L1 values of the two marginal densities.
+/// The L1 values (distances or errors) of the two marginal densities.
 struct MarginalPair {
   double y, ydot;
 
   bool operator==(const MarginalPair&) const = default;
 };
 
-/// Contribution of one part of the error budget (compare/budget.hpp).
+/// The L1 contribution of one part of the error budget (compare/budget.hpp).
 struct BudgetShare {
   std::string part;  ///< compare::BudgetPart::name
   MarginalPair l1;
@@ -24,7 +24,7 @@ struct BudgetShare {
   bool operator==(const BudgetShare&) const = default;
 };
 
-/// Stored values of a solution.
+/// The values of a solution that a sweep stores.
 struct MethodResult {
   transform::Status status = transform::Status::failed;
   std::string reason = {};  ///< empty where the status is ok
@@ -35,7 +35,7 @@ struct MethodResult {
   std::vector<BudgetShare> budget = {};
 };
 
-/// Stored values of a point.
+/// The values of a point that a sweep stores.
 struct PointResult {
   std::size_t point = 0;
   double seconds = 0;                   ///< wall-clock time of all methods and comparisons

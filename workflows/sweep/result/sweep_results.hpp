@@ -8,27 +8,30 @@
 
 namespace fpkcheck::sweep {
 
-/// Results of a sweep: its plan and its solved points.
+/// The results of a sweep: the plan and the solved points.
 struct SweepResults {
   Plan plan;
   std::vector<PointResult> points;  ///< by number, each once; all points when the sweep is complete
 
   bool is_complete() const { return points.size() == plan.points.size(); }
-  /// Names of all parts of error budgets, in the order of their first occurrence.
+  /// The names of all parts of error budgets in the results, in the order of their first
+  /// occurrence.
   std::vector<std::string> budget_parts() const;
 };
 
-/// Results with the points sorted by number.
+/// Makes the results of a sweep, with the points sorted by number.
 SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points);
 
-/// Contents of sweep.csv: a row for each point and method.
+/// The results of a sweep in CSV, with a row for each point and method: the contents of sweep.csv.
 std::string csv(const SweepResults& results);
 
-/// Contents of sweep.nc: the values of sweep.csv. The design product has the varied keys as
-/// dimensions, other designs have the dimension `point`. Missing points have NaN and the status -1.
+/// The results of a sweep in netCDF with the values of sweep.csv: the contents of sweep.nc. For the
+/// design product the varied keys are the dimensions; for other designs the dimension is `point`.
+/// Missing points have NaN and the status -1.
 std::string netcdf(const SweepResults& results, const std::string& command);
 
-/// JSON for --json: the plan, and each point with the values of its varied keys.
+/// The results of a sweep in JSON for --json: the plan, and each point with the values of the
+/// varied keys.
 std::string json(const SweepResults& results, const std::string& command);
 
 }  // namespace fpkcheck::sweep
