@@ -45,7 +45,7 @@ std::string nearest_sentence(const Advice& advice) {
                      advice.nearest_distance, advice.nearby_points);
 }
 
-// Results at the nearby points of the methods that are shown.
+// The table of the results of the shown methods at nearby points of the validity map.
 std::string nearby_table(const std::vector<NearbyResults>& methods,
                          const report::TextFormat& format) {
   Column id{"", "method", true, report::kAlwaysShown},
@@ -63,8 +63,9 @@ std::string nearby_table(const std::vector<NearbyResults>& methods,
   return report::rows({id, points, ok, worst, seconds}, format);
 }
 
-// "fd-white (solves white/map, error up to 0.11 at 31 of 31 points), ..". The status `ok` refers to
-// the equation and impact that the method solves: the sentence states them.
+// The text of methods for approximate problems: "fd-white (solves white/map, error up to 0.11 at 31
+// of 31 points), ..". The status `ok` refers to the equation and the impact condition that the
+// method solves; therefore the text states equation and impact condition.
 std::string underestimated_sentence(const Advice& advice, const methods::Registry& registry) {
   std::vector<std::string> items;
   for (const auto& one : advice.methods) {

@@ -9,20 +9,22 @@
 
 namespace fpkcheck::sweep {
 
-/// Context of an advice: the problem's name, and the commands to type.
+/// The context of a recommendation: the name of the problem, and the commands that the user can
+/// type.
 struct AdviceContext {
   std::string name;                                           ///< of the problem
   std::function<std::string(const std::string& id)> command;  ///< command for a method's id
-  /// Commands for methods with error estimates, shown where no method is recommended.
+  /// Commands for methods with error estimates, which are shown if no method is recommended.
   std::vector<std::string> fallback_commands;
   const methods::Registry& registry;
 };
 
-/// Text for the terminal: the recommended command, results at nearby points, and warnings.
+/// The recommendation as text for the terminal: the recommended command, the results at nearby
+/// points of the validity map, and warnings.
 std::string advice_text(const Advice& advice, const AdviceContext& setting,
                         const report::TextFormat& format);
 
-/// JSON for --json.
+/// The recommendation in JSON, for --json.
 std::string advice_json(const Advice& advice, const AdviceContext& setting,
                         const std::string& command_line);
 

@@ -10,12 +10,12 @@
 
 namespace fpkcheck::sweep {
 
-/// Duration as text: "40 s", "12 min", "3.5 h".
+/// The text of a duration: "40 s", "12 min", "3.5 h".
 std::string duration_text(double seconds);
 
-/// Text of --dry-run.
+/// The text that --dry-run prints: the expected wall-clock times of a plan.
 /// @param threads number of threads on this machine
-/// @param ranks numbers of processes of one thread for the table
+/// @param ranks numbers of single-threaded processes for the rows of the table
 std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_t threads,
                           const std::vector<int>& ranks, const report::TextFormat& format);
 

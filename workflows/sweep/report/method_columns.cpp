@@ -11,7 +11,7 @@ namespace {
 
 using report::Column;
 
-/// Summary of a method over all points.
+/// The summary of the results of one method over all points.
 struct MethodSummary {
   std::map<transform::Status, int> statuses{};
   std::vector<double> l1{};  // of `ok` solutions, the larger of both marginals, sorted

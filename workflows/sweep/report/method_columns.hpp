@@ -7,11 +7,11 @@
 
 namespace fpkcheck::sweep {
 
-/// A row for each method: counts of the statuses, distances of its `ok` solutions to the
-/// references, and its wall-clock time.
+/// The columns of a table with a row for each method. The row has the numbers of solutions of each
+/// status, the distances of the `ok` solutions to the references, and the wall-clock time.
 std::vector<report::Column> method_columns(const SweepResults& results);
 
-/// Explanation of the headers.
+/// The sentences that explain the headers of method_columns.
 const char* method_columns_legend();
 
 }  // namespace fpkcheck::sweep

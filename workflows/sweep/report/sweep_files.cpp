@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* kPage = "report.html";
 
-// Reads the drawn pictures: an SVG, which is sharp at any size, or a PNG where the SVG would be
-// large.
+// Reads the drawn pictures for the page. The page embeds an SVG, which is sharp at any size, or a
+// PNG if the SVG file is large.
 std::vector<PagePicture> drawn_pictures(const fs::path& figures,
                                         const std::vector<SweepPicture>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Text for the terminal: the varied keys, and a row for each method: counts of the statuses,
-/// distances of its `ok` solutions to the references, and its wall-clock time.
+/// The results of a sweep as text for the terminal: the varied keys, and a table with a row for
+/// each method (method_columns.hpp).
 std::string table(const SweepResults& results, const report::TextFormat& format);
 
 }  // namespace fpkcheck::sweep

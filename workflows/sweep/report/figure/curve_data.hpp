@@ -11,7 +11,7 @@
 
 namespace fpkcheck::sweep {
 
-/// Columns of a curve's data block in a script.
+/// The columns of a curve's data block in a gnuplot script.
 enum CurveColumn {
   abscissa = 1,
   distance_y,
@@ -23,7 +23,8 @@ enum CurveColumn {
   moment_ydot
 };
 
-/// Data of the curves of all methods, slice by slice. Keeps references to view and layout.
+/// The data of the curves of all methods, slice by slice. The object keeps references to view and
+/// layout.
 class CurveData {
  public:
   CurveData(const SweepView& view, const CurvesLayout& layout);
@@ -39,22 +40,26 @@ class CurveData {
   double mark_size() const;
 
   void for_each(const std::function<void(std::size_t point, std::size_t m)>& call) const;
-  /// Distance to the point's reference; empty for the reference itself.
+  /// The L1 distance of a method's marginal density to the point's reference; empty for the
+  /// reference itself.
   std::optional<double> l1(std::size_t point, std::size_t m, transform::Variable variable) const;
-  /// Error estimate of the method; empty where there is no distance for a comparison.
+  /// The error estimate of a method at a point; empty if the method has no distance with which the
+  /// estimate could be compared.
   std::optional<double> own_error(std::size_t point, std::size_t m,
                                   transform::Variable variable) const;
-  /// Error estimate of the point's reference.
+  /// The error estimate of the reference of a point.
   std::optional<double> reference_error(std::size_t point, transform::Variable variable) const;
-  /// True where the point has a reference, but the method has no density to compare with it.
+  /// Whether the point has a reference, but the method has no density that can be compared with the
+  /// reference.
   bool has_no_density(std::size_t point, std::size_t m) const;
-  /// Abscissa of a method's result; methods are side by side over a word.
+  /// The abscissa of a method's result. On an axis of words the methods are side by side at each
+  /// word.
   double abscissa_of(std::size_t point, std::size_t m) const;
 
-  /// Data blocks $curve_SLICE_METHOD, with the columns of CurveColumn.
+  /// The data blocks $curve_SLICE_METHOD of all curves, with the columns of CurveColumn.
   std::string blocks() const;
-  /// Data blocks $floor_SLICE: abscissa, error of the reference in y and ydot. Each word has its
-  /// own bar.
+  /// The data blocks $floor_SLICE with the columns abscissa, error of the reference in y, and error
+  /// of the reference in ydot. On an axis of words each word has a bar of its own.
   std::string reference_error_blocks() const;
 
  private:
@@ -65,7 +70,7 @@ class CurveData {
   std::vector<report::SeriesStyle> looks_;
 };
 
-/// Cell of a data block; gnuplot skips NaN.
+/// The text of a number in a data block; NaN if the number is missing, since gnuplot skips NaN.
 std::string data_cell(const std::optional<double>& number);
 
 }  // namespace fpkcheck::sweep

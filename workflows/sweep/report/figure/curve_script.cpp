@@ -11,7 +11,7 @@ namespace fpkcheck::sweep {
 using report::PanelGrid;
 namespace {
 
-// Style of a method's line, without its marks.
+// The style of a method's line without marks.
 std::string line_of(const CurveData& data, std::size_t m) {
   const transform::PlotStyle& plot_style = data.plot_style(m);
   constexpr double kThin = 1.5, kBroad = 2.5;  // limits: neighbouring curves need moderate widths

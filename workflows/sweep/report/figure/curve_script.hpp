@@ -7,24 +7,26 @@
 #include "report/figure/panel_grid.hpp"
 #include "workflows/sweep/report/figure/curve_data.hpp"
 
-/// Parts that the scripts of all curves share.
+/// Parts that all gnuplot scripts with curves along a varied key share.
 namespace fpkcheck::sweep {
 
-/// Plot of a method's curve in a panel; over words there are marks without a line.
+/// The plot specification of a method's curve in a panel. On an axis of words a curve has marks
+/// without a line.
 std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, int column);
 
-/// The legend of these methods, and of open marks if there are any.
+/// The legend of the given methods, with an entry for open marks if there are open marks.
 report::Legend curves_legend(const CurveData& data, const std::vector<std::size_t>& methods,
                              bool has_open_marks);
 
-/// Grid of two panels for each slice, above the legend; in a narrow figure one below the other.
+/// The panel grid above the legend, with two panels for each slice. In a narrow figure all panels
+/// are one below the other.
 report::PanelGrid curves_grid(const CurveData& data, const report::Legend& legend);
 
-/// Beginning of the script: output, data, and settings that all panels share.
+/// The beginning of a script: output commands, data, and settings that all panels share.
 std::string curves_begin(const CurveData& data, const report::PanelGrid& grid,
                          const std::string& file_stem);
 
-/// Title ("(a) displacement, gaussian") and margin_commands of a panel.
+/// The gnuplot commands for title ("(a) displacement, gaussian") and position of a panel.
 std::string curves_panel(const CurveData& data, const report::PanelGrid& grid, std::size_t slice,
                          transform::Variable variable);
 

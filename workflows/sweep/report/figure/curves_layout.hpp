@@ -7,21 +7,22 @@
 
 namespace fpkcheck::sweep {
 
-/// Points of one curve, in the order of the key along the abscissa.
+/// A slice of a plan: the points of one curve, in the order of the key on the abscissa.
 struct Slice {
   std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
 
-/// Layout of the curves of all methods along one key, with a row of panels for each slice.
+/// The layout of a figure with curves of all methods along one key. Each slice has a row of panels.
 struct CurvesLayout {
   KeyAxis along;
   std::size_t place;  ///< index of that key in the plan's axes
   std::vector<Slice> slices;
 };
 
-/// Curves along the only key; or along the numeric key of two, with a slice for each word of the
-/// other.
+/// The layout of the curves of a plan. The curves of a plan with one key are along this key. The
+/// curves of a plan with two keys are along the numeric key, with a slice for each word of the
+/// other key.
 CurvesLayout curves_layout(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

@@ -18,12 +18,12 @@ using transform::Variable;
 
 constexpr const char* kReferenceErrorColour = "#DEDEDE";
 constexpr const char* kReferenceErrorEdge = "#AAAAAA";
-// Error estimates over words are single dots.
+// The styles of error estimates: a dotted line, and small dots at the points.
 constexpr const char* kDotted = "lw 1.5 dt (2,4)";
 constexpr const char* kDots = "pt 7 ps 0.25";
 constexpr double kCrossRowHeight = 0.045;  // height of a row of crosses, 1 being the panel's
 
-/// Builds the script of the figure.
+/// A builder of the gnuplot script of the distances.
 class Distances {
  public:
   Distances(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
@@ -94,7 +94,8 @@ std::string Distances::absent_blocks() const {
   return text;
 }
 
-// Plots the error estimates; over words as a line from the distance to the error estimate.
+// The plots of the error estimates. On an axis of words a line connects the distance and the error
+// estimate.
 std::string Distances::error_estimate_plot(std::size_t slice, std::size_t m, int distance,
                                            int own) const {
   const std::string_view colour = data_.plot_style(m).colour;

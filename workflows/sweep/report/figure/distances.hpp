@@ -7,10 +7,11 @@
 
 namespace fpkcheck::sweep {
 
-/// A gnuplot script of the L1 distances of both marginals to each point's reference. Open marks:
-/// the solution is not ok. Dotted: error estimates of the methods. Grey: error estimate of the
-/// reference. Crosses at the top: solutions without a density.
-/// @param view must have a method to compare
+/// A gnuplot script that draws the L1 distances of both marginal densities to each point's
+/// reference. Open marks show solutions that are not ok, and crosses at the top show solutions
+/// without a density. Dotted lines show the error estimates of the methods, and a grey area shows
+/// the error estimate of the reference.
+/// @param view view of results with at least one method to compare
 std::string distances_script(const SweepView& view, const CurvesLayout& layout,
                              const std::string& file_stem);
 

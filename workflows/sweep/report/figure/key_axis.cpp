@@ -30,7 +30,7 @@ std::string tics_of(const std::vector<Tic>& tics) {
   return fmt::format("({})", fmt::join(list, ", "));
 }
 
-// Multiples of 1, 2 or 5 times a power of ten, no fewer than kMaxTics / 2 numbers.
+// The positions of tics: multiples of 1, 2 or 5 times a power of ten; at least kMaxTics / 2 tics.
 std::vector<double> round_numbers(double low, double high) {
   const double rough = (high - low) / static_cast<double>(kMaxTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));

@@ -8,8 +8,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A varied key as an axis of figures. Numbers have a linear or, where they are spaced
-/// logarithmically, a logarithmic axis; words have equidistant positions.
+/// A varied key as an axis of figures. The axis of numbers is linear, or logarithmic if the numbers
+/// are spaced logarithmically; words have equidistant positions.
 class KeyAxis {
  public:
   /// @param place index of the key in the plan's axes
@@ -18,26 +18,27 @@ class KeyAxis {
   const std::string& key() const { return key_; }
   bool is_words() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
-  /// The distinct values of all points: numbers by size, words in the order of the list.
+  /// The distinct values of the key over all points: numbers in increasing order, words in the
+  /// order of the list.
   const std::vector<base::Value>& values() const { return values_; }
-  /// Text of a value: "0.8", "gaussian".
+  /// The text of a value on the axis: "0.8", "gaussian".
   static std::string text_of(const base::Value& value);
 
-  /// Coordinate of a value on the gnuplot axis.
+  /// The coordinate of a value on the gnuplot axis.
   double coordinate(const base::Value& value) const;
-  /// Coordinate relative to the axis from the first to the last of values(), 0 .. 1.
+  /// The coordinate of a value relative to the axis: 0 for the first of values(), 1 for the last.
   double relative_coordinate(const base::Value& value) const;
-  /// Gnuplot commands for label, scale, range and tics of the axis.
+  /// The gnuplot commands for label, scale, range and tics of the axis.
   /// @param letter 'x' or 'y'
   std::string commands(char letter) const;
 
-  /// Gnuplot command for the label alone, the same for cells.
+  /// The gnuplot command for the label of the axis, also for an axis of cells.
   std::string label_command(char letter) const;
 
-  /// Index of a value in values(): the position of its cell in a map, whose cells have equal
-  /// widths.
+  /// The index of a value in values(), which is the position of the value's cell in a map with
+  /// cells of equal width.
   std::size_t cell_of(const base::Value& value) const;
-  /// Gnuplot commands for label, range and tics of an axis of cells.
+  /// The gnuplot commands for label, range and tics of an axis of cells with equal widths.
   std::string cell_commands(char letter) const;
 
  private:

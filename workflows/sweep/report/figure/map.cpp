@@ -21,7 +21,7 @@ namespace {
 using report::LegendEntry;
 using transform::Status;
 
-/// A contour of the maps.
+/// A contour level of the maps, with its line style.
 struct ContourLevel {
   double l1;
   const char* name;
@@ -31,10 +31,10 @@ constexpr ContourLevel kContourLevels[] = {
     {0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
     {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
 
-// Outline of cells that are not ok.
+// The style of the outline around cells with a status that is not ok.
 constexpr const char* kOutline = "with lines lc rgb 'black' lw 0.8";
 
-// Grey background: light discs would be invisible on white.
+// The background is grey, since light discs would be invisible on white.
 constexpr const char* kBackground =
     "set object rectangle from graph 0,0 to graph 1,1 behind fc rgb '#E4E4E4' fs noborder\n";
 
@@ -54,8 +54,8 @@ PanelGrid map_grid(const SweepView& view, std::size_t panels) {
   return grid;
 }
 
-// Colours from light (not white) to dark, so that print in grey keeps the order; light enough for
-// black marks.
+// The colours range from light (but not white) to dark, so that grey print keeps the order of the
+// values. All colours are light enough for black marks.
 std::string colour_scale(const PanelGrid& grid) {
   const auto first = grid.place(0, grid.columns - 1), last = grid.place(grid.rows - 1, 0);
   return fmt::format(
@@ -68,15 +68,16 @@ std::string colour_scale(const PanelGrid& grid) {
       first.top - last.bottom);
 }
 
-// SVG viewers smooth images: a few cells are rendered as rectangles in SVG. In PNG rectangles would
-// have visible seams.
+// A map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images. In PNG the
+// map is drawn as an image, since rectangles would have visible seams.
 std::string cell_drawing_option(std::size_t cells) {
   constexpr std::size_t kFew = 6000;
   return fmt::format("cells = format eq 'svg' ? '{}' : ''\n", cells <= kFew ? "pixels" : "");
 }
 
 std::string cells_plot(const MapData& map, std::size_t m) {
-  // Gnuplot draws no image of a single row or column of cells.
+  // A single row or column of cells is drawn as rectangles, since gnuplot cannot draw such an
+  // image.
   const bool is_image = map.x().values().size() > 1 && map.y().values().size() > 1;
   return fmt::format("$map_{} using {} notitle", m,
                      is_image ? "1:2:3 with image @cells"
@@ -88,7 +89,7 @@ std::string discs_plot(std::size_t m, double size) {
                      size);
 }
 
-// Contours are computed from the logarithms of the distances.
+// The contours are computed from the logarithms of the distances.
 std::string contour_commands(std::size_t m, const ContourLevel& level) {
   return fmt::format(
       "set cntrparam levels discrete {0:.6g}\nset table $contour_{1}_{2}\n"
@@ -96,13 +97,14 @@ std::string contour_commands(std::size_t m, const ContourLevel& level) {
       std::log10(level.l1), level.name, m);
 }
 
-// Number of marks that fit side by side.
+// The number of marks that fit side by side into a panel.
 std::size_t marks_per_length(double pixels) {
   constexpr double kMarkSpacing = 15;
   return static_cast<std::size_t>(std::max(1.0, pixels / kMarkSpacing));
 }
 
-// Disc size in gnuplot's unit, smaller for many points, so that discs do not overlap.
+// The size of discs in gnuplot's unit of point sizes. The size decreases with the number of points,
+// so that discs do not overlap.
 double disc_size(std::size_t points) {
   return std::clamp(36 / std::sqrt(static_cast<double>(points)), 0.5, 1.6);
 }
@@ -140,7 +142,7 @@ report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& me
   return legend;
 }
 
-// Data and plots of one panel.
+// The data blocks and the plot commands of one panel.
 struct MapPanel {
   std::string data, contours;
   std::vector<std::string> plots;

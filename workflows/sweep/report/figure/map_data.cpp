@@ -16,10 +16,10 @@ using transform::Status;
 
 constexpr std::size_t kFewPoints = 300;
 
-// Lower bound for a distance, so that 0 has a logarithm.
+// Lower bound for distances, so that the logarithm is finite for a distance of 0.
 double clamp_for_logarithm(double l1) { return std::max(l1, kMinColourDistance / 10); }
 
-/// A point with a mark: of a status, or of the reference.
+/// A point with a mark, which shows a status that is not ok, or that the method is the reference.
 struct MarkedPoint {
   int type;
   std::size_t point;
@@ -35,7 +35,7 @@ std::vector<MarkedPoint> marked_points(const SweepView& view, std::size_t m) {
   return marked;
 }
 
-// Index of the tile that contains a value, of this number of tiles along the axis.
+// The index of the tile that contains a value, for a given number of tiles along the axis.
 std::size_t tile(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
   const auto count = static_cast<double>(tiles);
   return static_cast<std::size_t>(std::min(axis.relative_coordinate(value) * count, count - 1));
@@ -127,7 +127,7 @@ bool MapData::has_contour(std::size_t m, double l1) const {
     const auto found = view_.larger_l1(cells_[i][j], m);
     return !found ? 0 : *found < l1 ? -1 : 1;
   };
-  // Gnuplot computes a contour within squares of four cells.
+  // gnuplot computes contours within squares of four neighbouring cells.
   for (std::size_t i = 1; i < columns(); ++i) {
     for (std::size_t j = 1; j < rows(); ++j) {
       const int corner = side(i - 1, j - 1), right = side(i, j - 1), above = side(i - 1, j),

@@ -10,11 +10,13 @@
 
 namespace fpkcheck::sweep {
 
-/// The smallest distance with a distinct colour; smaller distances have the same colour.
+/// The smallest L1 distance with a distinct colour; all smaller distances have the colour of this
+/// distance.
 inline constexpr double kMinColourDistance = 1e-4;
 
-/// Data of a map over the two varied keys, for a script. The design product has cells, whose
-/// abscissae are their indices; other designs have points. Keeps a reference to the view.
+/// The data of a map over the two varied keys, for a gnuplot script. A map of the design product
+/// has cells, with the indices of the values as coordinates; a map of another design has points.
+/// The object keeps a reference to the view.
 class MapData {
  public:
   explicit MapData(const SweepView& view);
@@ -24,23 +26,24 @@ class MapData {
   const KeyAxis& y() const { return y_; }
   bool has_cells() const { return view_.plan().design == Design::product; }
 
-  /// Data block $map_METHOD: x y L1. For cells a block for each y, with NaN where there is no
-  /// distance.
+  /// The data block $map_METHOD of a method with the columns x, y and L1. A map with cells has a
+  /// sub-block for each y, with NaN for missing distances.
   std::string blocks(std::size_t m) const;
 
-  /// Data blocks $mark_METHOD_TYPE: x y, by point type (status_mark.hpp). The plane is divided into
-  /// tiles with at most one mark of each type, since overlapping marks are illegible. Plans with
-  /// few points show all marks.
+  /// The data blocks $mark_METHOD_TYPE of a method with the columns x and y, a block for each point
+  /// type (status_mark.hpp). The plane is divided into tiles with at most one mark of each type,
+  /// since overlapping marks are illegible. A map with few points shows all marks.
   /// @param tiles_across, tiles_up  numbers of tiles in x and y
   /// @param types receives the point types that occur
   std::string mark_blocks(std::size_t m, std::size_t tiles_across, std::size_t tiles_up,
                           std::set<int>& types) const;
 
-  /// Data block $outline_METHOD: the borders between cells that are ok and cells that are not;
-  /// empty without such borders.
+  /// The data block $outline_METHOD of a method with the borders between cells that are ok and
+  /// cells that are not ok. The text is empty if there is no such border.
   std::string outline_block(std::size_t m) const;
 
-  /// True where neighbouring cells have distances on both sides of `l1`; both keys must be numbers.
+  /// Whether the map of a method has a contour at `l1`: neighbouring cells have distances on both
+  /// sides of `l1`. Both keys must be numeric.
   bool has_contour(std::size_t m, double l1) const;
 
  private:

@@ -16,7 +16,8 @@ namespace {
 using transform::Moments;
 using transform::Variable;
 
-// Range of the solutions that are ok, if any: outliers among the others would compress the axis.
+// The axis range of the solutions that are ok, if there are any: outliers among the other solutions
+// would compress the curves.
 std::string moment_range(const CurveData& data, double Moments::*moment) {
   std::vector<double> ok, all;
   data.for_each([&](std::size_t point, std::size_t m) {

@@ -7,8 +7,9 @@
 
 namespace fpkcheck::sweep {
 
-/// A gnuplot script of E[y^2] and E[y'^2]. Open marks: the solution is not ok. The axes cover the
-/// solutions that are ok; other curves may leave them.
+/// A gnuplot script that draws E[y^2] and E[y'^2] along a varied key. Open marks show solutions
+/// that are not ok. The axes contain the curves of the solutions that are ok; other curves may
+/// exceed the axes.
 std::string moments_script(const SweepView& view, const CurvesLayout& layout,
                            const std::string& file_stem);
 

@@ -29,8 +29,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// A key with the bins of its medians: single values where they are few, else sections of its
-/// range.
+/// A varied key with the bins over which medians are taken: single values if the key has few
+/// values, else sections of the range.
 class BinnedKey {
  public:
   BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
@@ -69,7 +69,8 @@ class BinnedKey {
   std::size_t sections_ = 0;  // number of sections; 0 where each value is a bin
 };
 
-// Data blocks "x L1 point-type" of a method's results, and "x median" over the bins.
+// The data blocks of a method: the results with the columns "x L1 point-type", and the medians over
+// the bins with the columns "x median".
 std::string blocks(const SweepView& view, const BinnedKey& key, std::size_t m, double offset,
                    const report::SeriesStyle& plot_style) {
   std::string points;
@@ -88,7 +89,7 @@ std::string blocks(const SweepView& view, const BinnedKey& key, std::size_t m, d
     if (!key.is_enough(values.size())) continue;
     medians += fmt::format("{:.6g} {:.4g}\n", key.centre(bin) + offset, median_of(values));
   }
-  // Gnuplot rejects a data block without a row.
+  // A block without results gets a row of NaN, since gnuplot rejects a data block without a row.
   const std::string none = "NaN NaN NaN\n";
   return report::data_block(fmt::format("points_{}_{}", key.place(), m),
                             points.empty() ? none : points) +

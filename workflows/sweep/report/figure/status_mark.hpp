@@ -8,15 +8,17 @@
 
 namespace fpkcheck::sweep {
 
-/// Gnuplot point type of a status that is not ok. The types differ in shape, for print in grey.
+/// The gnuplot point type that marks a status that is not ok. The point types differ in shape, so
+/// that grey print distinguishes them.
 int point_type(transform::Status status);
-/// Point type of the reference, which has no distance to itself.
+/// The gnuplot point type that marks the reference, which has no distance to itself.
 inline constexpr int kReferenceMark = 6;  // a circle
 
-/// Legend entries of the marks, which are black on colours, for the statuses that occur.
+/// The legend entries of the marks for the statuses that occur. The marks are black on a coloured
+/// background.
 std::vector<report::LegendEntry> status_legend(const std::vector<transform::Status>& statuses);
 
-/// Gnuplot style of a mark, to follow a plot's data.
+/// The gnuplot style of a mark, which follows the data in a plot command.
 std::string mark_style(int point_type, double size = 1);
 
 }  // namespace fpkcheck::sweep

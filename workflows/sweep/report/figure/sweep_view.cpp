@@ -11,7 +11,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Parameters that are not varied and not at their defaults: "c = 0.1", "k = 1", ..
+// The texts of the parameters that are not varied and differ from their default values: "c = 0.1",
+// "k = 1", ..
 std::vector<std::string> fixed_parameter_list(const Plan& plan) {
   std::vector<std::string> list;
   for (const auto& parameter : problem::displayed_parameters(plan.base)) {

@@ -9,7 +9,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Queries of the figures to the results of a sweep. Keeps a reference to the results.
+/// A view of the results of a sweep with the queries that the figures need. The object keeps a
+/// reference to the results.
 class SweepView {
  public:
   explicit SweepView(const SweepResults& results,
@@ -18,29 +19,29 @@ class SweepView {
   const SweepResults& results() const { return results_; }
   const Plan& plan() const { return results_.plan; }
 
-  /// Result of a point; null where the point was not solved.
+  /// The result of a point; a null pointer if the point was not solved.
   const PointResult* point(std::size_t number) const { return by_number_[number]; }
   const MethodResult* method(std::size_t number, std::size_t m) const;
   bool is_reference(std::size_t number, std::size_t m) const;
-  /// Error estimate of the point's reference; empty where it has none.
+  /// The error estimate of the reference of a point; empty if the reference has no error estimate.
   std::optional<MarginalPair> reference_error(std::size_t number) const;
-  /// L1 distance to the point's reference, the larger of both marginals.
+  /// The larger of the L1 distances of both marginal densities to the point's reference.
   std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
 
-  /// True if any method has a distance to a reference.
+  /// Whether at least one method has a distance to a reference.
   bool has_distances() const;
-  /// The reference of all points, or "" where the points have several references.
+  /// The id of the reference that all points share, or "" if the points have different references.
   std::string common_reference() const;
-  /// True if the method is the reference of every point that has a reference.
+  /// Whether the method is the reference of every point that has a reference.
   bool is_always_reference(std::size_t m) const;
-  /// Indices of the methods whose distances are drawn: all but the one that is always the
-  /// reference.
+  /// The indices of the methods whose distances are drawn: all methods except a method that is
+  /// always the reference.
   std::vector<std::size_t> compared_methods() const;
 
-  /// Medium of the figures, and their width in pixels.
+  /// The medium of the figures, and the width of the figures in pixels.
   report::FigureWidth medium() const { return medium_; }
   int width() const;
-  /// The fixed parameters, for the top of a figure.
+  /// The title of a figure with the parameters that are not varied.
   report::FigureTitle title() const;
 
  private:
@@ -49,7 +50,7 @@ class SweepView {
   std::vector<const PointResult*> by_number_;
 };
 
-/// Parameters that are the same at all points, in one line: "c = 0.1, k = 1".
+/// The text of the parameters that are the same at all points, in one line: "c = 0.1, k = 1".
 std::string fixed_parameters(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

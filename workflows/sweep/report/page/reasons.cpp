@@ -11,7 +11,7 @@ namespace {
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// Index after the last character of the number that begins at this index.
+// The index after the last character of the number that begins at a given index.
 std::size_t end_of_number(const std::string& text, std::size_t at) {
   while (at < text.size() && is_digit(text[at])) ++at;
   if (at + 1 < text.size() && text[at] == '.' && is_digit(text[at + 1])) {

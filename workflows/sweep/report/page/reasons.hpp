@@ -8,7 +8,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Results of a method that are not ok for the same reason, up to numbers in the reason.
+/// A group of results of one method that are not ok for the same reason. Reasons that differ only
+/// in numbers are the same.
 struct ReasonGroup {
   std::size_t method;
   transform::Status status;
@@ -17,10 +18,11 @@ struct ReasonGroup {
   std::string reason;     ///< reason at that point
 };
 
-/// Groups of reasons, the most frequent first.
+/// The groups of results with the same reason; the most frequent reason comes first.
 std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
-/// Replaces numbers in a reason: "residual ... after ... steps". Numbers within words ("km4") stay.
+/// Replaces the numbers in a reason by dots: "residual ... after ... steps". Numbers within words
+/// ("km4") are not replaced.
 std::string without_numbers(const std::string& reason);
 
 }  // namespace fpkcheck::sweep

@@ -20,8 +20,8 @@ namespace {
 using report::element;
 using report::escape_html;
 
-// In addition to the style of a run's page. On a narrow screen a picture scrolls instead of
-// shrinking.
+// CSS rules in addition to the style of a run's page. On a narrow screen a picture scrolls instead
+// of shrinking.
 constexpr const char* kPictureStyle =
     "figure { margin: 1.2rem 0; }\n"
     ".picture { overflow-x: auto; }\n"
@@ -76,7 +76,7 @@ std::string introduction(const SweepResults& results) {
   return text;
 }
 
-// The table of methods, with the columns of the table on the terminal.
+// The HTML table of the methods, with the same columns as the text table for the terminal.
 std::string methods_table(const SweepResults& results) {
   std::vector<report::HtmlColumn> columns;
   for (auto& column : method_columns(results)) {

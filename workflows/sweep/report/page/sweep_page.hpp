@@ -8,15 +8,15 @@
 
 namespace fpkcheck::sweep {
 
-/// A drawn figure, to be embedded in a page.
+/// A drawn figure that is embedded in a page.
 struct PagePicture {
   std::string caption;
   std::string media_type;  ///< e.g. "image/svg+xml"
   std::string bytes;
 };
 
-/// Contents of report.html of a sweep, a self-contained page: varied parameters, methods, figures,
-/// and the reasons of solutions that are not ok.
+/// The self-contained page of a sweep, the contents of report.html: varied parameters, methods,
+/// figures, and the reasons of solutions that are not ok.
 /// @param command command line of the sweep
 std::string sweep_page(const SweepResults& results, const std::vector<PagePicture>& pictures,
                        const std::string& command);
