@@ -51,7 +51,7 @@ bool has_smooth_distances(const Case& one, const Solution& a, const Solution& b)
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
 
-// Describes a solution of the full problem.
+// The words that describe a solution of the full problem in a sentence.
 std::string solution_description(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
@@ -229,8 +229,8 @@ MarginalDistances critical_l1(const Solution& one, const Solution& other, bool s
           compare::critical_l1(one, other, Variable::ydot, smooth)};
 }
 
-// "; WHOSE EXPECTED; all errors explain up to .. (exceeded by chance in 1 run of 1000): the
-// densities agree".
+// The clause on the errors that explain a distance: "; WHOSE EXPECTED; all errors explain up to ..
+// (exceeded by chance in 1 run of 1000): the densities agree".
 std::string agreement_text(const MarginalDistances& gap, const MarginalDistances& expected,
                            const MarginalDistances& explained, const std::string& error_source) {
   const auto within = [](const auto& difference, const auto& most) {
@@ -249,7 +249,8 @@ struct MeasuredError {
   double l1, error, chance, stated;
   bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
 
-  /// A smaller distance is mostly the sampling error of the simulation.
+  /// Whether the distance is significant: a smaller distance is mostly the sampling error of the
+  /// simulation.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
@@ -265,7 +266,7 @@ MeasuredError measured_error(const Case& one, const Solution& solution, const So
           .explained = !most || l1 <= *most};
 }
 
-// "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)"
+// The text of an L1 error with its standard error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
 std::string measured_error_text(const MeasuredError& marginal_error, Variable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
                                  ? fmt::format(" (estimate {:.2g})", marginal_error.stated)

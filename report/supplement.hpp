@@ -27,7 +27,7 @@ struct PageSection {
   std::vector<std::vector<Plot>> groups;
 };
 
-/// Additions of a command to the report of a run.
+/// The texts, files, pictures and page sections that a command adds to the report of a run.
 struct Supplement {
   /// The result of the command in sentences, printed before the tables; the first sentence is also
   /// the first of the page.

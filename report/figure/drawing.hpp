@@ -32,7 +32,7 @@ std::vector<std::string> draw_formats(const std::string& gnuplot,
                                       const FigureOptions& options);
 
 /// Writes the script STEM.gp into a directory, and draws the script in all formats of the options.
-/// @return a warning for each picture that was not drawn; a single warning without gnuplot
+/// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
 std::vector<std::string> write_pictures(const std::filesystem::path& figures,
                                         const std::string& stem, const std::string& script,
                                         const FigureOptions& options, const std::string& gnuplot);

@@ -34,7 +34,7 @@ inline constexpr const char* kReferenceIntervalStyle =
 
 /// The gnuplot commands for title, axes and curves of one panel.
 /// @param letter letter of the panel, "(a)" in the title
-/// @param reference id of the solution subtracted in the differences
+/// @param reference id of the reference, whose density is subtracted in the differences
 /// @param short_title whether the title is short, for a narrow panel
 std::string panel_commands(Panel panel, const MarginalCurves& marginal, char letter,
                            const std::string& reference, bool short_title = false);

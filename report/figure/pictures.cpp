@@ -20,7 +20,7 @@ std::string budget_stem(const std::string& stem) { return stem + "-budget"; }
 std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 std::string order_stem(const std::string& stem) { return stem + "-order"; }
 
-// @param warnings receives a line for each case without a density to draw
+// @param warnings list to which a line is added for each case that has no density to draw
 std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
                                  std::vector<std::string>& warnings) {
   std::vector<Picture> pictures;

@@ -38,7 +38,7 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 
 class DensityPlot {
  public:
-  /// @param shown ids of the initially visible solutions
+  /// @param shown ids of the solutions that are initially visible
   DensityPlot(const results::Case& case_result, const MarginalCurves& marginal,
               const FigureContent& content, const std::set<std::string>& shown)
       : case_result_(case_result),

@@ -60,7 +60,7 @@ std::string families_html(const std::vector<const Solution*>& solutions) {
   return html;
 }
 
-// Glossary entries of the values of an enum that occur in the column "solves".
+// The glossary entries for those values of an enum that occur in the column "solves".
 template <class Enum>
 std::string solves_html(const std::vector<const Solution*>& solutions,
                         std::optional<Enum> transform::Identity::*member, const char* form,

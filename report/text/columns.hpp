@@ -18,7 +18,7 @@ struct Column {
   bool left_aligned;
   int importance;  ///< columns of equal importance are omitted together
   std::vector<std::string> cells = {};
-  /// Cells are names of statuses, coloured by status.
+  /// Whether the cells are names of statuses, which have the colour of the status.
   bool is_status = false;
 
   std::size_t width() const;

@@ -6,7 +6,7 @@ namespace fpkcheck::report {
 
 /// Layout of text output.
 struct TextFormat {
-  // Not explicit: most callers set only the width.
+  // The constructor is not explicit, since most callers set only the width.
   TextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
       : width(characters), colour(with_colour) {}
 

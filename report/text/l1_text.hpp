@@ -4,7 +4,8 @@
 
 namespace fpkcheck::report {
 
-/// An L1 distance as text for tables: five decimals, two digits below 1e-4.
+/// The text of an L1 distance in tables: five decimals; two significant digits for distances below
+/// 1e-4.
 std::string l1_text(double l1);
 
 }  // namespace fpkcheck::report

@@ -10,7 +10,7 @@
 
 namespace fpkcheck::check {
 
-/// The result of comparing a run with its baseline.
+/// The result of the comparison between a run and its baseline.
 struct Check {
   Tolerances tolerances;
   std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline

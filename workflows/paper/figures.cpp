@@ -67,7 +67,7 @@ void for_each_figure(const results::Run& run, const Use& use) {
     const Case shown = paper_figure_case(*case_result);
     auto content = report::figure_content(shown);
     if (content.marginals.empty()) continue;
-    // The paper's figures show no differences.
+    // The figures of the paper show no differences from a reference.
     content.reference.clear();
     for (auto& marginal : content.marginals) {
       for (auto& drawn : marginal.curves) drawn.difference = {};

@@ -26,8 +26,8 @@ struct Series {
 
 /// Makes a series from each group of neighbouring rows with the same label. The plot style of the
 /// series is the style of the group's middle row.
-/// @param label function: label of a row
-/// @param points function: text of a row's points; may be empty
+/// @param label function that returns the label of a row
+/// @param points function that returns the lines of a row's points; these lines may be empty
 template <class Row, class Label, class Points>
 std::vector<Series> make_series(const std::vector<Row>& rows, const std::string& block, Label label,
                                 Points points) {

@@ -25,7 +25,7 @@ struct ReferenceOptions {
 struct ReferenceValue {
   double seventh;
   double fifth;
-  /// Number of significant digits on which the two values agree, at most `most`.
+  /// Number of significant digits to which both values agree, at most `most`.
   int agreed_digits(int most) const;
 };
 

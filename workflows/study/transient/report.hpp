@@ -41,7 +41,7 @@ std::string transient_table(const TransientRun& run, std::size_t width);
 std::string transient_figure(const TransientRun& run, const std::string& file_stem,
                              report::FigureWidth width = report::FigureWidth::screen);
 
-/// Writes a density over time as netCDF-4 (an HDF5 file), following the CF conventions:
+/// Writes a density over time to a netCDF-4 file (HDF5) that follows the CF conventions:
 ///
 ///     dimensions   time, y, ydot, bounds = 2
 ///     coordinates  time(time), y(y), ydot(ydot): centres of cells; their edges are in

@@ -34,7 +34,7 @@ struct Forecast {
 /// sample and from `solved`. No file is written.
 /// @param solved points that were solved before; if these points suffice for the prediction, no
 ///               further point is solved
-/// @param threads 0 for one per processor
+/// @param threads number of threads; 0 for one thread per processor
 /// @throws any exception of a solver
 Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int threads);
 

@@ -64,7 +64,7 @@ class SolverThreads {
  public:
   /// @param next returns the next point, and blocks until a point is available; empty if no points
   ///             remain
-  /// @param done called with each solved point
+  /// @param done function that is called with each solved point
   SolverThreads(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
                 std::function<void(SolvedPoint&&)> done)
       : running_(threads) {

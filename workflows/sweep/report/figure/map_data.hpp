@@ -34,7 +34,7 @@ class MapData {
   /// type (status_mark.hpp). The plane is divided into tiles with at most one mark of each type,
   /// since overlapping marks are illegible. A map with few points shows all marks.
   /// @param tiles_across, tiles_up  numbers of tiles in x and y
-  /// @param types receives the point types that occur
+  /// @param types set to which the point types that occur are added
   std::string mark_blocks(std::size_t m, std::size_t tiles_across, std::size_t tiles_up,
                           std::set<int>& types) const;
 
