@@ -229,8 +229,9 @@ MarginalDistances critical_l1(const Solution& one, const Solution& other, bool s
           compare::critical_l1(one, other, Variable::ydot, smooth)};
 }
 
-// The clause on the errors that explain a distance: "; WHOSE EXPECTED; all errors explain up to ..
-// (exceeded by chance in 1 run of 1000): the densities agree".
+// The clause on the errors that explain a distance, with a given source of the error and the
+// expected error: "; source expected; all errors explain up to .. (exceeded by chance in 1 run of
+// 1000): the densities agree".
 std::string agreement_text(const MarginalDistances& gap, const MarginalDistances& expected,
                            const MarginalDistances& explained, const std::string& error_source) {
   const auto within = [](const auto& difference, const auto& most) {

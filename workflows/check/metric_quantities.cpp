@@ -84,7 +84,8 @@ class MetricQuantities {
                        fmt::join(powers, ","));
   }
 
-  // The part for a group, a list or an element of a list. The part is opened at its first use.
+  // The part for a group of metrics, a list of metrics or an element of a list. The first call for
+  // a part appends the first quantity of this part.
   PartQuantities part(const std::string& name) {
     const PartQuantities result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolution && opened_parts_.insert(name).second) {

@@ -52,7 +52,7 @@ Quantities budget_quantities(const results::Case& one, const results::Case& othe
 /// Compares every marginal density, and returns the bin of the density with the largest change. For
 /// a simulation the change is in standard errors. Only bins whose 95 % interval has a half-width of
 /// at most half the density are compared, and the tolerance takes the number of these bins into
-/// account. The L1 distance between the two simulations follows.
+/// account. For a simulation the L1 distance between both simulations is a further quantity.
 std::vector<QuantityChange> marginal_changes(const results::Case& baseline,
                                              const results::Case& now,
                                              const Tolerances& tolerances);

@@ -20,8 +20,9 @@ struct Quantity {
   /// kind `simulated_l1`: the expected L1 sampling error, and the 99 % quantile of this error.
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains it: "density", "peaks[3]"
-  /// Whether the quantity opens a part and states the presence or the length of the part. A change
-  /// of such a quantity is reported once; all other quantities of the part are then not compared.
+  /// Whether the quantity is the first of a part (a group of quantities) and states the presence or
+  /// the length of this part. If such a quantity changes, only this change is reported; all other
+  /// quantities of the part are not compared.
   bool opens_part = false;
 };
 using Quantities = std::vector<Quantity>;
@@ -31,12 +32,13 @@ inline constexpr const char* kWholeSolution = "solution";
 /// Name of the part that contains the error estimates of a solution.
 inline constexpr const char* kStatedError = "stated error";
 
-/// A writer that appends the quantities of one part of a solution to a list.
+/// A writer that appends the quantities of one part of a solution to a list. A part is a group of
+/// quantities, such as the density or an element of a list of metrics.
 struct PartQuantities {
   Quantities& quantities;
   std::string solution, name;
 
-  /// Appends the quantity that opens the part: the presence of the part, or a value that identifies
+  /// Appends the first quantity of the part: the presence of the part, or a value that identifies
   /// the part. This call must precede the calls for all other quantities of the part.
   const PartQuantities& begin(QuantityKind kind, const base::Value& what = "there",
                               const std::string& outer = kWholeSolution) const;

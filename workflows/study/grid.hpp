@@ -75,12 +75,13 @@ struct GridStudy {
   const GridLimit& reference_limit() const { return limits.back(); }
 };
 
-/// Solves a problem on grids of every order and level, one grid after another, by finite volumes
-/// with the null vector alone. All grids use the box of the first grid. Then the closures and
-/// simulations of the same equation (comparison_methods) solve the problem. The Richardson limit at
-/// the highest order is the reference of all distances. A limit does not exist if a density is
-/// missing or not ok, or if the observed order is below transform::kMinOrderForLimit. Without a
-/// limit at the highest order no closure or simulation is run.
+/// Solves a problem by finite volumes on grids of every order and level, one grid after another.
+/// The stationary density is computed as the null vector of the discrete operator only. All grids
+/// use the box of the first grid. Then the closures and simulations of the same equation
+/// (comparison_methods) solve the problem. The Richardson limit at the highest order is the
+/// reference of all distances. A limit does not exist if a density is missing or not ok, or if the
+/// observed order is below transform::kMinOrderForLimit. Without a limit at the highest order no
+/// closure or simulation is run.
 /// @throws InputError in the same cases as validate
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
@@ -89,7 +90,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
 /// Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
-/// The files and texts of the grid study for a StudyOutput.
+/// The files and texts of a grid study, from which output() makes a StudyOutput.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
 /// The tables of grids, limits and other methods, and the fastest method for each accuracy.

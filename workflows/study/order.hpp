@@ -72,9 +72,10 @@ OrderStudy study_orders(const problem::Problem& problem, const OrderStudyOptions
 /// Whether the reference and every closure with `must_converge` have status ok.
 bool has_converged(const OrderStudy& study);
 
-/// The files and texts of the order study for a StudyOutput. The JSON contains id, status and
-/// reason of the reference, and a row for each closure. The row of a closure has the keys of a
-/// solution in summary.json (except identity, options and moments) and the distances.
+/// The files and texts of an order study, from which output() makes a StudyOutput. The JSON
+/// contains id, status and reason of the reference, and a row for each closure. The row of a
+/// closure has the keys of a solution in summary.json (except identity, options and moments) and
+/// the distances.
 std::string json(const OrderStudy& study, const std::string& command);
 std::string csv(const OrderStudy& study);
 /// The table of the closures, the reasons of closures that are not ok, the folds of branches, and

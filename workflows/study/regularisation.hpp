@@ -38,8 +38,9 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
 /// disturbance grows.
 bool has_converged(const RegularisationStudy& study);
 
-/// The files and texts of the regularisation study for a StudyOutput. The JSON contains the two
-/// lengths, and a row for each scheme and step; `growth_rate` is null if no disturbance grows.
+/// The files and texts of a regularisation study, from which output() makes a StudyOutput. The JSON
+/// contains the two lengths, and a row for each scheme and step; `growth_rate` is null if no
+/// disturbance grows.
 std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
 /// The table of the rows, remarks on missing values, and sentences that summarise the numbers.

@@ -37,7 +37,7 @@ class Terms {
         linear.push_back(
             greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
       } else {
-        // Each word has an indicator function.
+        // Each value of a categorical key has an indicator function.
         for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
       }
     }

@@ -7,8 +7,8 @@ namespace fpkcheck::sweep {
 namespace {
 
 // The number of points in the initial sample, and the smaller number of measured points that
-// suffices to sort the other points. The smaller number avoids that threads wait for the last point
-// of the sample.
+// suffices to sort the other points. With the smaller number, no thread has to wait for the last
+// point of the sample.
 constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace

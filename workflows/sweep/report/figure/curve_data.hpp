@@ -52,14 +52,14 @@ class CurveData {
   /// Whether the point has a reference, but the method has no density that can be compared with the
   /// reference.
   bool has_no_density(std::size_t point, std::size_t m) const;
-  /// The abscissa of a method's result. On an axis of words the methods are side by side at each
-  /// word.
+  /// The abscissa of a method's result. On a categorical axis the methods are side by side at each
+  /// category.
   double abscissa_of(std::size_t point, std::size_t m) const;
 
   /// The data blocks $curve_SLICE_METHOD of all curves, with the columns of CurveColumn.
   std::string blocks() const;
   /// The data blocks $floor_SLICE with the columns abscissa, error of the reference in y, and error
-  /// of the reference in ydot. On an axis of words each word has a bar of its own.
+  /// of the reference in ydot. On a categorical axis each category has a bar of its own.
   std::string reference_error_blocks() const;
 
  private:

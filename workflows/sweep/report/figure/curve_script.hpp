@@ -10,7 +10,7 @@
 /// Parts that all gnuplot scripts with curves along a varied key share.
 namespace fpkcheck::sweep {
 
-/// The plot specification of a method's curve in a panel. On an axis of words a curve has marks
+/// The plot specification of a method's curve in a panel. On a categorical axis a curve has marks
 /// without a line.
 std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, int column);
 

@@ -21,8 +21,8 @@ struct CurvesLayout {
 };
 
 /// The layout of the curves of a plan. The curves of a plan with one key are along this key. The
-/// curves of a plan with two keys are along the numeric key, with a slice for each word of the
-/// other key.
+/// curves of a plan with two keys are along the numeric key, with a slice for each value of the
+/// categorical key.
 CurvesLayout curves_layout(const Plan& plan);
 
 }  // namespace fpkcheck::sweep

@@ -94,8 +94,8 @@ std::string Distances::absent_blocks() const {
   return text;
 }
 
-// The plots of the error estimates. On an axis of words a line connects the distance and the error
-// estimate.
+// The plots of the error estimates. On a categorical axis a line connects the distance and the
+// error estimate.
 std::string Distances::error_estimate_plot(std::size_t slice, std::size_t m, int distance,
                                            int own) const {
   const std::string_view colour = data_.plot_style(m).colour;

@@ -8,8 +8,9 @@
 
 namespace fpkcheck::sweep {
 
-/// A varied key as an axis of figures. The axis of numbers is linear, or logarithmic if the numbers
-/// are spaced logarithmically; words have equidistant positions.
+/// A varied key as an axis of figures. The axis of a numeric key is linear, or logarithmic if the
+/// values are spaced logarithmically. A key whose values are words has a categorical axis with
+/// equidistant positions.
 class KeyAxis {
  public:
   /// @param place index of the key in the plan's axes
