@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPageFile = "report.html";
 
-// The run saved in the directory; nothing if the directory has no readable summary. In this case
-// the pictures in the directory may belong to another program and are kept.
+// The run saved in the directory; nothing if the directory has no readable summary. Without a
+// readable summary the pictures in the directory may belong to another program, and are therefore
+// kept.
 std::optional<results::Run> earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;

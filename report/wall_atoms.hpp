@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 /// The walls at which a solution of the case has an atom (mass at rest in contact), in increasing
-/// order. The list is empty for the cases of the paper.
+/// order. The list of walls is empty for the cases of the paper.
 std::vector<double> walls_with_atoms(const results::Case& case_result);
 
 /// The header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls have atoms.

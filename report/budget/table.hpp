@@ -13,8 +13,8 @@ namespace fpkcheck::report {
 /// The error budget of a case as a text table: for each closure and marginal density the L1
 /// distance to the reference and the parts of this distance. The parts that all closures share
 /// (discretisation, sampling) have rows of their own. An asterisk marks a closure that is not ok. A
-/// sentence on the limits of the budget follows the table. The text is empty if the case has no
-/// budget.
+/// sentence on the limits of the budget follows the table. The text of the table is empty if the
+/// case has no error budget.
 /// @param format format of the text: if rows exceed its width, the columns of the tail distances
 ///               are omitted first, then the columns of the last parts
 std::string budget_table(const results::Case& case_result, const TextFormat& format);

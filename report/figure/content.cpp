@@ -25,7 +25,8 @@ const Curve* smooth_reference(const Case& case_result, const std::string& refere
   return whole(curve->lower) && whole(curve->upper) ? curve : nullptr;
 }
 
-// The result is empty if the reference has no curve of one of the marginal densities.
+// The id of the reference of a case; empty if the case has no reference, or if the reference lacks
+// the curve of one of the marginal densities.
 std::string reference_id(const Case& case_result) {
   const auto* reference = compare::reference(case_result.solutions);
   if (reference == nullptr) return "";

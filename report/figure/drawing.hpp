@@ -16,8 +16,8 @@ struct GnuplotMissing : std::runtime_error {
 };
 
 /// Runs gnuplot to draw the picture of a script in the format that the extension of `picture`
-/// determines. The picture file is either replaced as a whole or left unchanged. The same holds for
-/// STEM-tex.pdf, the graphics file that STEM.tex includes.
+/// determines. The picture file is either replaced as a whole or left unchanged. STEM-tex.pdf, the
+/// graphics file that STEM.tex includes, is likewise replaced as a whole or left unchanged.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw(const std::string& gnuplot, const std::filesystem::path& script,

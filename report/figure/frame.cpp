@@ -16,8 +16,8 @@ constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
 // Resolution of a PNG for print, in dpi.
 constexpr double kPrintResolution = 300;
 
-// Points per pixel of the layout on paper. The same value applies to a PDF for the screen, so that
-// letters have the same size in both.
+// Points per pixel of the layout on paper. A PDF for the screen has the same number of points per
+// pixel as a layout on paper, so that the letters of both have equal size.
 constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
 double png_scale(FigureWidth medium) {

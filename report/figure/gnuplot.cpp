@@ -85,8 +85,8 @@ class ErrorPipe {
   posix_spawn_file_actions_t actions_;
 };
 
-/// Spawn attributes that reset SIGPIPE to its default action. This program ignores SIGPIPE, and a
-/// child process would inherit this setting.
+/// Spawn attributes that reset SIGPIPE to its default action. fpkcheck ignores SIGPIPE, and a child
+/// process would inherit this setting.
 class DefaultSignals {
  public:
   DefaultSignals() {

@@ -91,8 +91,8 @@ std::string using_columns(Panel panel, bool with_interval) {
 }
 
 std::string plot(Panel panel, const MarginalCurves& marginal, const std::string& reference) {
-  // The number of points is limited, since more points of a simulation would hide the lines of
-  // other curves. A curve that is drawn as a line has fewer marks.
+  // The number of points of a simulation's curve is limited, since more points would hide the lines
+  // of other curves. A curve that is drawn as a line has fewer marks.
   constexpr std::size_t kPointsOnACurve = 35, kMarksOnACurve = 8;
   std::vector<std::string> parts;
   const bool of_differences = panel == Panel::difference || panel == Panel::smooth_difference;

@@ -78,7 +78,7 @@ Json bars(const MarginalBudget& marginal, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
   for (const auto& [label, row] : marginal.rows) {
     const BudgetPart* part = row->find(name);
-    // The value is omitted unless it is positive, since the axis is logarithmic.
+    // A part without a positive L1 distance is omitted, since the axis is logarithmic.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
     y.push_back(plotly_text(label));

@@ -11,11 +11,11 @@
 namespace fpkcheck::report {
 
 /// A paragraph that explains the plots and tables of the error budget, and names the solution to
-/// which the total distances refer. The text is empty if the case has no budget.
+/// which the total distances refer. The paragraph is empty if the case has no error budget.
 std::string budget_introduction(const results::Case& case_result);
 
-/// A bar plot of the error budget for each marginal density. The list is empty if the case has no
-/// budget.
+/// A bar plot of the error budget for each marginal density. The list of plots is empty if the case
+/// has no error budget.
 /// @param prefix prefix of the ids of the plots
 std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix);
 

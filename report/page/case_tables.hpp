@@ -14,11 +14,11 @@ std::string results_table(const results::Case& case_result);
 
 /// The table of the errors of those moments that lie outside the guaranteed bounds. The error of
 /// such a moment is the distance to the midpoint of the bounds, with the half-width of the bounds
-/// as uncertainty. The text is empty if the case has no bounds.
+/// as uncertainty. The table is empty if the case has no guaranteed bounds.
 std::string bound_errors_table(const results::Case& case_result);
 
-/// The table of the errors of moments that were estimated from residuals. The text is empty if the
-/// case has no such estimates.
+/// The table of the errors of moments that were estimated from residuals. The table is empty if the
+/// case has no error estimates from residuals.
 std::string residual_errors_table(const results::Case& case_result);
 
 /// The list of the reasons why solutions are not ok; empty if all solutions are ok.

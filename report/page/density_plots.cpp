@@ -125,8 +125,8 @@ class DensityPlot {
     const auto& plot_style = drawn.solution->identity.plot_style;
     if (plot_style.as_points) {
       json["mode"] = "markers";
-      // The number of points is at most about 40, since more points would hide the lines of other
-      // curves.
+      // A curve drawn as points has at most about 40 points, since more points would hide the lines
+      // of other curves.
       json["marker"] = {{"color", plot_style.colour},
                         {"symbol", "circle-open"},
                         {"size", 6},

@@ -31,7 +31,7 @@ struct HtmlColumn {
 };
 
 /// An HTML table in a box that scrolls on a narrow screen. The first column has the names of the
-/// rows. Columns without a value are omitted. The text is empty if the table has no rows, or no
+/// rows. Columns without a value are omitted. The HTML is empty if the table has no rows, or no
 /// column besides the names.
 std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns);
 

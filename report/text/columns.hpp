@@ -35,7 +35,7 @@ Column status_column();
 std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format);
 
 /// The names of the columns of `all` that are not in `shown`, in one text: "L1 to fd-kf, energy".
-/// The text is empty if no column is omitted.
+/// The text is empty if no column of a table is omitted.
 std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown);
 
 /// The text of a table: the columns side by side under their headers, with one line for each row.

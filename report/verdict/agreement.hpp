@@ -10,7 +10,8 @@
 namespace fpkcheck::report {
 
 /// Limit for close solutions: a solution is close if both marginal densities are within this L1
-/// distance of the reference. The value is the default accuracy required of closures.
+/// distance of the reference. The limit for close solutions is the default accuracy required of
+/// closures.
 inline constexpr double kCloseL1 = 0.02;
 
 /// Agreement of a solution with the reference of its case.

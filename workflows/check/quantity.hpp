@@ -39,7 +39,8 @@ struct PartQuantities {
   std::string solution, name;
 
   /// Appends the first quantity of the part: the presence of the part, or a value that identifies
-  /// the part. This call must precede the calls for all other quantities of the part.
+  /// the part. The first quantity of a part must be appended before all other quantities of the
+  /// part.
   const PartQuantities& begin(QuantityKind kind, const base::Value& what = "there",
                               const std::string& outer = kWholeSolution) const;
   void word(const std::string& of, const base::Value& value) const;

@@ -27,8 +27,8 @@ bool differs_by_sampling(const Solution& one, const Solution& other) {
 
 double standard_error_of_mass(const Solution& solution) {
   // A histogram of n samples with the bin probabilities p_b has the expected L1 error l1 =
-  // sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)). This error exceeds sqrt(2/(pi n)) for many bins. Hence
-  // 1/n <= pi/2 l1^2.
+  // sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)). The expected L1 error exceeds sqrt(2/(pi n)) for many
+  // bins. Hence 1/n <= pi/2 l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);

@@ -22,8 +22,8 @@ bool differs_by_sampling(const transform::Solution& one, const transform::Soluti
 
 /// The standard error of the mass of a simulation. The fraction of the samples outside the bins is
 /// q = 1 - mass. With n effectively independent samples the standard error is sqrt((q + 1/n) / n),
-/// where 1/n allows for one more sample outside the bins. The result is NaN if the simulation
-/// states no sampling error.
+/// where 1/n allows for one more sample outside the bins. The standard error of the mass is NaN if
+/// the simulation states no sampling error.
 double standard_error_of_mass(const transform::Solution& solution);
 
 /// Changes the kind of a quantity to `simulated_l1`, with a tolerance that follows from the

@@ -4,15 +4,16 @@
 /// reason that is independent of the results.
 namespace fpkcheck::paper {
 
-/// Largest L1 distance between densities that agree. The value is the default accuracy required of
-/// closures (`--accuracy`): the probabilities of any set then differ by at most 0.01.
+/// Largest L1 distance between densities that agree. The limit is the default accuracy required of
+/// closures (`--accuracy`): with an L1 distance of 0.02 the probabilities of any set differ by at
+/// most 0.01.
 inline constexpr double kAgreementL1 = 0.02;
 
 /// Largest mean |log10 p - log10 MCS| between tails that agree, in decades (a factor of 1.6). The
-/// value is the resolution of the paper's own simulation. At a density of 1e-5, the outer end of
-/// the tail, about ten of the paper's 1e7 samples are in a bin of width 0.1, so that the 95 %
-/// interval is +-0.6 of the density. On the logarithmic axes of the paper's figures, from 1 to
-/// 1e-6, the limit is a thirtieth of the height.
+/// limit of the tail distance is the resolution of the paper's own simulation. At a density of
+/// 1e-5, the outer end of the tail, about ten of the paper's 1e7 samples are in a bin of width 0.1,
+/// so that the 95 % interval is +-0.6 of the density. On the logarithmic axes of the paper's
+/// figures, from 1 to 1e-6, the limit is a thirtieth of the height.
 inline constexpr double kAgreementInTail = 0.2;
 
 /// Largest L1 distance between two bin representations of the same Gaussian density, which differ

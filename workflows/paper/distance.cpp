@@ -26,7 +26,8 @@ int tail_bin_count(const results::Case& one, transform::Variable variable) {
 }
 
 // The total distance of a budget may refer to a Richardson limit, which is not a solution of the
-// case. In this case the error estimate is that of the case's reference.
+// case. If the total distance refers to a limit, the error estimate of the case's reference is
+// used.
 double error_estimate(const results::Case& one, const compare::BudgetRow& row) {
   const auto* reference = one.find(row.reference);
   if (reference == nullptr) reference = compare::reference(one.solutions);

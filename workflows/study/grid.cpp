@@ -18,8 +18,8 @@ namespace {
 using transform::GridLevel;
 using transform::Solution;
 
-// Largest density on the outer walls of the box, relative to the peak. The value is so small that
-// the mass outside the box does not limit the convergence.
+// Largest density on the outer walls of the box, relative to the peak. The density on the walls is
+// so small that the mass outside the box does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
 /// Solves the problem on all grids and by the other methods. All solves share the comparison axes,

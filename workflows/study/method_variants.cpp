@@ -18,7 +18,8 @@ using problem::Impact;
 using transform::Identity;
 using transform::Role;
 
-// The result is empty if the solver has no method of this id, or if the options are invalid.
+// Finds the method of an id with the given options. The result is empty if no solver has a method
+// of this id, or if an option is invalid.
 std::optional<Method> find_method(const Registry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {

@@ -21,7 +21,7 @@ struct ReferenceOptions {
 };
 
 /// A value from finite volumes of seventh order and from finite volumes of fifth order. Both values
-/// are Richardson limits, or both are values on the finest grid.
+/// are Richardson limits, or both values come from the finest grid.
 struct ReferenceValue {
   double seventh;
   double fifth;

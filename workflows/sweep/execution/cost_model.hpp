@@ -30,8 +30,8 @@ class CostModel {
   std::vector<double> expected_;
 };
 
-/// Selects about `count` points that are evenly distributed over the candidates. These points are
-/// the sample that is measured first.
+/// Selects about `count` points that are evenly distributed over the candidates. The selected
+/// points are the sample whose times are measured first.
 /// @param candidates numbers of the candidate points in increasing order
 std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
                                        std::size_t count);

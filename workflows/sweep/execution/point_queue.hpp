@@ -34,7 +34,7 @@ class PointQueue {
   /// Removes the next point from the queue.
   /// @return the point; empty if the queue is empty
   std::optional<std::size_t> next();
-  /// Records the wall-clock time of a solved point. This function must be called for every solved
+  /// Records the wall-clock time of a solved point. record_solved must be called for every solved
   /// point.
   void record_solved(std::size_t point, double seconds);
 

@@ -14,7 +14,7 @@ namespace fpkcheck::sweep {
 struct MappedResult {
   transform::Status status;
   /// The larger of the L1 distances of both marginal densities to the reference; for the reference
-  /// itself its error estimate. The value is empty if the method gives no density.
+  /// itself its error estimate. The L1 distance is empty if the method gives no density.
   std::optional<double> l1;
   /// Whether the method underestimates its error: the status is `ok`, but the L1 distance exceeds
   /// twice the stated error plus the error estimate of the reference.

@@ -21,8 +21,8 @@ struct Axis {
   std::string key;  ///< e.g. "system.restitution"
   Spacing spacing = Spacing::listed;
   double from = 0, to = 0;  ///< ends of a range
-  /// The values of the key: numbers or words ("gaussian"). The list is empty for a range without a
-  /// number of points, which only a Sobol sequence uses.
+  /// The values of the key: numbers or words ("gaussian"). The list of values is empty for a range
+  /// without a number of points, which only a Sobol sequence uses.
   std::vector<base::Value> values = {};
 
   /// The value at a relative position in the range, rounded to 12 digits.

@@ -5,8 +5,9 @@
 namespace fpkcheck::sweep {
 
 /// The dimensionless groups of a problem. Two problems with the same groups, restitution
-/// coefficient and impulse law have the same density up to the units of length and time. This holds
-/// for problems of the base class (problem/features.hpp); other problems have more groups.
+/// coefficient and impulse law have the same density up to the units of length and time. The groups
+/// determine the density only for problems of the base class (problem/features.hpp); other problems
+/// have more groups.
 struct DimensionlessGroups {
   double impulses_per_decay_time;  ///< lambda / kappa (problem::impulses_per_decay_time)
   double damping_ratio;            ///< c / (2 sqrt(k_eq)), k_eq of equivalent linearisation

@@ -42,7 +42,7 @@ class Journal {
   const JournalContent& initial_content() const { return initial_content_; }
 
   /// Appends the result of a point: the line is written completely or not at all. The file is
-  /// flushed to the disk if the last flush was more than 1 s ago. This function is not thread-safe.
+  /// flushed to the disk if the last flush was more than 1 s ago. append is not thread-safe.
   /// @throws std::runtime_error with a message of one line
   void append(const PointResult& result);
 

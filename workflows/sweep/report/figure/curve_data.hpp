@@ -23,8 +23,8 @@ enum CurveColumn {
   moment_ydot
 };
 
-/// The data of the curves of all methods, slice by slice. The object keeps references to view and
-/// layout.
+/// The data of the curves of all methods, slice by slice. A CurveData object keeps references to
+/// view and layout.
 class CurveData {
  public:
   CurveData(const SweepView& view, const CurvesLayout& layout);

@@ -15,8 +15,8 @@ namespace fpkcheck::sweep {
 inline constexpr double kMinColourDistance = 1e-4;
 
 /// The data of a map over the two varied keys, for a gnuplot script. A map of the design product
-/// has cells, with the indices of the values as coordinates; a map of another design has points.
-/// The object keeps a reference to the view.
+/// has cells, with the indices of the values as coordinates; a map of another design has points. A
+/// MapData object keeps a reference to the view.
 class MapData {
  public:
   explicit MapData(const SweepView& view);
@@ -39,7 +39,7 @@ class MapData {
                           std::set<int>& types) const;
 
   /// The data block $outline_METHOD of a method with the borders between cells that are ok and
-  /// cells that are not ok. The text is empty if there is no such border.
+  /// cells that are not ok. The data block is omitted (empty text) if the map has no such border.
   std::string outline_block(std::size_t m) const;
 
   /// Whether the map of a method has a contour at `l1`: neighbouring cells have distances on both

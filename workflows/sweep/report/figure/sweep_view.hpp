@@ -9,8 +9,8 @@
 
 namespace fpkcheck::sweep {
 
-/// A view of the results of a sweep with the queries that the figures need. The object keeps a
-/// reference to the results.
+/// A view of the results of a sweep with the queries that the figures need. A SweepView object
+/// keeps a reference to the results.
 class SweepView {
  public:
   explicit SweepView(const SweepResults& results,
