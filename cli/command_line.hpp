@@ -10,17 +10,17 @@
 
 namespace fpkcheck::cli {
 
-/// The arguments that all solving commands have in common.
+/// Arguments that all commands with solvers have in common.
 struct CommonArguments {
   std::vector<std::string> cases;
-  std::vector<std::string> overrides;  ///< --set key=value
+  std::vector<std::string> overrides;  ///< texts "key=value" of --set
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
   report::FigureOptions figures = {};  ///< for commands that draw (cli/figure_options.hpp)
 };
 
-/// Adds --set, --out, --quiet, --json and --help to a command's own options.
+/// Adds --set, --out, --quiet, --json and --help to the options of a command.
 /// @param out_help help text of --out
 boost::program_options::options_description with_common_options(
     const boost::program_options::options_description& own, CommonArguments& common,
@@ -28,15 +28,16 @@ boost::program_options::options_description with_common_options(
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
-/// As with_common_options, without --set: for commands whose cases are fixed.
+/// Adds the same options as with_common_options(), except --set, for commands whose cases are
+/// fixed.
 boost::program_options::options_description with_output_options(
     const boost::program_options::options_description& own, CommonArguments& common,
     const char* out_help);
 
-/// Parses the arguments into the variables of the options, and positional arguments into
-/// `positional`. Abbreviated option names are refused.
+/// Parses the arguments: stores values of options in the variables of `options`, and positional
+/// arguments in `positional`. Abbreviated option names are refused.
 /// @param usage first lines of the help text
-/// @return false when --help was given and the help was printed
+/// @return false if the arguments contain --help and the function has printed the help
 /// @throws InputError with a message of one line
 bool parse(const std::vector<std::string>& arguments, const std::string& usage,
            const boost::program_options::options_description& options,

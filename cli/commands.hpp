@@ -7,14 +7,14 @@
 
 namespace fpkcheck::cli {
 
-/// The call of a command.
+/// Arguments of the call of a command, and the registry of its methods.
 struct Call {
   std::vector<std::string> arguments;  ///< arguments after the name of the command
   std::string command_line;            ///< the whole line, for summary.json
   const methods::Registry& registry;
 };
 
-/// The commands; each function is in a file of its name.
+/// Functions that run the commands; each function is in the source file with the function's name.
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written
 int run_command(const Call& call);
@@ -28,12 +28,12 @@ int check_command(const Call& call);
 int report_command(const Call& call);
 int evaluate_command(const Call& call);
 
-/// The command of a solver: solves the cases by this solver alone, with the options of its
-/// description.
+/// Runs the command of a solver: solves the cases by this solver alone, with the options in the
+/// description of the solver.
 int solver_command(const Call& call, const methods::Solver& solver);
-/// The command `fd`, which also computes densities over time.
+/// Runs the command `fd`, which also computes densities over time.
 int fd_command(const Call& call, const methods::Solver& solver);
-/// The command `mcs`, which can be interrupted and resumed and uses MPI.
+/// Runs the command `mcs`, which can be interrupted and resumed, and can use MPI.
 int mcs_command(const Call& call, const methods::Solver& solver);
 
 }  // namespace fpkcheck::cli

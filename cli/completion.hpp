@@ -12,9 +12,9 @@ namespace fpkcheck::cli {
 inline constexpr const char* kFiles = ":files";
 inline constexpr const char* kDirectories = ":directories";
 
-/// Candidates for the last of the words. Commands, options, cases, methods and choices come from
-/// the tables of the program.
-/// @param words words after the program's name, up to the cursor; the last may be empty
+/// Completion candidates for the last of the words. Commands, options, cases, methods and choices
+/// are those of the program's own tables.
+/// @param words words after the program's name, up to the cursor; the last word may be empty
 std::vector<std::string> completions(const std::vector<CommandHelp>& commands,
                                      const methods::Registry& registry,
                                      const std::vector<std::string>& words);

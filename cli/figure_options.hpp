@@ -6,12 +6,12 @@
 
 namespace fpkcheck::cli {
 
-/// --figures and --figure-width.
-/// @param figures receives the parsed values; kept by reference
-/// @throws InputError while parsing: with the option, its text and the allowed values
+/// Description of the options --figures and --figure-width.
+/// @param figures receives the parsed values; stored by reference
+/// @throws InputError during parsing; the message names the option, its text and the allowed values
 boost::program_options::options_description figure_options(report::FigureOptions& figures);
 
-/// --figures, --figure-width, and --curves for the figures of a case.
+/// Description of the options --figures, --figure-width and --curves, for the figures of a case.
 boost::program_options::options_description case_figure_options(report::FigureOptions& figures);
 
 }  // namespace fpkcheck::cli

@@ -7,42 +7,42 @@
 
 namespace fpkcheck::cli {
 
-/// The help of an option.
+/// Help text of an option, in parts.
 struct OptionHelp {
   std::string name;                ///< "--order"
   std::string short_name = {};     ///< "-q"; may be empty
   std::string placeholder = {};    ///< "N"; empty for a switch
-  std::string default_value = {};  ///< its default as text; may be empty
+  std::string default_value = {};  ///< default of the option as text; may be empty
   std::string text = {};
 };
 
-/// The help of a command, as --help prints it.
+/// Help of a command, as printed by --help.
 struct Help {
   std::string usage;  ///< synopsis, description and examples
   std::vector<OptionHelp> options;
 };
 
-/// A command with its help.
+/// Name, summary and help of a command.
 struct CommandHelp {
   std::string name;     ///< "run", "study grid"
   std::string summary;  ///< description in one line
   Help help;
 };
 
-/// Wraps a usage text to the width: paragraphs are refilled, items keep their columns, and blocks
-/// that fit are unchanged. A word longer than a line is not broken.
+/// Wraps a usage text to `width` columns: paragraphs are refilled, the columns of lists are
+/// preserved, and blocks that fit are unchanged. A word longer than a line is not broken.
 std::string wrap_usage(const std::string& usage, std::size_t width);
 
-/// The help as text: the usage, then the options with their texts in a column.
+/// Help of a command as text: the usage, then the options with their descriptions in a column.
 std::string help_text(const Help& help, std::size_t width);
 
 /// Prints the help of a command in the width of the terminal (80 columns without a terminal), or
-/// passes the help to capture_help(). Called by a command for --help.
+/// passes the help to capture_help(). Every command calls this function for --help.
 void emit_help(const std::string& usage,
                const boost::program_options::options_description& options);
 
-/// The help that a call of a command would print.
-/// @param call calls a command with --help
+/// Help that a call of a command with --help would print.
+/// @param call function that calls a command with --help
 Help capture_help(const std::function<void()>& call);
 
 }  // namespace fpkcheck::cli

@@ -6,20 +6,20 @@
 
 namespace fpkcheck::cli {
 
-/// Thrown after SIGINT (Ctrl-C) or SIGTERM. The message for the user is exit_message()
-/// (shutdown.hpp).
+/// Exception that is thrown after SIGINT (Ctrl-C) or SIGTERM. The message for the user is
+/// exit_message() (shutdown.hpp).
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// Reaction to the first SIGINT or SIGTERM.
+/// Reaction of the program to the first SIGINT or SIGTERM.
 enum class InterruptionPolicy {
   abort,        ///< throw_if_interrupted throws
   finish_early  ///< the solver polls base::stop_requested() and returns its result so far
 };
 
-/// Installs signal handlers while this object lives. The first SIGINT or SIGTERM sets the stop
-/// request (base/process/stop.hpp); a second signal ends the program at once. Signals that are
+/// Guard that installs signal handlers during its lifetime. The first SIGINT or SIGTERM sets the
+/// stop request (base/process/stop.hpp); a second signal ends the program at once. Signals that are
 /// ignored (nohup) stay ignored.
 class InterruptionGuard {
  public:
@@ -36,11 +36,12 @@ class InterruptionGuard {
   std::vector<SavedAction> saved_actions_;
 };
 
-/// The setter and the getter of the current policy. The default is `abort`.
+/// Sets or returns the current reaction to signals. The default policy is `abort`.
 void set_interruption_policy(InterruptionPolicy policy);
 InterruptionPolicy interruption_policy();
 
-/// Called from the progress functions of long computations.
+/// Ends a computation after a signal. The progress functions of long computations call this
+/// function.
 /// @throws Interrupted after SIGINT or SIGTERM, unless the policy is finish_early
 void throw_if_interrupted();
 

@@ -9,24 +9,26 @@
 
 namespace fpkcheck::cli {
 
-/// Makes the command-line options of the parameters that have a flag, with help, default and range
-/// from the description. Parsing writes each given option to `values`.
-/// @param values defaults of all parameters, in any order; kept by reference
-/// @throws InputError while parsing: with the flag, its text and the allowed range
+/// Command-line options of all described parameters that have a flag. Help text, default and range
+/// of each option are those of the description. An option on the command line replaces the value of
+/// the parameter in `values`.
+/// @param values values of all parameters, in any order; stored by reference
+/// @throws InputError during parsing; the message names the flag, its text and the allowed values
 boost::program_options::options_description make_options(const base::DescriptionBase& description,
                                                          base::Values& values);
 
-/// Makes the options of the named parameters only, without defaults. Parsing adds each given option
-/// to `given`.
+/// Command-line options of the parameters in `names`, without defaults. The options that are on the
+/// command line are added to `given`.
 boost::program_options::options_description make_options(const base::DescriptionBase& description,
                                                          const std::vector<std::string>& names,
                                                          base::Values& given);
 
-/// Makes the options of the commands that solve by several methods (methods::Solver::run_options).
+/// Command-line options of solvers that a command with many methods accepts
+/// (methods::Solver::run_options).
 boost::program_options::options_description make_run_options(const methods::Registry& registry,
                                                              base::Values& given);
 
-/// The value of --threads for methods that run in parallel; 0 without the option.
+/// Number of threads for methods that run in parallel, from --threads; 0 without this option.
 int thread_count(const base::Values& given);
 
 }  // namespace fpkcheck::cli

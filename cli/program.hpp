@@ -7,7 +7,7 @@
 
 namespace fpkcheck::cli {
 
-/// Exit codes of every command.
+/// Exit codes of all commands.
 enum ExitCode {
   kSuccess = 0,
   kFailure = 1,        ///< a solver failed or missed the requested accuracy, or a check failed
@@ -16,7 +16,7 @@ enum ExitCode {
   kTerminated = 143    ///< after SIGTERM
 };
 
-/// The exit code after a signal, by the convention of shells.
+/// Exit code of the program after a signal, by the convention of shells.
 constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
 /// Runs the program. Results go to standard output, messages and progress to standard error.

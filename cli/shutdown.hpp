@@ -10,17 +10,18 @@
 
 /// Shutdown after SIGINT or SIGTERM within a second, whatever the program computes.
 ///
-/// Most long computations cannot be interrupted: a factorisation, a step of CVODE, a fit. The
-/// solvers therefore do not poll for signals. Normally a command ends by itself: between two
-/// solutions, or after a round of the simulation. If the command has not ended within a fraction of
-/// a second, the thread of a ShutdownWatchdog ends the process. The thread waits for files that are
-/// being written (base/process/write_guard.hpp), runs the hooks of the command (ShutdownHook), and
-/// exits without unwinding the stack. The operating system releases memory and threads; WriteGuard,
-/// ShutdownHook and OutputDirectory keep the files on disk complete.
+/// The longest computations cannot be interrupted: a factorisation, a step of CVODE, a fit.
+/// Therefore the solvers contain no code for the shutdown. Usually a command ends by itself,
+/// between two solutions or after a round of the simulation. If the command is still running a
+/// fraction of a second after the signal, the thread of a ShutdownWatchdog ends the process. This
+/// thread waits for the end of writes in progress (base/process/write_guard.hpp), runs the actions
+/// that the command registered (ShutdownHook), and exits without stack unwinding. The operating
+/// system releases memory and threads; WriteGuard, ShutdownHook and OutputDirectory leave the files
+/// on disk in a consistent state.
 namespace fpkcheck::cli {
 
-/// Action that the ShutdownWatchdog runs before it ends the process, while this object lives. Hooks
-/// run in the reverse order of their construction.
+/// Registers an action during its own lifetime; the ShutdownWatchdog runs the registered actions
+/// before it ends the process. The actions run in the reverse order of their registration.
 class ShutdownHook {
  public:
   explicit ShutdownHook(std::function<void()> action);
@@ -32,9 +33,9 @@ class ShutdownHook {
   std::function<void()> action_;
 };
 
-/// The directory of --out, prepared by results::prepare_output_directory. Directories that were
-/// created and stayed empty are removed, also when the watchdog ends the process. Does nothing
-/// without --out.
+/// Output directory of --out, prepared by results::prepare_output_directory. Directories that this
+/// object made and that are still empty are removed at the end, also if the watchdog ends the
+/// process. Without --out the object has no effect.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);
@@ -44,14 +45,14 @@ class OutputDirectory {
   ShutdownHook hook_;
 };
 
-/// Sets the second part of exit_message(): the results that are kept when the program is stopped.
-/// The default is "nothing was written".
+/// Sets the second part of exit_message(): the results that remain after a stop of the program. The
+/// default is "nothing was written".
 void set_exit_message(const std::string& message);
-/// The line that a stopped program prints: "interrupted; MESSAGE" or "terminated; MESSAGE".
+/// Message of a stopped program: "interrupted; MESSAGE" or "terminated; MESSAGE".
 std::string exit_message();
 
-/// While this object lives (as long as the program runs), the first SIGINT or SIGTERM ends the
-/// process within a second. At most one object may exist.
+/// Thread that ends the process within a second after the first SIGINT or SIGTERM. The object lives
+/// as long as the program runs; at most one object may exist.
 class ShutdownWatchdog {
  public:
   ShutdownWatchdog();
@@ -63,12 +64,12 @@ class ShutdownWatchdog {
   std::thread thread_;
 };
 
-/// Notifies the watchdog, if there is one, of a signal. Async-signal-safe.
+/// Notifies the ShutdownWatchdog, if an object exists, of a signal. Async-signal-safe.
 void notify_watchdog();
 
-/// Claims the shutdown for the caller: a command that ended by itself after a signal calls this
-/// before it prints exit_message(). If the watchdog has claimed the shutdown first, this never
-/// returns and waits for the exit of the process.
+/// Claims the shutdown for the calling thread. A command that ended by itself after a signal calls
+/// this function before it prints exit_message(). If the watchdog has already claimed the shutdown,
+/// the function does not return and waits for the exit of the process.
 void claim_shutdown();
 
 }  // namespace fpkcheck::cli

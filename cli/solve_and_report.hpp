@@ -21,34 +21,35 @@ enum class RequiredSolutions {
               ///< and first-order impacts is a result of the run, not a requirement
 };
 
-/// Output that a command adds to the report of a complete run.
+/// Additional output of a command in the report of a complete run.
 struct Supplement {
   report::Supplement report;
-  std::string json;  ///< printed instead of the summary
+  std::string json;  ///< JSON text that is printed instead of the summary
   /// Reasons for an exit code other than 0, one line each.
   std::vector<std::string> failures;
 };
 
 struct SolveControl {
   RequiredSolutions required = RequiredSolutions::all;
-  /// Ids in the list of methods; other solutions come from families or solvers in the list. For the
-  /// latter, status not_offered is no failure. Empty: all solutions were requested by id.
+  /// Solution ids in the list of methods. A solution of a family or solver in the list, whose id is
+  /// not in `requested_ids`, may have the status not_offered without a failure. Empty if all
+  /// solutions were requested by id.
   std::vector<std::string> requested_ids = {};
-  int threads = 0;  ///< threads for methods in parallel; 0: one per processor
+  int threads = 0;  ///< number of threads for methods in parallel; 0: one per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
-  bool with_backward = false;  ///< guaranteed bounds, and error estimates from residuals
-  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be empty
+  bool with_backward = false;  ///< compute guaranteed bounds and residual-based error estimates
+  std::function<Supplement(const results::Run&)> supplement = {};  ///< may be none
 };
 
 /// Solves the cases by the methods, prints the table (or the JSON), and with --out writes the
-/// report. The directory is prepared before the first solution.
+/// report. The output directory is prepared before the first solution.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveControl& control, const std::string& command_line);
 
-/// The text format of standard output. The width is that of the terminal, limited to 80 .. 100
-/// columns, and 100 without a terminal. A terminal has colours, unless NO_COLOR is set and not
-/// empty or TERM is "dumb".
+/// Text format of standard output. The width is that of the terminal, limited to 80 .. 100 columns,
+/// and 100 columns without a terminal. Output to a terminal has colours, unless NO_COLOR is set and
+/// not empty, or TERM is "dumb".
 report::TextFormat terminal_format();
 
 }  // namespace fpkcheck::cli

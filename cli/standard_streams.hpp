@@ -10,11 +10,11 @@ namespace fpkcheck::cli {
 /// program before its files are written.
 void prepare_standard_streams();
 
-/// Writes to standard output. run_program reports write errors at the end: the program still writes
-/// its files.
+/// Writes to standard output. After a write error the program still writes its files, and
+/// run_program reports the error at the end.
 void print_output(std::string_view text);
 
-/// Writes "fpkcheck: MESSAGE" to standard error, in one line. Write errors are ignored.
+/// Writes "fpkcheck: MESSAGE" to standard error, in one line. The function ignores write errors.
 void print_message(std::string_view message);
 
 }  // namespace fpkcheck::cli

@@ -15,8 +15,9 @@ struct StudySubject {
 };
 const std::vector<StudySubject>& study_subjects();
 
-/// The subjects of `study`; each function is in a file of its name.
-/// @param call with the arguments after the subject
+/// Functions that run the subjects of `study`; each function is in the source file with the
+/// function's name.
+/// @param call call of the command, with the arguments after the subject
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written
 int study_grid(const Call& call);

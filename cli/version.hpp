@@ -4,7 +4,7 @@
 
 namespace fpkcheck::cli {
 
-/// The text of --version: the program on the first line, then one line for each library.
+/// Text of --version: the version of the program on the first line, then one line for each library.
 std::string version_text();
 
 }  // namespace fpkcheck::cli

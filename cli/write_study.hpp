@@ -9,19 +9,19 @@
 
 namespace fpkcheck::cli {
 
-/// Prints the table or the JSON of a study. With --out, also writes STEM.json, STEM.csv and
-/// figures/STEM.gp with its figures. Ends with a line that lists the files.
+/// Prints the table of a study or its JSON. With --out writes STEM.json, STEM.csv and
+/// figures/STEM.gp with its pictures. The last line of the output names the written files.
 void write_study(const CommonArguments& common, const study::StudyOutput& output,
                  std::chrono::steady_clock::time_point start_time);
 
-/// The exit code of a study; with --quiet, a failure prints a line to standard error.
-/// @param is_converged true if the study met its criterion
+/// Exit code of a study. With --quiet a failure prints a line to standard error.
+/// @param is_converged whether the study met its criterion
 int study_exit_code(const CommonArguments& common, bool is_converged);
 
-/// The input of a study.
+/// Problem and output directory of a study.
 struct StudySetup {
   problem::Problem problem;
-  OutputDirectory directory;  ///< prepared for the results
+  OutputDirectory directory;  ///< prepared output directory
 };
 
 /// Loads the case of a study and prepares the directory for its results.
