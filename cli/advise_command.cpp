@@ -21,15 +21,16 @@ namespace {
 
 constexpr const char* kAdviseUsage = R"(usage: fpkcheck advise CASE [options]
 
-Which method for this problem? Recommends the command for a required accuracy, without solving
-anything: the fastest method that met the accuracy at all similar problems, among two thousand
-problems solved by all closures and finite volumes (docs/validity.md). Lists the alternatives and
-the methods whose results mislead there.
+Recommends the command for a required accuracy of the case, without solving the case. The method
+is the fastest that met the accuracy in all similar problems, among two thousand problems solved
+by all closures and finite volumes (docs/validity.md). Also lists the alternatives, and methods
+that underestimate their errors in similar problems.
 Similar problems have about the same number of impulses per decay time, damping ratio, cubic
 fraction of the stiffness, restitution coefficient and impulse law. Units do not matter.
 Errors are L1 distances of p(y) and p(y') from the density of the problem: 0 for equal densities,
-2 for disjoint ones. Closures with an error above 0.02 are never recommended: they are not ok.
-Exit code 0 when a method is recommended, 1 when there is none.
+2 for disjoint densities. Closures with an error above 0.02 are never recommended, since they have
+no status ok.
+Exit code 0 when a method is recommended, 1 when no method is recommended.
 
 examples:
   fpkcheck advise case1
@@ -37,7 +38,7 @@ examples:
   fpkcheck advise case1 --set system.restitution=0.8 --set impulse.rate=0.1
 )";
 
-// The text as an argument of a POSIX shell, quoted if necessary.
+// Returns the text as an argument of a POSIX shell, quoted if necessary.
 std::string quote_for_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;
@@ -55,7 +56,8 @@ std::string case_arguments(const CommonArguments& common) {
   return words;
 }
 
-// Options in which the methods of a solver differ: of closures the formulation and the order.
+// Names of the options whose values differ between the methods of a solver: for closures the
+// formulation and the order.
 std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   std::set<std::string> distinguishing;
   std::map<std::string, base::Value> first;
@@ -71,11 +73,11 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   return distinguishing;
 }
 
-// The command of the method's solver, with the distinguishing options and those that differ from
-// their defaults.
+// Command line that solves the case by a method: the command of its solver, with the distinguishing
+// options and the options whose values differ from their defaults.
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::Registry& registry) {
-  // The map was made with the stepper `direct`: finite volumes without steps in time.
+  // The results of `fd` in the validity map are from the direct solver, without time steps.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);
@@ -124,8 +126,8 @@ int advise_command(const Call& call) {
   const auto advice = sweep::advice(problem, accuracy, sweep::shipped_validity_map());
 
   const std::string words = case_arguments(common);
-  // By default fd refines its grid until its error estimate is 1e-4; below that, --tolerance is
-  // required.
+  // By default `fd` refines its grid until its error estimate is below 1e-4. A smaller error
+  // requires --tolerance.
   constexpr double kDefaultGridTolerance = 1e-4;
   const sweep::AdviceContext setting{
       .name = problem.name,

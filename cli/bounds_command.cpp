@@ -30,8 +30,8 @@ Guaranteed lower and upper bounds of stationary expectations of the oscillator u
 (equation kf, exact impact): E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and the momentum of the impacts
 w1 = int u^2 p(0,-u) du. The bounds depend on no solver: outward-rounded interval arithmetic checks
 an approximate solution of the backward equation. Theorem and proof: docs/bounds.md.
-Exit code 0 when all bounds have the requested width. Exit code 1 when there are none, or when some
-are wider; the last line then names the limit: --seconds or the finest grid.
+Exit code 0 when all bounds have the requested width. Exit code 1 when no bounds exist, or when
+some bounds are wider; the last line then names the limit: --seconds or the finest grid.
 
 examples:
   fpkcheck bounds case1
@@ -39,7 +39,7 @@ examples:
   fpkcheck bounds case1 --bin ydot:0.5:0.3          average of p(y') around 0.5
 )";
 
-// VARIABLE:CENTRE:SPACING
+// Parses the text VARIABLE:CENTRE:SPACING of --bin.
 backward::Functional parse_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(

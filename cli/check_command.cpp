@@ -24,11 +24,11 @@ constexpr const char* kCheckUsage = R"(usage: fpkcheck check BASELINE.json [opti
 
 Regression test: repeats the run of a summary.json and compares statuses, moments, mass, balance of
 power, coefficients of closures, distances, and the densities of marginals.csv in its directory.
-The directory of any run can be the baseline: keep one whose results you trust.
+The directory of any run can be the baseline: keep the directory of a verified run.
 The tolerance is --tolerance for deterministic methods and --standard-errors for the simulation;
 with the same seed the simulation normally reproduces all its numbers. Prints all changes beyond
 the tolerance, and the largest change of each kind.
-Exit code 0 when all quantities agree, 1 when one has changed, 2 when the baseline is unusable.
+Exit code 0 when all quantities agree, 1 when a quantity changed, 2 when the baseline is unusable.
 
 examples:
   fpkcheck run mine.ini --out baseline                      (make a baseline)

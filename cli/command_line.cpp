@@ -29,7 +29,7 @@ po::options_description with_output_options(const po::options_description& own,
                                             CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // A nested group of options would be printed after the others, and in a width of its own.
+  // A nested group of options would be printed after the other options, and in a width of its own.
   for (const auto& option : own.options()) all.add(option);
   all.add_options()  //
       ("out",
@@ -70,7 +70,8 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(
         problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
-    // Figures have the file stem of the case as their name: stems must differ, not only names.
+    // Names of cases that differ may give the same file name; two cases with one file name are
+    // refused.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
@@ -81,12 +82,12 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
   }
   for (const auto& name : names) {
-    // Suffixes of a case's figures and netCDF variables.
+    // Suffixes of the names of figures and netCDF variables of a case.
     for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + suffix)) continue;
       throw InputError(
-          fmt::format("cases {0} and {0}{1}: a file or variable of the former would have the name "
-                      "of the latter; rename one",
+          fmt::format("cases {0} and {0}{1}: a file or variable of case {0} would have the name "
+                      "of case {0}{1}; rename a case",
                       base::sanitise(name), suffix));
     }
   }

@@ -29,7 +29,7 @@ Words method_names(const methods::Registry& registry) {
   return names;
 }
 
-// Keys of a case file: "system.damping=", "impulse.rate=", ..
+// Keys of case files as candidates: "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
   for (const auto* section : problem::case_descriptions()) {
@@ -40,7 +40,7 @@ Words case_keys() {
   return keys;
 }
 
-// Choices of an option: of the solver that the command names, else of all solvers.
+// Allowed values of an option: of the solver that the command names, or else of all solvers.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::Registry& registry) {
   Words choices;
@@ -103,7 +103,7 @@ const CommandHelp* find(const std::vector<CommandHelp>& commands, const std::str
   return found == commands.end() ? nullptr : &*found;
 }
 
-// The word after `before` in the names of the commands: "grid" after "study ".
+// Words that follow `before` in the names of the commands: "grid" after "study ".
 Words next_words(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {

@@ -31,8 +31,8 @@ namespace fs = std::filesystem;
 constexpr const char* kEvaluateUsage = R"(usage: fpkcheck evaluate FILE [SOLUTION] [options]
 
 Evaluates the closed form of a density p(y, y') at points and prints CSV: y,v,p. FILE is the
-summary.json of a run, or its directory, and SOLUTION the id of a closure in it; or FILE is a
-closed form as JSON (docs/foreign.md). Solves nothing: p = C exp(Q_n) from the stored coefficients.
+summary.json of a run, or its directory, and SOLUTION the id of a closure in this run; or FILE is
+a closed form as JSON (docs/foreign.md). Calls no solver: p = C exp(Q_n) from stored coefficients.
 
 examples:
   fpkcheck evaluate results/summary.json epc-moment-n8
@@ -139,8 +139,8 @@ int evaluate_command(const Call& call) {
       "input (default: a grid of 41 x 81 points over the support)")(
       "case", po::value<std::string>()->value_name("CASE")->notifier(store_in(case_name)),
       "case of the solution, for a summary with several cases; for a closed form in amplitude or "
-      "energy, the case that defines them")("json", po::bool_switch(&json),
-                                            "print JSON instead of CSV")(
+      "energy, the case that defines amplitude and energy")("json", po::bool_switch(&json),
+                                                            "print JSON instead of CSV")(
       "quiet,q", po::bool_switch(&quiet), "do not warn of a solution without status ok")(
       "help,h", "print this text");
   if (!parse(call.arguments, kEvaluateUsage, options, words)) return kSuccess;

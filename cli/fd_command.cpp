@@ -18,7 +18,7 @@ namespace {
 using base::Values;
 using fd_fpk::TransientOptions;
 
-/// Names of the options of a density over time: --until and its companions.
+/// Names of the options of a density over time: --until, --snapshots and others.
 std::vector<std::string> transient_option_names() {
   std::vector<std::string> names;
   for (const auto& parameter : fd_fpk::transient_description().all()) {

@@ -15,21 +15,24 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Receives the help that capture_help() requests; null when help is to be printed.
+// Object in which emit_help() stores the help for capture_help(); null if emit_help() is to print
+// the help.
 thread_local Help* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Column of the text in "  name   text", after the first gap of two or more blanks; 0 without gap.
+// Column in which the text of a line " name text" begins, after the first gap of two or more
+// blanks; 0 without a gap.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// True if the line break between `line` and `next` is to be kept. Usage texts are wrapped at about
-// 96 columns: a line with room for the first word of the next line was broken on purpose.
+// Whether the line break between `line` and `next` must be preserved. Usage texts are wrapped at
+// about 96 columns: if a line has room for the first word of the next line, the author intended the
+// line break.
 bool keeps_line_break(const std::string& line, const std::string& next) {
   constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
@@ -37,7 +40,7 @@ bool keeps_line_break(const std::string& line, const std::string& next) {
   return line.size() + 1 + word <= kFilledWidth;
 }
 
-// Wraps an example by backslashes, as a shell accepts; its remark goes to a line of its own.
+// Wraps a long example by backslashes, as shells accept, and moves its remark to a separate line.
 std::string wrap_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
@@ -68,7 +71,7 @@ std::string wrap_block(const std::vector<std::string>& lines, std::size_t width)
     for (++i; i < lines.size() && !keeps_line_break(lines[i - 1], lines[i]); ++i) {
       text += ' ' + lines[i];
     }
-    std::string head;  // kept apart: wrap_text would close the gap after the name
+    std::string head;  // includes the gap that wrap_text would remove
     if (column > 0) {
       head = text.substr(0, column);
       text.replace(0, column, column, ' ');

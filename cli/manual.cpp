@@ -26,7 +26,7 @@ std::string escape_troff(const std::string& text) {
   return result;
 }
 
-// The usage text of a command, without filling.
+// Section of the man page with the usage text of a command, whose lines are not refilled.
 std::string usage_section(const std::string& usage) {
   constexpr std::size_t kWidth = 72;  // man indents the text by seven columns
   return ".nf\n" + escape_troff(wrap_usage(usage, kWidth)) + ".fi\n";

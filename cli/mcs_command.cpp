@@ -37,7 +37,7 @@ boost::program_options::options_description checkpoint_options(
   return files;
 }
 
-/// Gathers messages at rank 0 from the processes that share a simulation.
+/// Function object that collects on rank 0 the messages of all processes of one simulation.
 class MessageGatherer {
  public:
   explicit MessageGatherer(base::Communicator& ranks) : ranks_(ranks) {}
@@ -54,7 +54,7 @@ class MessageGatherer {
   }
 
  private:
-  // Messages are queued by rank: a faster rank may already send those of the next case.
+  // Messages are queued by rank, since a faster rank may already send messages of the next case.
   std::string next_message(int rank) {
     using namespace std::chrono_literals;
     auto& pending = pending_[rank];
@@ -81,7 +81,7 @@ void refuse_control_variates(const base::Values& values) {
   throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
-// Runs on all ranks except the first: simulates the share of this rank in each case.
+// Simulates the streams of this rank in each case. All ranks except the first call this function.
 int simulate_share(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});

@@ -25,7 +25,7 @@ volumes and by simulation, as `run` does. Judges each claim of its sections 3 an
 a row for each claim with the deciding numbers, their required values and the outcome. Also draws
 Figs. 2-5 of the paper.
   established       the numbers of the run meet the claim
-  established, but  they do, but the solution is not a probability density
+  established, but  the numbers meet the claim, but the solution is no probability density
   not established   the numbers of the run do not meet the claim
   unjudged          a deciding number is missing
 Exit code 0 when all claims were judged, whatever the outcome, and finite volumes and simulation

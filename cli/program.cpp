@@ -40,7 +40,8 @@ struct Command {
   std::function<int(const Call&)> run;
 };
 
-// The command of a solver. The solvers fd and mcs have commands of their own with more options.
+// Returns the command of a solver. The commands of the solvers `fd` and `mcs` have additional
+// options.
 Command make_solver_command(const methods::Solver& solver) {
   const auto run = solver.name == "fd"    ? fd_command
                    : solver.name == "mcs" ? mcs_command
@@ -110,10 +111,10 @@ accuracy, or a check failed; 2 bad input; 130 after Ctrl-C; 143 after SIGTERM.
   std::vector<std::string_view> subjects;
   for (const auto& feature : problem::unsupported_features()) subjects.push_back(feature.subject);
   fmt::print("{}",
-             report::wrap_text(fmt::format("Not treated: {}.", fmt::join(subjects, "; ")), 80));
+             report::wrap_text(fmt::format("Unsupported: {}.", fmt::join(subjects, "; ")), 80));
 }
 
-// The help of all commands; each subject of `study` is listed as a command.
+// Help of all commands; each subject of `study` counts as a command.
 std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
                                       const methods::Registry& registry) {
   std::vector<CommandHelp> result;

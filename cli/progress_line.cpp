@@ -13,7 +13,8 @@
 namespace fpkcheck::cli {
 namespace {
 
-// Width of the terminal on standard error. A wrapped line could not be erased.
+// Width of the terminal on standard error. The progress line must fit this width, because a wrapped
+// line cannot be erased.
 std::size_t terminal_width() {
   constexpr std::size_t kDefaultWidth = 80;
   winsize size{};

@@ -57,7 +57,7 @@ Keys after the label:
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-// Names of all solvers, as a list for Registry::select.
+// Names of all solvers, as a comma-separated list for Registry::select.
 std::string all_methods(const methods::Registry& registry) {
   std::string list;
   for (const auto& solver : registry.solvers()) list += solver.name + ',';
@@ -95,7 +95,8 @@ int run_command(const Call& call) {
       throw InputError(fmt::format(
           "--against with {} cases: a density belongs to one case; name it", common.cases.size()));
     }
-    // First in the order of increasing trust: their accuracy is unknown.
+    // External densities are first in the order of increasing trust, because their accuracy is
+    // unknown.
     auto from_files =
         methods::external_methods(against, call.registry, load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),

@@ -25,23 +25,25 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Time between the signal and the shutdown by the watchdog. The rest of the second is for the
-// shutdown hooks, which write files on busy processors. A simulation ends after its current round,
-// to keep its result: a round of 2e7 events takes longer than a second on few processors.
+// Time between the signal and the shutdown by the watchdog. The remaining 700 ms of the second are
+// for the shutdown hooks, which write files even on busy processors. A simulation has the longer
+// kFinishDelay: the simulation completes its current round, so that its result is kept. On a few
+// processors a round of 2e7 events takes longer than a second.
 constexpr auto kAbortDelay = 300ms;
 constexpr auto kFinishDelay = 4000ms;
 
 constexpr const char* kNothingWritten = "nothing was written";
 
 struct ShutdownState {
-  std::mutex mutex;  // guards the members below
+  std::mutex mutex;  // protects the members below
   std::vector<const std::function<void()>*> hooks;
   std::string message = kNothingWritten;
   bool command_ended = false;
   std::condition_variable changed;
 };
 
-// Never destroyed: threads may still use the state while the process exits.
+// The shutdown state is never destroyed, since threads may still use the state while the process
+// exits.
 ShutdownState& shutdown_state() {
   static ShutdownState& state = *new ShutdownState;
   return state;
@@ -54,14 +56,15 @@ sem_t signal_received;
   while (true) pause();
 }
 
-// Not by stdio: another thread may hold its locks while it waits for a reader.
+// The line is not written with stdio: another thread may hold the locks of stdio while that thread
+// waits for a reader.
 void write_line(const std::string& line) {
   const std::string text = (can_rewrite_line() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Returns if the command has claimed the shutdown; the command then prints the message and joins
-// this thread.
+// Ends the process, unless the command has claimed the shutdown. In this case the function returns;
+// the command then prints the message and joins the thread of the watchdog.
 void shut_down_process() {
   if (shutdown_claimed) return;
   base::reserve_writes_for_this_thread();
@@ -104,7 +107,7 @@ ShutdownHook::~ShutdownHook() {
   std::unique_lock lock(shutdown_state().mutex);
   if (std::erase(shutdown_state().hooks, &action_) > 0) return;
   lock.unlock();
-  wait_for_exit();  // the watchdog runs the hook: its data must stay alive until the exit
+  wait_for_exit();  // the watchdog runs the action, whose data must exist until the exit
 }
 
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)

@@ -31,7 +31,7 @@ namespace {
 
 bool is_required(const transform::Solution& solution, const SolveControl& control) {
   const auto& identity = solution.identity;
-  if (transform::is_external(identity)) return false;  // no solver was involved
+  if (transform::is_external(identity)) return false;  // no solver computed this density
   if (solution.status == transform::Status::not_offered) {
     return control.required == RequiredSolutions::all &&
            (control.requested_ids.empty() ||
@@ -41,7 +41,7 @@ bool is_required(const transform::Solution& solution, const SolveControl& contro
   return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
 }
 
-// The reasons for an exit code other than 0, a line each.
+// Reasons for an exit code other than 0, one line for each reason.
 std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
   std::vector<std::string> lines;
   for (const auto& case_result : run.cases) {
@@ -62,10 +62,10 @@ std::vector<std::string> failures(const results::Run& run, const SolveControl& c
   return lines;
 }
 
-// The completed cases of a run, for a report after a stop signal. Thread-safe.
+// Collection of the completed cases of a run, for a report after a stop signal. Thread-safe.
 class FinishedCases {
  public:
-  /// Adds a case, or replaces the case of the same name.
+  /// Adds a case, or replaces the case with the same name.
   void store(const results::Case& case_result) {
     const std::lock_guard lock(mutex_);
     const auto before = std::ranges::find(cases_, case_result.name(), &results::Case::name);
@@ -96,7 +96,7 @@ std::string join_names(const std::vector<std::string>& names) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// The text of results::Run::stopped.
+// Text for results::Run::stopped: the cause of the stop, and the missing results.
 std::string stop_summary(const std::vector<results::Case>& cases,
                          const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -117,7 +117,8 @@ std::string stop_summary(const std::vector<results::Case>& cases,
   return text;
 }
 
-// Writes the completed cases after a stop signal. Figures would take too long.
+// Writes the report of the completed cases after a stop signal, without figures, which would take
+// too long.
 void write_partial_report(const std::filesystem::path& directory, const results::Run& run) {
   const base::WriteGuard in_hand;
   report::write_report(directory, run);
@@ -174,7 +175,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_backward = control.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // At the fraction 0 a method has no partial result to finish with.
+               // While its fraction is 0, a method has no partial result that it could return.
                set_interruption_policy(at.fraction > 0 ? control.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.show(at);
@@ -215,7 +216,8 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
       all_drawn = false;
     }
     set_exit_message(fmt::format(
-        "all but figures was written to {0} (`fpkcheck report {0}` draws them)", *common.out));
+        "all files except figures were written to {0} (`fpkcheck report {0}` draws the figures)",
+        *common.out));
   }
   hook.reset();
   if (base::stop_requested()) return kFailure;

@@ -28,7 +28,7 @@ std::string study_usage() {
   return text;
 }
 
-// "grid, order or regularisation"
+// Names of all subjects as text: "grid, order or regularisation".
 std::string subject_list() {
   std::string text;
   const auto& all = study_subjects();

@@ -54,7 +54,7 @@ int study_order(const Call& call) {
   std::string formulation_list, order_list;
   const std::string formulations_help = fmt::format(
       "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
-      "the bare exponent, cut off at an energy",
+      "the unconfined exponent, cut off at an energy",
       fmt::join(study::formulations(call.registry), ", "));
   po::options_description own;
   own.add_options()  //

@@ -143,7 +143,7 @@ sweep::Axis parse_vary(const std::string& text) {
   return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// Adds the options of methods in the plan; options on the command line take precedence.
+// Adds the method options of the plan to those of the command line, which take precedence.
 void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
                       base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
@@ -167,7 +167,8 @@ void add_plan_options(const std::vector<base::IniSetting>& lines, const methods:
   }
 }
 
-// The plan from the plan file or case and the command line, which takes precedence.
+// Returns the plan of the sweep, from the plan file or case and the command line. Options on the
+// command line take precedence.
 sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
@@ -242,7 +243,7 @@ int merge(const SweepArguments& arguments, const Call& call,
   return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
-// The points that an earlier sweep of this plan has stored; the forecast uses them.
+// Points in the journal of an earlier sweep of this plan; the forecast uses their times.
 std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
                                                    const std::filesystem::path& journal) {
   std::error_code ignored;

@@ -60,7 +60,8 @@ void write_study(const CommonArguments& common, const study::StudyOutput& output
 int study_exit_code(const CommonArguments& common, bool is_converged) {
   if (is_converged) return kSuccess;
   if (common.quiet)
-    print_message("the study did not meet the criterion of its --help; see its table");
+    print_message(
+        "the study did not meet the criterion that --help states; see the table of the study");
   return kFailure;
 }
 
