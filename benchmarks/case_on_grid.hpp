@@ -20,7 +20,8 @@ inline problem::Problem paper_case(long number) {
 /// ratio of 40 x 88 cells.
 inline fd_fpk::Options options_for(long unknowns) {
   const int nx = static_cast<int>(std::lround(std::sqrt(static_cast<double>(unknowns) / 2.2)));
-  return {.stepper = fd_fpk::Stepper::direct, .nx = nx, .nv = 2 * static_cast<int>(1.1 * nx)};
+  return {
+      .stepper = fd_fpk::StationarySolver::direct, .nx = nx, .nv = 2 * static_cast<int>(1.1 * nx)};
 }
 
 /// Case 1 on a grid of about `unknowns` cells.
@@ -38,7 +39,7 @@ struct CaseOnGrid {
   const fd_fpk::Excitation& excitation() const { return discretisation.excitation; }
   fd_fpk::FokkerPlanckOperator op() const {
     return fd_fpk::fokker_planck_operator(problem.system, excitation(), options.impact, grid(),
-                                          fd_fpk::order_of(options));
+                                          fd_fpk::transport_order(options));
   }
   fd_fpk::Preconditioner preconditioner() const {
     return {problem, excitation(), options.impact, grid()};

@@ -22,14 +22,14 @@ using Integer = std::int64_t;
 
 /// I - M/10, with M similar to the matrix that the preconditioner factorises, and of the same
 /// sparsity pattern.
-SparseColumns low_order_matrix(const CaseOnGrid& problem_on_grid) {
+SparseColumnMatrix low_order_matrix(const CaseOnGrid& problem_on_grid) {
   const auto& impulses = problem_on_grid.problem.impulses;
-  const Excitation weak{.drift = 0, .diffusion = impulses.rate_moment(2) / 8, .exchange = {}};
-  SparseColumns unit(problem_on_grid.grid().size(), problem_on_grid.grid().size());
+  const Excitation weak{.drift = 0, .diffusion = impulses.rate_times_moment(2) / 8, .exchange = {}};
+  SparseColumnMatrix unit(problem_on_grid.grid().size(), problem_on_grid.grid().size());
   unit.setIdentity();
   return unit - 0.1 * fokker_planck_operator(problem_on_grid.problem.system, weak,
                                              problem_on_grid.options.impact, problem_on_grid.grid(),
-                                             3, Weighting::lumped)
+                                             3, ProductAveraging::lumped)
                           .local;
 }
 
@@ -38,7 +38,7 @@ struct CompressedColumns {
   Integer* columns;
   Integer* rows;
   double* values;
-  explicit CompressedColumns(SparseColumns& a)
+  explicit CompressedColumns(SparseColumnMatrix& a)
       : n(a.cols()),
         columns(reinterpret_cast<Integer*>(a.outerIndexPtr())),
         rows(reinterpret_cast<Integer*>(a.innerIndexPtr())),
@@ -47,8 +47,8 @@ struct CompressedColumns {
 
 enum class Ordering { amd, colamd, metis, nested_dissection };
 
-std::vector<Integer> nested_dissection_ordering(SparseColumns& matrix, Ordering order) {
-  SparseColumns symmetric = SparseColumns(matrix.transpose()) + matrix;
+std::vector<Integer> nested_dissection_ordering(SparseColumnMatrix& matrix, Ordering order) {
+  SparseColumnMatrix symmetric = SparseColumnMatrix(matrix.transpose()) + matrix;
   const CompressedColumns arrays(symmetric);
   cholmod_common common;
   cholmod_l_start(&common);
@@ -74,7 +74,7 @@ std::vector<Integer> nested_dissection_ordering(SparseColumns& matrix, Ordering 
 
 class Klu {
  public:
-  Klu(SparseColumns& matrix, Ordering order) : a_(matrix) {
+  Klu(SparseColumnMatrix& matrix, Ordering order) : a_(matrix) {
     klu_l_defaults(&common_);
     if (order == Ordering::amd || order == Ordering::colamd) {
       common_.ordering = order == Ordering::amd ? 0 : 1;
@@ -109,7 +109,7 @@ class Klu {
 
 class Umfpack {
  public:
-  Umfpack(SparseColumns& matrix, Ordering order) : a_(matrix) {
+  Umfpack(SparseColumnMatrix& matrix, Ordering order) : a_(matrix) {
     umfpack_dl_defaults(control_);
     control_[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     control_[UMFPACK_ORDERING] =
@@ -146,14 +146,14 @@ class Umfpack {
 template <class Code>
 void analyse(benchmark::State& state, Ordering order) {
   const CaseOnGrid problem_on_grid(state.range(0));
-  SparseColumns matrix = low_order_matrix(problem_on_grid);
+  SparseColumnMatrix matrix = low_order_matrix(problem_on_grid);
   for (auto _ : state) Code code(matrix, order);
 }
 
 template <class Code>
 void factor(benchmark::State& state, Ordering order) {
   const CaseOnGrid problem_on_grid(state.range(0));
-  SparseColumns matrix = low_order_matrix(problem_on_grid);
+  SparseColumnMatrix matrix = low_order_matrix(problem_on_grid);
   Code code(matrix, order);
   for (auto _ : state) code.factor();
   state.counters["factor_entries"] = code.entries();
@@ -162,7 +162,7 @@ void factor(benchmark::State& state, Ordering order) {
 template <class Code>
 void solve(benchmark::State& state, Ordering order) {
   const CaseOnGrid problem_on_grid(state.range(0));
-  SparseColumns matrix = low_order_matrix(problem_on_grid);
+  SparseColumnMatrix matrix = low_order_matrix(problem_on_grid);
   Code code(matrix, order);
   code.factor();
   Eigen::VectorXd b = Eigen::VectorXd::Ones(matrix.cols());
@@ -174,7 +174,7 @@ void solve(benchmark::State& state, Ordering order) {
 
 void refactor(benchmark::State& state, Ordering order) {
   const CaseOnGrid problem_on_grid(state.range(0));
-  SparseColumns matrix = low_order_matrix(problem_on_grid);
+  SparseColumnMatrix matrix = low_order_matrix(problem_on_grid);
   Klu klu(matrix, order);
   klu.factor();
   for (auto _ : state) klu.refactor();
@@ -211,12 +211,12 @@ const bool kRegistered = [] {
 void null_vector_by_gmres(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
-  const Eigen::VectorXd start = gaussian_start(problem_on_grid.grid(), problem_on_grid.problem);
+  const Eigen::VectorXd start = initial_gaussian(problem_on_grid.grid(), problem_on_grid.problem);
   for (auto _ : state) {
     Preconditioner preconditioner = problem_on_grid.preconditioner();
     const NullVector null = null_vector(op, preconditioner, start);
     state.counters["krylov_iterations"] = static_cast<double>(null.iterations);
-    state.counters["factor_entries"] = static_cast<double>(preconditioner.entries());
+    state.counters["factor_entries"] = static_cast<double>(preconditioner.factor_entry_count());
   }
 }
 BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark::kMillisecond);
@@ -226,7 +226,7 @@ BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark
 void null_vector_by_whole_factors(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
-  const Eigen::VectorXd start = gaussian_start(problem_on_grid.grid(), problem_on_grid.problem);
+  const Eigen::VectorXd start = initial_gaussian(problem_on_grid.grid(), problem_on_grid.problem);
   const double frequency =
       std::sqrt(problem::equivalent_linearisation(problem_on_grid.problem).stiffness);
   for (auto _ : state) {

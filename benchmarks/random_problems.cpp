@@ -15,7 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "compare/rest_atoms.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
@@ -162,7 +162,7 @@ MethodResult answer(const methods::Method& method, const problem::Problem& probl
   if (!result.density) return result;
   const auto distance_to_reference = [&](Variable variable, const Marginal& judged) {
     return transform::l1(transform::marginal(solution, variable, judged.edges), judged) +
-           compare::atom_distance(solution.atoms, simulation_reference.atoms, variable);
+           compare::rest_atom_l1_distance(solution.atoms, simulation_reference.atoms, variable);
   };
   result.y_l1 = distance_to_reference(Variable::y, simulation_reference.y);
   result.ydot_l1 = distance_to_reference(Variable::ydot, simulation_reference.ydot);
@@ -302,7 +302,7 @@ double lowest_resolved_density(const Marginal& marginal) {
   const double peak = *std::ranges::max_element(marginal.density);
   double lowest = 1;
   for (std::size_t b = 0; b < marginal.size(); ++b) {
-    if (compare::has_narrow_interval(marginal, b) && marginal.density[b] > 0) {
+    if (compare::has_narrow_confidence_interval(marginal, b) && marginal.density[b] > 0) {
       lowest = std::min(lowest, marginal.density[b] / peak);
     }
   }
@@ -376,7 +376,7 @@ int run(const Settings& settings) {
   const auto registry = methods::builtin_registry();
   base::Values options;
   if (!settings.transport.empty()) options.push_back({"transport", settings.transport});
-  const auto methods = registry.select(settings.methods, options);
+  const auto methods = registry.select_methods(settings.methods, options);
   if (!settings.keep.empty()) std::filesystem::create_directories(settings.keep);
   std::vector<problem::Problem> problems;
   std::vector<SimulationReference> references;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "exact/closed_forms.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
@@ -47,17 +47,17 @@ struct MethodStatistics {
 
 // Whether a solution approximates the full problem; other equations are not compared with it.
 bool solves_the_full_problem(const Solution& solution) {
-  return solution.identity.role != transform::Role::equation ||
+  return solution.identity.role != transform::SolutionRole::equation ||
          (solution.identity.equation == problem::Equation::kf &&
           solution.identity.impact == problem::Impact::map);
 }
 
 std::optional<Solution> reference_solution(const problem::Problem& problem) {
   constexpr double kFiner = 2, kSeconds = 300;
-  for (const auto transport :
-       {std::optional<fd_fpk::Transport>(), std::optional(fd_fpk::Transport::characteristics)}) {
+  for (const auto transport : {std::optional<fd_fpk::TransportScheme>(),
+                               std::optional(fd_fpk::TransportScheme::characteristics)}) {
     try {
-      auto solution = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct,
+      auto solution = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct,
                                               .transport = transport,
                                               .refinement = kFiner,
                                               .max_seconds = kSeconds})
@@ -78,14 +78,15 @@ Comparison judged(const problem::Problem& problem, const Solution& solution,
                   const Solution& reference_solution, const compare::ComparisonAxes& axes) {
   Comparison result;
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::edges(axes, variable);
+    const auto& edges = compare::bin_edges(axes, variable);
     const double l1 = transform::l1(transform::marginal(solution, variable, edges),
                                     transform::marginal(reference_solution, variable, edges));
     const double own = transform::l1(*reference_solution.error, variable);
     result.l1 = std::max(result.l1, l1);
     result.ratio = std::max(result.ratio, (l1 - own) / transform::l1(*solution.error, variable));
   }
-  if (problem.system.restitution() == 1 && solution.identity.role == transform::Role::equation) {
+  if (problem.system.restitution() == 1 &&
+      solution.identity.role == transform::SolutionRole::equation) {
     constexpr double kRounding = 1e-6;
     const double off =
         std::abs(solution.moments.v2 - exact::mean_square_velocity(problem)) - kRounding;
@@ -124,7 +125,8 @@ void add(const problem::Problem& problem, const Solution& solution,
 
 int run(const Settings& settings) {
   const auto registry = methods::builtin_registry();
-  const auto methods = registry.select(settings.methods, {{"max_seconds", settings.max_seconds}});
+  const auto methods =
+      registry.select_methods(settings.methods, {{"max_seconds", settings.max_seconds}});
   std::vector<MethodStatistics> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {

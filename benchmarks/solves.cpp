@@ -9,7 +9,7 @@ namespace {
 using namespace fd_fpk;
 
 // The paper's case `range(0)` for the equation kf with default options, as in `fpkcheck fd`.
-void solve_case(benchmark::State& state, Stepper stepper) {
+void solve_case(benchmark::State& state, StationarySolver stepper) {
   const auto problem = paper_case(state.range(0));
   Summary last;
   for (auto _ : state) {
@@ -28,10 +28,10 @@ void solve_case(benchmark::State& state, Stepper stepper) {
   state.counters["krylov_ms"] = 1e3 * last.krylov_seconds;
   state.counters["factor_entries"] = static_cast<double>(last.factor_entries);
 }
-BENCHMARK_CAPTURE(solve_case, direct, Stepper::direct)
+BENCHMARK_CAPTURE(solve_case, direct, StationarySolver::direct)
     ->DenseRange(1, 4)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve_case, cvode, Stepper::cvode)
+BENCHMARK_CAPTURE(solve_case, cvode, StationarySolver::cvode)
     ->DenseRange(1, 4)
     ->Unit(benchmark::kMillisecond);
 

@@ -28,7 +28,7 @@ constexpr int kStreams = 8;    // number of streams per thread
 using mcs::State;
 
 State slope(const problem::System& s, const State& x) {
-  return {x.v, -(s.damping() * x.v + s.force()(x.y))};
+  return {x.v, -(s.damping() * x.v + s.restoring_force()(x.y))};
 }
 
 State runge_kutta(const problem::System& s, const State& x, double h) {
@@ -89,17 +89,17 @@ struct SimulationResult {
 SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
                                  const simd::CodeVariant& lanes, bool records) {
   const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
-  const mcs::Motion motion{.oscillator = mcs::Oscillator(problem.system),
-                           .step = kStep,
-                           .sampling_interval = 0.23,  // about 25 samples per period
-                           .y_bins = &y,
-                           .v_bins = &v,
-                           .records = records};
+  const mcs::MotionParameters motion{.oscillator = mcs::Oscillator(problem.system),
+                                     .step = kStep,
+                                     .sampling_interval = 0.23,  // about 25 samples per period
+                                     .y_bins = &y,
+                                     .v_bins = &v,
+                                     .records = records};
   std::deque<mcs::Stream> streams;
   std::vector<mcs::Stream*> pointers;
   for (unsigned s = 0; s < kStreams; ++s) {
     mcs::ImpulseSource source(problem.impulses, seed, s);
-    const mcs::Impulse first = source.next();
+    const mcs::Impulse first = source.next_impulse();
     streams.push_back({.branch = {.y = 0.5,
                                   .v = 0,
                                   .until_impulse = first.waiting,
@@ -167,7 +167,8 @@ std::pair<double, double> error_per_time(const problem::System& system, const St
     const auto [end, time] = advance(start);
     State exact = start;
     constexpr int kParts = 64;
-    for (int p = 0; p < kParts; ++p) exact = mcs::Flight(oscillator, exact).at(time / kParts);
+    for (int p = 0; p < kParts; ++p)
+      exact = mcs::Flight(oscillator, exact).state_at_time(time / kParts);
     const double energy = start.v * start.v / 2 + system.potential()(start.y);
     const double error =
         std::hypot(end.y - exact.y, end.v - exact.v) / std::sqrt(2 * energy) / time;
@@ -186,7 +187,7 @@ void errors(const char* name, const problem::System& system, const State& deviat
   const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
     const mcs::Flight flight(oscillator, x);
     const double time = flight.max_step(kStep);
-    return std::pair{flight.at(time), time};
+    return std::pair{flight.state_at_time(time), time};
   });
   fmt::print(
       "{}: error per unit time, rms (largest): RK4 {:.1e} ({:.1e}), longest flights {:.1e} "
@@ -226,7 +227,7 @@ int main(int argc, char** argv) {
   fmt::print("case1, {} threads; steps: simulated time / 0.05\n", threads);
   fmt::print("scalar RK4 loop                   {:.2e} steps/s   E[v^2] {:.4f}\n",
              plain / kRungeKuttaStep, found[0]);
-  for (const auto& lanes : simd::available_variants()) {
+  for (const auto& lanes : simd::available_code_variants()) {
     for (const bool records : {false, true}) {
       std::vector<SimulationResult> results(static_cast<std::size_t>(threads));
       const double rate = simulated_time_per_second(threads, time, [&](unsigned t) {

@@ -79,14 +79,14 @@ std::string method_command(const std::string& id, const std::string& words,
                            const methods::Registry& registry) {
   // The results of `fd` in the validity map are from the direct solver, without time steps.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
-  const auto* solver = method ? registry.find(method->identity.method) : nullptr;
+  const auto* solver = method ? registry.find_solver(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);
   const auto distinguishing = distinguishing_options(*solver);
   std::string command = fmt::format("fpkcheck {} {}", solver->name, words);
   for (const auto& option : method->options) {
     const auto* parameter = solver->option_descriptions->find(option.name);
     const auto usual =
-        std::ranges::find(solver->default_options, option.name, &base::NamedValue::name);
+        std::ranges::find(solver->default_options, option.name, &base::NamedParameterValue::name);
     if (parameter == nullptr || parameter->flag.empty()) continue;
     if (base::is_unset(option.value)) continue;
     if (*usual == option && !distinguishing.contains(option.name)) continue;
@@ -99,7 +99,7 @@ std::string method_command(const std::string& id, const std::string& words,
 
 }  // namespace
 
-int advise_command(const Call& call) {
+int advise_command(const CommandCall& call) {
   namespace po = boost::program_options;
   CommonArguments common;
   double accuracy = 0.01;
@@ -111,7 +111,7 @@ int advise_command(const Call& call) {
       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated")(
       "json", po::bool_switch(&common.json), "print JSON with all methods to standard output")(
       "help,h", "print this text");
-  if (!parse(call.arguments, kAdviseUsage, options, common.cases)) return kSuccess;
+  if (!parse_arguments(call.arguments, kAdviseUsage, options, common.cases)) return kSuccess;
   if (common.cases.size() != 1) throw InputError("advise takes one case; name it, e.g. case1");
   if (!(accuracy > 0 && accuracy <= 2)) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
@@ -123,7 +123,7 @@ int advise_command(const Call& call) {
         "noise; use fpkcheck run {}",
         problem.name, common.cases.front()));
   }
-  const auto advice = sweep::advice(problem, accuracy, sweep::shipped_validity_map());
+  const auto advice = sweep::recommend_methods(problem, accuracy, sweep::shipped_validity_map());
 
   const std::string words = case_arguments(common);
   // By default `fd` refines its grid until its error estimate is below 1e-4. A smaller error
@@ -139,7 +139,7 @@ int advise_command(const Call& call) {
       .registry = call.registry};
   print_output(common.json ? sweep::advice_json(advice, setting, call.command_line) + '\n'
                            : sweep::advice_text(advice, setting, terminal_format()));
-  return advice.promised().empty() ? kFailure : kSuccess;
+  return advice.promised_methods().empty() ? kFailure : kSuccess;
 }
 
 }  // namespace fpkcheck::cli

@@ -5,7 +5,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -16,8 +16,8 @@
 #include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/bounds.hpp"
-#include "report/bounds.hpp"
+#include "methods/guaranteed_bounds.hpp"
+#include "report/guaranteed_bounds.hpp"
 #include "results/run_json.hpp"
 #include "results/saved_run.hpp"
 
@@ -40,7 +40,7 @@ examples:
 )";
 
 // Parses the text VARIABLE:CENTRE:SPACING of --bin.
-backward::Functional parse_bin(const std::string& text) {
+backward::Functional parse_smooth_bin(const std::string& text) {
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--bin {} (must be y:CENTRE:SPACING or ydot:CENTRE:SPACING, as ydot:0.5:0.3)",
@@ -55,32 +55,33 @@ backward::Functional parse_bin(const std::string& text) {
     if (!found) refuse();
     return std::get<double>(*found);
   };
-  return backward::SmoothBin::cardinal(
+  return backward::SmoothBin::with_equidistant_knots(
       variable == "y" ? backward::Axis::displacement : backward::Axis::velocity,
       number(text.substr(first + 1, second - first - 1)), number(text.substr(second + 1)));
 }
 
 }  // namespace
 
-int bounds_command(const Call& call) {
+int bounds_command(const CommandCall& call) {
   namespace po = boost::program_options;
   CommonArguments common;
   const auto& description = backward::description();
   base::Values values = description.values(backward::Options{});
   std::vector<std::string> bins;
-  po::options_description own = make_options(description, values);
+  po::options_description own = make_command_line_options(description, values);
   own.add_options()(
       "bin", po::value(&bins)->value_name("V:X:H")->composing(),
       "also bound the average of p(y) or p(y') weighted by a cubic B-spline with centre X and knot "
       "spacing H; V is y or ydot; may be repeated");
-  if (!parse(call.arguments, kBoundsUsage,
-             with_common_options(own, common, "write summary.json to DIR (default: no file)"),
-             common.cases)) {
+  if (!parse_arguments(
+          call.arguments, kBoundsUsage,
+          add_common_options(own, common, "write summary.json to DIR (default: no file)"),
+          common.cases)) {
     return kSuccess;
   }
   if (common.cases.empty()) throw InputError("no case; name one, e.g. case1");
   backward::Options options = description.read(values, "options");
-  for (const auto& bin : bins) options.functionals.push_back(parse_bin(bin));
+  for (const auto& bin : bins) options.functionals.push_back(parse_smooth_bin(bin));
   backward::validate(options);
   const auto problems = load_cases(common);
   const OutputDirectory directory(common.out);
@@ -102,12 +103,13 @@ int bounds_command(const Call& call) {
     reached = reached && found;
     if (common.quiet && !found) print_message(fmt::format("{}: {}", problem.name, bounds.reason));
     if (common.json || common.quiet) continue;
-    print_output(fmt::format(
-        "{}{:.1f} s\n", report::bounds_table(problem, bounds, terminal_format()), bounds.seconds));
+    print_output(fmt::format("{}{:.1f} s\n",
+                             report::guaranteed_bounds_table(problem, bounds, terminal_format()),
+                             bounds.seconds));
   }
   if (common.json) print_output(results::summary_text(run) + '\n');
   if (common.out) {
-    const base::WriteGuard in_hand;
+    const base::ExitBlocker in_hand;
     base::PendingFiles files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::summary_text(run) + '\n');

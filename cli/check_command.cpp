@@ -4,7 +4,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
@@ -73,7 +73,7 @@ boost::program_options::options_description make_check_options(CheckArguments& a
 
 void write_files(const std::filesystem::path& directory, const results::Run& run,
                  const std::string& json) {
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   base::PendingFiles files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
@@ -83,11 +83,11 @@ void write_files(const std::filesystem::path& directory, const results::Run& run
 
 }  // namespace
 
-int check_command(const Call& call) {
+int check_command(const CommandCall& call) {
   const auto begin = std::chrono::steady_clock::now();
   CheckArguments check_arguments;
   std::vector<std::string> paths;
-  if (!parse(call.arguments, kCheckUsage, make_check_options(check_arguments), paths))
+  if (!parse_arguments(call.arguments, kCheckUsage, make_check_options(check_arguments), paths))
     return kSuccess;
   const auto& [common, tolerances, threads] = check_arguments;
   if (paths.size() != 1) {
@@ -103,9 +103,9 @@ int check_command(const Call& call) {
 
   ProgressLine progress(common.quiet);
   const auto run = check::repeat_run(baseline, call.command_line, threads,
-                                     [&](const methods::RunProgress& at) { progress.show(at); });
+                                     [&](const methods::RunProgress& at) { progress.rewrite(at); });
   throw_if_interrupted();
-  progress.clear();
+  progress.erase();
 
   auto result = check::check(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
@@ -125,11 +125,11 @@ int check_command(const Call& call) {
             : "Done in ",
         elapsed.count()));
   }
-  if (common.quiet && !result.agrees()) {
-    print_message(
-        fmt::format("{} of {} quantities changed", result.moved().size(), result.changes.size()));
+  if (common.quiet && !result.agrees_with_baseline()) {
+    print_message(fmt::format("{} of {} quantities changed", result.changed_quantities().size(),
+                              result.changes.size()));
   }
-  return result.agrees() ? kSuccess : kFailure;
+  return result.agrees_with_baseline() ? kSuccess : kFailure;
 }
 
 }  // namespace fpkcheck::cli

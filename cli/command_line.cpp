@@ -9,28 +9,28 @@
 #include "base/text/sanitise.hpp"
 #include "cli/help.hpp"
 #include "problem/case_file.hpp"
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 
 namespace fpkcheck::cli {
 
 namespace po = boost::program_options;
 
-po::options_description with_common_options(const po::options_description& own,
-                                            CommonArguments& common, const char* out_help) {
+po::options_description add_common_options(const po::options_description& command_options,
+                                           CommonArguments& common, const char* out_help) {
   po::options_description with_cases;
-  for (const auto& option : own.options()) with_cases.add(option);
+  for (const auto& option : command_options.options()) with_cases.add(option);
   with_cases.add_options()(
       "set", po::value(&common.overrides)->value_name("KEY=VALUE")->composing(),
       "override a key of the case, e.g. --set system.restitution=0.9; may be repeated");
-  return with_output_options(with_cases, common, out_help);
+  return add_output_options(with_cases, common, out_help);
 }
 
-po::options_description with_output_options(const po::options_description& own,
-                                            CommonArguments& common, const char* out_help) {
+po::options_description add_output_options(const po::options_description& command_options,
+                                           CommonArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
   // A nested group of options would be printed after the other options, and in a width of its own.
-  for (const auto& option : own.options()) all.add(option);
+  for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
       ("out",
        po::value<std::string>()->value_name("DIR")->notifier(
@@ -42,8 +42,8 @@ po::options_description with_output_options(const po::options_description& own,
   return all;
 }
 
-bool parse(const std::vector<std::string>& arguments, const std::string& usage,
-           const po::options_description& options, std::vector<std::string>& positional) {
+bool parse_arguments(const std::vector<std::string>& arguments, const std::string& usage,
+                     const po::options_description& options, std::vector<std::string>& positional) {
   po::options_description all;
   all.add(options).add_options()("positional", po::value(&positional));
   po::positional_options_description rest;

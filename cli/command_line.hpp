@@ -22,16 +22,16 @@ struct CommonArguments {
 
 /// Adds --set, --out, --quiet, --json and --help to the options of a command.
 /// @param out_help help text of --out
-boost::program_options::options_description with_common_options(
-    const boost::program_options::options_description& own, CommonArguments& common,
+boost::program_options::options_description add_common_options(
+    const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help =
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
-/// Adds the same options as with_common_options(), except --set, for commands whose cases are
+/// Adds the same options as add_common_options(), except --set, for commands whose cases are
 /// fixed.
-boost::program_options::options_description with_output_options(
-    const boost::program_options::options_description& own, CommonArguments& common,
+boost::program_options::options_description add_output_options(
+    const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help);
 
 /// Parses the arguments: stores values of options in the variables of `options`, and positional
@@ -39,9 +39,9 @@ boost::program_options::options_description with_output_options(
 /// @param usage first lines of the help text
 /// @return false if the arguments contain --help and the function has printed the help
 /// @throws InputError with a message of one line
-bool parse(const std::vector<std::string>& arguments, const std::string& usage,
-           const boost::program_options::options_description& options,
-           std::vector<std::string>& positional);
+bool parse_arguments(const std::vector<std::string>& arguments, const std::string& usage,
+                     const boost::program_options::options_description& options,
+                     std::vector<std::string>& positional);
 
 /// Loads the problems of the cases and applies the overrides.
 /// @throws InputError for an invalid case, and for two cases whose results would have the same name

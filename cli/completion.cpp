@@ -6,7 +6,7 @@
 #include "problem/impulse_train.hpp"
 #include "problem/named_cases.hpp"
 #include "problem/system.hpp"
-#include "workflows/study/order.hpp"
+#include "workflows/study/closure_order.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -32,8 +32,8 @@ Words method_names(const methods::Registry& registry) {
 // Keys of case files as candidates: "system.damping=", "impulse.rate=", ..
 Words case_keys() {
   Words keys;
-  for (const auto* section : problem::case_descriptions()) {
-    for (const auto& parameter : section->all()) {
+  for (const auto* section : problem::case_section_descriptions()) {
+    for (const auto& parameter : section->parameters()) {
       keys.push_back(section->prefix() + parameter.name + '=');
     }
   }
@@ -44,10 +44,10 @@ Words case_keys() {
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::Registry& registry) {
   Words choices;
-  const auto* const own = registry.find(command);
+  const auto* const own = registry.find_solver(command);
   for (const auto& solver : registry.solvers()) {
     if (own != nullptr && own != &solver) continue;
-    for (const auto& parameter : solver.option_descriptions->all()) {
+    for (const auto& parameter : solver.option_descriptions->parameters()) {
       if ("--" + parameter.flag != flag) continue;
       for (const auto& choice : parameter.choices) {
         if (std::ranges::find(choices, choice) == choices.end()) choices.push_back(choice);
@@ -68,10 +68,11 @@ Words append_to_list(const std::string& word, Words items) {
 Words option_values(const OptionHelp& option, const std::string& word, const CommandHelp& command,
                     const methods::Registry& registry) {
   if (option.name == "--methods") return append_to_list(word, method_names(registry));
-  if (option.name == "--formulations") return append_to_list(word, study::formulations(registry));
+  if (option.name == "--formulations")
+    return append_to_list(word, study::closure_formulations(registry));
   if (option.name == "--set") return case_keys();
-  if (option.placeholder.starts_with("FILE")) return {kFiles};
-  if (option.placeholder == "DIR") return {kDirectories};
+  if (option.placeholder.starts_with("FILE")) return {kFileNamesCandidate};
+  if (option.placeholder == "DIR") return {kDirectoryNamesCandidate};
   return option_choices(option.name, command.name, registry);
 }
 
@@ -80,17 +81,17 @@ Words positional_candidates(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
   if (takes("SUBJECT")) return {};
-  if (takes("DIR")) return {kDirectories};
-  if (!takes("CASE")) return {kFiles};
+  if (takes("DIR")) return {kDirectoryNamesCandidate};
+  if (!takes("CASE")) return {kFileNamesCandidate};
   Words cases;
   for (const auto* list : {&problem::paper_cases(), &problem::example_systems()}) {
     for (const auto& named : *list) cases.push_back(named.name);
   }
-  cases.emplace_back(kFiles);
+  cases.emplace_back(kFileNamesCandidate);
   return cases;
 }
 
-Words filter_by_prefix(const std::string& start, const Words& all) {
+Words words_with_prefix(const std::string& start, const Words& all) {
   Words chosen;
   for (const auto& word : all) {
     if (word.starts_with(start) || word.starts_with(':')) chosen.push_back(word);
@@ -98,13 +99,13 @@ Words filter_by_prefix(const std::string& start, const Words& all) {
   return chosen;
 }
 
-const CommandHelp* find(const std::vector<CommandHelp>& commands, const std::string& name) {
+const CommandHelp* find_command(const std::vector<CommandHelp>& commands, const std::string& name) {
   const auto found = std::ranges::find(commands, name, &CommandHelp::name);
   return found == commands.end() ? nullptr : &*found;
 }
 
 // Words that follow `before` in the names of the commands: "grid" after "study ".
-Words next_words(const std::vector<CommandHelp>& commands, const std::string& before) {
+Words words_after_prefix(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {
     if (!command.name.starts_with(before)) continue;
@@ -116,33 +117,33 @@ Words next_words(const std::vector<CommandHelp>& commands, const std::string& be
 
 }  // namespace
 
-Words completions(const std::vector<CommandHelp>& commands, const methods::Registry& registry,
-                  const Words& words) {
+Words completion_candidates(const std::vector<CommandHelp>& commands,
+                            const methods::Registry& registry, const Words& words) {
   if (words.empty()) return {};
   const auto& word = words.back();
   const bool is_help = words.front() == "help" && words.size() > 1;
   const std::size_t first = is_help ? 1 : 0;
   if (words.size() == first + 1) {
-    auto names = next_words(commands, "");
+    auto names = words_after_prefix(commands, "");
     if (!is_help) names.insert(names.end(), {"help", "--help", "--version"});
-    return filter_by_prefix(word, names);
+    return words_with_prefix(word, names);
   }
-  const auto subjects = next_words(commands, words[first] + ' ');
-  if (words.size() == first + 2 && !subjects.empty()) return filter_by_prefix(word, subjects);
+  const auto subjects = words_after_prefix(commands, words[first] + ' ');
+  if (words.size() == first + 2 && !subjects.empty()) return words_with_prefix(word, subjects);
   if (is_help) return {};
-  const auto* command = find(commands, words[0]);
-  if (!subjects.empty()) command = find(commands, words[0] + ' ' + words[1]);
+  const auto* command = find_command(commands, words[0]);
+  if (!subjects.empty()) command = find_command(commands, words[0] + ' ' + words[1]);
   if (command == nullptr) return {};
 
   const auto& options = command->help.options;
   const auto before = std::ranges::find(options, words[words.size() - 2], &OptionHelp::name);
   if (before != options.end() && !before->placeholder.empty()) {
-    return filter_by_prefix(word, option_values(*before, word, *command, registry));
+    return words_with_prefix(word, option_values(*before, word, *command, registry));
   }
-  if (!word.starts_with('-')) return filter_by_prefix(word, positional_candidates(*command));
+  if (!word.starts_with('-')) return words_with_prefix(word, positional_candidates(*command));
   Words names;
   for (const auto& option : options) names.push_back(option.name);
-  return filter_by_prefix(word, names);
+  return words_with_prefix(word, names);
 }
 
 }  // namespace fpkcheck::cli

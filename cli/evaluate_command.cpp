@@ -17,11 +17,11 @@
 #include "cli/commands.hpp"
 #include "cli/program.hpp"
 #include "cli/standard_streams.hpp"
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 #include "methods/external/closed_form_file.hpp"
 #include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
-#include "results/json_values.hpp"
+#include "results/external_json.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -40,7 +40,7 @@ examples:
   echo "0.5 -0.2" | fpkcheck evaluate mine.json --at -
 )";
 
-struct Point {
+struct PhasePoint {
   double y, v;
 };
 
@@ -55,28 +55,28 @@ std::string read_text(const fs::path& file, const char* hint) {
   return *std::move(text);
 }
 
-std::vector<Point> read_points(std::istream& in, const std::string& name) {
+std::vector<PhasePoint> read_points(std::istream& in, const std::string& name) {
   const auto table = methods::read_number_table(in, name);
   if (table.columns() != 2) table.fail(0, "three columns: must be two, y and y'");
-  std::vector<Point> points;
+  std::vector<PhasePoint> points;
   for (const auto& row : table.rows) points.push_back({row[0], row[1]});
   return points;
 }
 
-std::vector<Point> load_points(const std::string& name) {
+std::vector<PhasePoint> load_points(const std::string& name) {
   if (name == "-") return read_points(std::cin, "standard input");
   std::istringstream in(read_text(name, "a file with the columns y and y'"));
   return read_points(in, name);
 }
 
 // A regular grid over the bounding box of the support.
-std::vector<Point> make_grid_points(const transform::SmoothDensity& density,
-                                    const std::string& file) {
+std::vector<PhasePoint> make_grid_points(const transform::SmoothDensity& density,
+                                         const std::string& file) {
   if (!std::isfinite(density.y_max) || !std::isfinite(density.v_max)) {
     throw InputError(fmt::format("{} has no bounded support; give points by --at", file));
   }
   constexpr int kCellsY = 40, kCellsV = 80;
-  std::vector<Point> points;
+  std::vector<PhasePoint> points;
   for (int i = 0; i <= kCellsY; ++i) {
     for (int j = 0; j <= kCellsV; ++j) {
       points.push_back({density.y_min + (density.y_max - density.y_min) * i / kCellsY,
@@ -89,7 +89,7 @@ std::vector<Point> make_grid_points(const transform::SmoothDensity& density,
 methods::ClosedFormFile read_closed_form(const std::string& text, const std::string& where,
                                          const std::optional<std::string>& solution,
                                          const std::optional<std::string>& case_name) {
-  if (results::is_summary(text, where)) {
+  if (results::is_run_summary(text, where)) {
     return methods::read_closed_form_file(text, where,
                                           {.solution = solution, .case_name = case_name});
   }
@@ -98,7 +98,7 @@ methods::ClosedFormFile read_closed_form(const std::string& text, const std::str
   return file;
 }
 
-std::string format_csv(const std::vector<Point>& points, const std::vector<double>& values) {
+std::string format_csv(const std::vector<PhasePoint>& points, const std::vector<double>& values) {
   std::string text = "y,v,p\n";
   for (std::size_t k = 0; k < points.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "{},{},{}\n", points[k].y, points[k].v, values[k]);
@@ -106,7 +106,7 @@ std::string format_csv(const std::vector<Point>& points, const std::vector<doubl
   return text;
 }
 
-std::string format_json(const std::vector<Point>& points, const std::vector<double>& values,
+std::string format_json(const std::vector<PhasePoint>& points, const std::vector<double>& values,
                         const std::string& file, const methods::ClosedFormFile& form) {
   nlohmann::ordered_json json{{"file", file}, {"case", nullptr}, {"solution", nullptr}};
   if (form.solution) {
@@ -124,7 +124,7 @@ std::string format_json(const std::vector<Point>& points, const std::vector<doub
 
 }  // namespace
 
-int evaluate_command(const Call& call) {
+int evaluate_command(const CommandCall& call) {
   namespace po = boost::program_options;
   std::vector<std::string> words;
   std::optional<std::string> at, case_name;
@@ -143,7 +143,7 @@ int evaluate_command(const Call& call) {
                                                             "print JSON instead of CSV")(
       "quiet,q", po::bool_switch(&quiet), "do not warn of a solution without status ok")(
       "help,h", "print this text");
-  if (!parse(call.arguments, kEvaluateUsage, options, words)) return kSuccess;
+  if (!parse_arguments(call.arguments, kEvaluateUsage, options, words)) return kSuccess;
   if (words.empty() || words.size() > 2) {
     throw InputError(
         "evaluate takes a file and a solution in it; e.g. results/summary.json epc-moment-n8");
@@ -161,7 +161,7 @@ int evaluate_command(const Call& call) {
   }
   const auto density = [&] {
     try {
-      return epc::density(form.form, form.problem ? &*form.problem : nullptr);
+      return epc::density_of_closed_form(form.form, form.problem ? &*form.problem : nullptr);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", where, error.what()));
     }

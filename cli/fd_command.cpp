@@ -21,7 +21,7 @@ using fd_fpk::TransientOptions;
 /// Names of the options of a density over time: --until, --snapshots and others.
 std::vector<std::string> transient_option_names() {
   std::vector<std::string> names;
-  for (const auto& parameter : fd_fpk::transient_description().all()) {
+  for (const auto& parameter : fd_fpk::transient_option_descriptions().parameters()) {
     if (!parameter.flag.empty()) names.push_back(parameter.name);
   }
   return names;
@@ -35,7 +35,7 @@ TransientOptions transient_options(const Values& given) {
   }
   TransientOptions options;
   for (const auto& [name, value] : given) {
-    const auto& description = fd_fpk::transient_description();
+    const auto& description = fd_fpk::transient_option_descriptions();
     description.assign(options, *description.find(name), value, "--" + name);
   }
   return options;
@@ -43,21 +43,23 @@ TransientOptions transient_options(const Values& given) {
 
 }  // namespace
 
-int fd_command(const Call& call, const methods::Solver& solver) {
+int fd_command(const CommandCall& call, const methods::Solver& solver) {
   CommonArguments common;
   Values values = solver.default_options, transient_values;
-  auto own = make_options(*solver.option_descriptions, values);
-  own.add(
-      make_options(fd_fpk::transient_description(), transient_option_names(), transient_values));
-  own.add(case_figure_options(common.figures));
-  if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
+  auto own = make_command_line_options(*solver.option_descriptions, values);
+  own.add(make_command_line_options(fd_fpk::transient_option_descriptions(),
+                                    transient_option_names(), transient_values));
+  own.add(make_case_figure_options(common.figures));
+  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
+                       common.cases)) {
     return kSuccess;
   }
   if (transient_values.empty()) {
-    return solve_and_report(common, {call.registry.method(solver, values)}, {}, call.command_line);
+    return solve_and_report(common, {call.registry.make_method(solver, values)}, {},
+                            call.command_line);
   }
   const auto options = fd_fpk::description().read(values, "options");
-  if (options.stepper == fd_fpk::Stepper::direct) {
+  if (options.stepper == fd_fpk::StationarySolver::direct) {
     throw InputError(
         "--stepper direct with --until: a density over time requires time steps; omit --stepper");
   }

@@ -37,7 +37,7 @@ FigureWidth parse_width(const std::string& text) {
 
 }  // namespace
 
-po::options_description figure_options(report::FigureOptions& figures) {
+po::options_description make_figure_options(report::FigureOptions& figures) {
   po::options_description options;
   options.add_options()  //
       ("figures",
@@ -52,8 +52,8 @@ po::options_description figure_options(report::FigureOptions& figures) {
   return options;
 }
 
-po::options_description case_figure_options(report::FigureOptions& figures) {
-  po::options_description options = figure_options(figures);
+po::options_description make_case_figure_options(report::FigureOptions& figures) {
+  po::options_description options = make_figure_options(figures);
   options.add_options()(
       "curves",
       po::value<std::string>()->value_name("LIST")->notifier(

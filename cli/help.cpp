@@ -83,7 +83,7 @@ std::string wrap_block(const std::vector<std::string>& lines, std::size_t width)
   return result;
 }
 
-std::string label(const OptionHelp& option) {
+std::string option_label(const OptionHelp& option) {
   std::string text = option.short_name.empty() ? "" : option.short_name + ", ";
   text += option.name;
   if (!option.placeholder.empty()) text += ' ' + option.placeholder;
@@ -136,13 +136,13 @@ std::string help_text(const Help& help, std::size_t width) {
   constexpr std::size_t kIndent = 2, kGap = 2, kMaxLabelWidth = 26;
   std::size_t longest = 0;
   for (const auto& option : help.options) {
-    const auto size = label(option).size();
+    const auto size = option_label(option).size();
     if (size <= kMaxLabelWidth) longest = std::max(longest, size);
   }
   const std::size_t column = kIndent + longest + kGap;
   text += "\noptions:\n";
   for (const auto& option : help.options) {
-    std::string line = std::string(kIndent, ' ') + label(option);
+    std::string line = std::string(kIndent, ' ') + option_label(option);
     if (line.size() + kGap > column) {
       text += line + '\n';
       line.clear();

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -27,15 +27,15 @@ int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& o
   const auto& problem = problems.front();
   ProgressLine progress(common.quiet);
   transient.progress = [&](double fraction) {
-    progress.show({.done = 0,
-                   .total = 1,
-                   .case_name = problem.name,
-                   .method = "over time",
-                   .fraction = fraction});
+    progress.rewrite({.done = 0,
+                      .total = 1,
+                      .case_name = problem.name,
+                      .method = "over time",
+                      .fraction = fraction});
   };
-  auto result = fd_fpk::integrate(problem, options, transient);
+  auto result = fd_fpk::solve_transient(problem, options, transient);
   throw_if_interrupted();
-  progress.clear();
+  progress.erase();
 
   const study::TransientRun run{command_line, problem, options, transient, std::move(result)};
   if (common.json) {
@@ -44,7 +44,7 @@ int integrate_and_report(const CommonArguments& common, const fd_fpk::Options& o
     print_output(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
-    const base::WriteGuard in_hand;
+    const base::ExitBlocker in_hand;
     for (const auto& warning : study::write_transient(*common.out, run, common.figures))
       print_message(warning);
     set_exit_message("all files were written except the figure");

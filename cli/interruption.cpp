@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cerrno>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "cli/shutdown.hpp"
 
 namespace fpkcheck::cli {

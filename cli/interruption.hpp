@@ -19,8 +19,8 @@ enum class InterruptionPolicy {
 };
 
 /// Guard that installs signal handlers during its lifetime. The first SIGINT or SIGTERM sets the
-/// stop request (base/process/stop.hpp); a second signal ends the program at once. Signals that are
-/// ignored (nohup) stay ignored.
+/// stop request (base/process/stop_request.hpp); a second signal ends the program at once. Signals
+/// that are ignored (nohup) stay ignored.
 class InterruptionGuard {
  public:
   InterruptionGuard();

@@ -10,7 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "base/mpi/communicator.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
@@ -42,20 +42,20 @@ class MessageGatherer {
  public:
   explicit MessageGatherer(base::Communicator& ranks) : ranks_(ranks) {}
 
-  // Implements mcs::Team::gather.
+  // Implements mcs::ProcessGroup::gather.
   std::vector<std::string> operator()(const std::string& own) {
-    if (!ranks_.is_first()) {
+    if (!ranks_.is_first_rank()) {
       ranks_.send(0, own);
       return {};
     }
     std::vector<std::string> others;
-    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(next_message(rank));
+    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(receive_next_message(rank));
     return others;
   }
 
  private:
   // Messages are queued by rank, since a faster rank may already send messages of the next case.
-  std::string next_message(int rank) {
+  std::string receive_next_message(int rank) {
     using namespace std::chrono_literals;
     auto& pending = pending_[rank];
     while (pending.empty()) {
@@ -76,13 +76,13 @@ class MessageGatherer {
 };
 
 void refuse_control_variates(const base::Values& values) {
-  const auto controlled = std::ranges::find(values, "controlled", &base::NamedValue::name);
+  const auto controlled = std::ranges::find(values, "controlled", &base::NamedParameterValue::name);
   if (controlled == values.end() || controlled->value != base::Value(true)) return;
   throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
 // Simulates the streams of this rank in each case. All ranks except the first call this function.
-int simulate_share(const CommonArguments& common, const methods::Method& simulation) {
+int simulate_streams_of_rank(const CommonArguments& common, const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with(simulation, problem, {compare::comparison_axes(problem), {}});
   }
@@ -91,15 +91,16 @@ int simulate_share(const CommonArguments& common, const methods::Method& simulat
 
 }  // namespace
 
-int mcs_command(const Call& call, const methods::Solver& solver) {
+int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   CommonArguments common;
   base::Values values = solver.default_options;
   methods::SimulationControl control{.stop = base::stop_requested,
                                      .warn = [](const std::string& text) { print_message(text); }};
-  auto own = make_options(*solver.option_descriptions, values);
+  auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(checkpoint_options(control));
-  own.add(case_figure_options(common.figures));
-  if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
+  own.add(make_case_figure_options(common.figures));
+  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
+                       common.cases)) {
     return kSuccess;
   }
   if (common.cases.size() > 1 && !(control.checkpoint.empty() && control.resume.empty())) {
@@ -107,9 +108,10 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
         "--checkpoint or --resume with several cases: a file stores one case; name one case");
   }
   const auto solve = [&] {
-    const auto simulation = methods::with_control(call.registry.method(solver, values), control);
+    const auto simulation =
+        methods::with_simulation_control(call.registry.make_method(solver, values), control);
     return control.team.part > 0
-               ? simulate_share(common, simulation)
+               ? simulate_streams_of_rank(common, simulation)
                : solve_and_report(common, {simulation},
                                   {.interruption_policy = control.team.parts == 1
                                                               ? InterruptionPolicy::finish_early
@@ -119,7 +121,7 @@ int mcs_command(const Call& call, const methods::Solver& solver) {
   if (!base::Communicator::launched_by_mpi()) return solve();
 
   refuse_control_variates(values);
-  const auto ranks = base::Communicator::join();
+  const auto ranks = base::Communicator::initialise_mpi();
   MessageGatherer gatherer(*ranks);
   control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gatherer)};
   try {

@@ -11,7 +11,7 @@
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
@@ -41,13 +41,14 @@ examples:
 )";
 constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
-Supplement make_supplement(const results::Run& run, report::FigureWidth width) {
-  const auto judgements = paper::judge(run);
-  Supplement supplement{.report = paper::supplement(judgements, run, width, terminal_format()),
-                        .json = paper::summary_with_claims(judgements, run),
-                        .failures = {}};
+Supplement make_claims_supplement(const results::Run& run, report::FigureWidth width) {
+  const auto judgements = paper::judge_claims(run);
+  Supplement supplement{
+      .report = paper::claims_supplement(judgements, run, width, terminal_format()),
+      .json = paper::summary_with_claims(judgements, run),
+      .failures = {}};
   for (const auto& judgement : judgements) {
-    if (judgement.outcome != paper::Outcome::unjudged) continue;
+    if (judgement.outcome != paper::ClaimOutcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
                                               paper::cases_text(judgement.claim),
                                               claim_text(judgement.claim), judgement.note));
@@ -57,14 +58,14 @@ Supplement make_supplement(const results::Run& run, report::FigureWidth width) {
 
 }  // namespace
 
-int paper_command(const Call& call) {
+int paper_command(const CommandCall& call) {
   CommonArguments common;
   base::Values given;
   auto options = make_run_options(call.registry, given);
-  options.add(figure_options(common.figures));
-  if (!parse(
+  options.add(make_figure_options(common.figures));
+  if (!parse_arguments(
           call.arguments, kPaperUsage,
-          with_output_options(options, common, "write all files to DIR (default: fpkcheck-paper)"),
+          add_output_options(options, common, "write all files to DIR (default: fpkcheck-paper)"),
           common.cases)) {
     return kSuccess;
   }
@@ -73,14 +74,15 @@ int paper_command(const Call& call) {
   }
   for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;
-  return solve_and_report(
-      common, call.registry.select(paper::kRequiredMethods, given),
-      {.required = RequiredSolutions::references,
-       .threads = thread_count(given),
-       .with_backward = true,
-       .supplement =
-           [&](const results::Run& run) { return make_supplement(run, common.figures.width); }},
-      call.command_line);
+  return solve_and_report(common, call.registry.select_methods(paper::kRequiredMethods, given),
+                          {.required = RequiredSolutions::references,
+                           .threads = requested_thread_count(given),
+                           .with_backward = true,
+                           .supplement =
+                               [&](const results::Run& run) {
+                                 return make_claims_supplement(run, common.figures.width);
+                               }},
+                          call.command_line);
 }
 
 }  // namespace fpkcheck::cli

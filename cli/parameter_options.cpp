@@ -11,14 +11,14 @@ namespace fpkcheck::cli {
 namespace {
 
 namespace po = boost::program_options;
-using base::NamedValue;
+using base::NamedParameterValue;
 using base::Parameter;
 using base::Type;
 using base::Value;
 using base::Values;
 
 void set_value(Values& values, const std::string& name, const Value& value) {
-  const auto own = std::ranges::find(values, name, &NamedValue::name);
+  const auto own = std::ranges::find(values, name, &NamedParameterValue::name);
   if (own != values.end()) {
     own->value = value;
   } else {
@@ -50,8 +50,8 @@ void add_option(const Parameter& parameter, const Value* usual, Values& values,
   semantic->notifier([&values, parameter, label](const std::string& text) {
     const Value value = base::parse_value(parameter, text, label);
     if (!parameter.is_in_range(value)) {
-      throw InputError(
-          fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
+      throw InputError(fmt::format("{} {} (must be {})", label, base::sanitise(text),
+                                   parameter.requirement_text()));
     }
     set_value(values, parameter.name, value);
   });
@@ -60,18 +60,20 @@ void add_option(const Parameter& parameter, const Value* usual, Values& values,
 
 }  // namespace
 
-po::options_description make_options(const base::DescriptionBase& description, Values& values) {
+po::options_description make_command_line_options(const base::DescriptionBase& description,
+                                                  Values& values) {
   po::options_description options;
-  for (const auto& parameter : description.all()) {
+  for (const auto& parameter : description.parameters()) {
     if (parameter.flag.empty()) continue;
-    const auto usual = std::ranges::find(values, parameter.name, &NamedValue::name);
+    const auto usual = std::ranges::find(values, parameter.name, &NamedParameterValue::name);
     add_option(parameter, usual == values.end() ? nullptr : &usual->value, values, options);
   }
   return options;
 }
 
-po::options_description make_options(const base::DescriptionBase& description,
-                                     const std::vector<std::string>& names, Values& given) {
+po::options_description make_command_line_options(const base::DescriptionBase& description,
+                                                  const std::vector<std::string>& names,
+                                                  Values& given) {
   po::options_description options;
   for (const auto& name : names) add_option(*description.find(name), nullptr, given, options);
   return options;
@@ -80,13 +82,13 @@ po::options_description make_options(const base::DescriptionBase& description,
 po::options_description make_run_options(const methods::Registry& registry, base::Values& given) {
   po::options_description shared;
   for (const auto& solver : registry.solvers()) {
-    shared.add(make_options(*solver.option_descriptions, solver.run_options, given));
+    shared.add(make_command_line_options(*solver.option_descriptions, solver.run_options, given));
   }
   return shared;
 }
 
-int thread_count(const Values& given) {
-  const auto threads = std::ranges::find(given, "threads", &NamedValue::name);
+int requested_thread_count(const Values& given) {
+  const auto threads = std::ranges::find(given, "threads", &NamedParameterValue::name);
   return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
 }
 

@@ -14,14 +14,14 @@ namespace fpkcheck::cli {
 /// the parameter in `values`.
 /// @param values values of all parameters, in any order; stored by reference
 /// @throws InputError during parsing; the message names the flag, its text and the allowed values
-boost::program_options::options_description make_options(const base::DescriptionBase& description,
-                                                         base::Values& values);
+boost::program_options::options_description make_command_line_options(
+    const base::DescriptionBase& description, base::Values& values);
 
 /// Command-line options of the parameters in `names`, without defaults. The options that are on the
 /// command line are added to `given`.
-boost::program_options::options_description make_options(const base::DescriptionBase& description,
-                                                         const std::vector<std::string>& names,
-                                                         base::Values& given);
+boost::program_options::options_description make_command_line_options(
+    const base::DescriptionBase& description, const std::vector<std::string>& names,
+    base::Values& given);
 
 /// Command-line options of solvers that a command with many methods accepts
 /// (methods::Solver::run_options).
@@ -29,6 +29,6 @@ boost::program_options::options_description make_run_options(const methods::Regi
                                                              base::Values& given);
 
 /// Number of threads for methods that run in parallel, from --threads; 0 without this option.
-int thread_count(const base::Values& given);
+int requested_thread_count(const base::Values& given);
 
 }  // namespace fpkcheck::cli

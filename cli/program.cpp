@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "base/input_error.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/commands.hpp"
 #include "cli/completion.hpp"
@@ -21,7 +21,7 @@
 #include "cli/manual.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
-#include "cli/studies.hpp"
+#include "cli/study_subjects.hpp"
 #include "cli/version.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
@@ -37,7 +37,7 @@ using Arguments = std::vector<std::string>;
 struct Command {
   std::string name;
   std::string summary;
-  std::function<int(const Call&)> run;
+  std::function<int(const CommandCall&)> run;
 };
 
 // Returns the command of a solver. The commands of the solvers `fd` and `mcs` have additional
@@ -47,10 +47,10 @@ Command make_solver_command(const methods::Solver& solver) {
                    : solver.name == "mcs" ? mcs_command
                                           : solver_command;
   return {solver.name, solver.summary,
-          [&solver, run](const Call& call) { return run(call, solver); }};
+          [&solver, run](const CommandCall& call) { return run(call, solver); }};
 }
 
-std::vector<Command> commands(const methods::Registry& registry) {
+std::vector<Command> all_commands(const methods::Registry& registry) {
   std::vector<Command> all{
       {"run", "solve cases by all methods and compare: tables, report.html, figures", run_command}};
   all.push_back({"paper", "test the claims of the paper and draw its figures", paper_command});
@@ -133,8 +133,8 @@ std::vector<CommandHelp> collect_help(const std::vector<Command>& all,
   return result;
 }
 
-int dispatch(const Arguments& arguments, const methods::Registry& registry) {
-  const auto all = commands(registry);
+int call_named_command(const Arguments& arguments, const methods::Registry& registry) {
+  const auto all = all_commands(registry);
   if (arguments.empty()) {
     throw InputError(
         fmt::format("no command; use one of {} (--help explains them)", join_names(all)));
@@ -143,7 +143,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   if (name == "help" && arguments.size() > 1) {
     Arguments help_arguments{arguments.begin() + 1, arguments.end()};
     help_arguments.emplace_back("--help");
-    return dispatch(help_arguments, registry);
+    return call_named_command(help_arguments, registry);
   }
   if (name == "--help" || name == "-h" || name == "help") {
     print_overview(all);
@@ -156,7 +156,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   // Options for the completion script and the build; undocumented.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
-    for (const auto& word : completions(collect_help(all, registry), registry, words)) {
+    for (const auto& word : completion_candidates(collect_help(all, registry), registry, words)) {
       fmt::print("{}\n", word);
     }
     return kSuccess;
@@ -167,7 +167,7 @@ int dispatch(const Arguments& arguments, const methods::Registry& registry) {
   }
   const auto command = std::ranges::find(all, name, &Command::name);
   if (command == all.end()) {
-    if (const std::string text = problem::unsupported_feature_text(name); !text.empty()) {
+    if (const std::string text = problem::unsupported_feature_message(name); !text.empty()) {
       throw InputError(fmt::format("{}: {}", base::in_quotes(name), text));
     }
     throw InputError(fmt::format("{} is not a command; use one of {} (--help explains them)",
@@ -188,7 +188,7 @@ int run_program(const Arguments& arguments, const methods::Registry& registry) {
   const InterruptionGuard guard;
   set_exit_message("nothing was written");
   try {
-    const int exit_code = dispatch(arguments, registry);
+    const int exit_code = call_named_command(arguments, registry);
     // A full disk or a closed pipe is detected only when the buffers are flushed.
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {

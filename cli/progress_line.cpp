@@ -49,9 +49,9 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
 
 ProgressLine::ProgressLine(bool silent) : active_(!silent && can_rewrite_line()) {}
 
-ProgressLine::~ProgressLine() { clear(); }
+ProgressLine::~ProgressLine() { erase(); }
 
-void ProgressLine::show(const methods::RunProgress& progress) {
+void ProgressLine::rewrite(const methods::RunProgress& progress) {
   throw_if_interrupted();
   if (!active_) return;
   const auto now = std::chrono::steady_clock::now();
@@ -64,7 +64,7 @@ void ProgressLine::show(const methods::RunProgress& progress) {
   is_visible_ = true;
 }
 
-void ProgressLine::clear() {
+void ProgressLine::erase() {
   if (is_visible_) fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
   is_visible_ = false;

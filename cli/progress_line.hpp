@@ -30,9 +30,9 @@ class ProgressLine {
 
   /// Prints the progress.
   /// @throws Interrupted if throw_if_interrupted() throws (interruption.hpp), also without output
-  void show(const methods::RunProgress& progress);
+  void rewrite(const methods::RunProgress& progress);
   /// Erases the progress line; must be called before results are printed.
-  void clear();
+  void erase();
 
  private:
   bool is_visible_ = false;

@@ -7,7 +7,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/interruption.hpp"
@@ -31,14 +31,14 @@ examples:
   fpkcheck reference case1 --set impulse.law=laplace
 )";
 
-void require_plain(const CommonArguments& common) {
+void refuse_json(const CommonArguments& common) {
   if (common.json)
     throw InputError("reference has no --json; use --out DIR, which writes reference.csv");
 }
 
 }  // namespace
 
-int reference_command(const Call& call) {
+int reference_command(const CommandCall& call) {
   namespace po = boost::program_options;
   CommonArguments common;
   study::ReferenceOptions options;
@@ -55,9 +55,10 @@ int reference_command(const Call& call) {
             options.seed = static_cast<std::uint64_t>(seed);
           }),
       "seed of the simulation, 0 or greater");
-  if (!parse(call.arguments, kReferenceUsage, with_common_options(own, common), common.cases))
+  if (!parse_arguments(call.arguments, kReferenceUsage, add_common_options(own, common),
+                       common.cases))
     return kSuccess;
-  require_plain(common);
+  refuse_json(common);
   if (common.cases.empty()) common.cases = {"case1", "case2", "case3", "case4"};
   const auto problems = load_cases(common);
   if (options.simulation_time &&
@@ -70,7 +71,7 @@ int reference_command(const Call& call) {
   std::vector<study::Reference> references;
   for (const auto& problem : problems) {
     if (!common.quiet) print_message(fmt::format("reference of {} ...", problem.name));
-    references.push_back(study::reference(problem, options));
+    references.push_back(study::compute_reference(problem, options));
     throw_if_interrupted();
     const auto& failure = references.back().failure;
     if (common.quiet && !failure.empty())
@@ -78,7 +79,7 @@ int reference_command(const Call& call) {
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const base::WriteGuard in_hand;
+    const base::ExitBlocker in_hand;
     const std::filesystem::path place(*common.out);
     base::PendingFiles files;
     files.add(place / "reference.md", text);

@@ -1,5 +1,5 @@
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/figure_options.hpp"
@@ -11,7 +11,7 @@
 #include "report/report.hpp"
 #include "report/supplement.hpp"
 #include "results/saved_run.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
@@ -25,32 +25,33 @@ the claims and the figures of the paper. DIR is the directory of the run. Solves
 
 }  // namespace
 
-int report_command(const Call& call) {
+int report_command(const CommandCall& call) {
   namespace po = boost::program_options;
   std::vector<std::string> directories;
   po::options_description options("options", 96);
   bool quiet = false;
   report::FigureOptions figures;
-  const auto case_options = case_figure_options(figures);
+  const auto case_options = make_case_figure_options(figures);
   for (const auto& option : case_options.options()) options.add(option);
   options.add_options()("quiet,q", po::bool_switch(&quiet), "print no table")("help,h",
                                                                               "print this text");
-  if (!parse(call.arguments, kReportUsage, options, directories)) return kSuccess;
+  if (!parse_arguments(call.arguments, kReportUsage, options, directories)) return kSuccess;
   if (directories.size() != 1) {
     throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
-  call.registry.annotate(run);
-  std::vector<transform::Identity> identities;
+  call.registry.complete_identities(run);
+  std::vector<transform::SolutionIdentity> identities;
   for (const auto& case_result : run.cases) {
     for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
   report::validate_curves(figures.curves, identities);
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   const auto format = terminal_format();
-  const auto supplement = paper::is_paper_run(run)
-                              ? paper::supplement(paper::judge(run), run, figures.width, format)
-                              : report::Supplement{};
+  const auto supplement =
+      paper::is_paper_run(run)
+          ? paper::claims_supplement(paper::judge_claims(run), run, figures.width, format)
+          : report::Supplement{};
   const auto [text, warnings] =
       report::rebuild_report(directories.front(), run, format, figures, supplement);
   set_exit_message("report.html was written, but not all figures");

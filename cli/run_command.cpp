@@ -57,8 +57,8 @@ Keys after the label:
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-// Names of all solvers, as a comma-separated list for Registry::select.
-std::string all_methods(const methods::Registry& registry) {
+// Names of all solvers, as a comma-separated list for Registry::select_methods.
+std::string all_solver_names(const methods::Registry& registry) {
   std::string list;
   for (const auto& solver : registry.solvers()) list += solver.name + ',';
   return list;
@@ -66,7 +66,7 @@ std::string all_methods(const methods::Registry& registry) {
 
 }  // namespace
 
-int run_command(const Call& call) {
+int run_command(const CommandCall& call) {
   namespace po = boost::program_options;
   CommonArguments common;
   base::Values given;
@@ -81,12 +81,13 @@ int run_command(const Call& call) {
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
       "also compare the density in FILE (formats above), for a single case; may be repeated. Files "
       "of p(y) and p(y') with the same LABEL (default: name of the file) form one solution");
-  own.add(case_figure_options(common.figures));
+  own.add(make_case_figure_options(common.figures));
   own.add(make_run_options(call.registry, given));
-  if (!parse(call.arguments, kRunUsage, with_common_options(own, common), common.cases))
+  if (!parse_arguments(call.arguments, kRunUsage, add_common_options(own, common), common.cases))
     return kSuccess;
 
-  auto methods = call.registry.select(list.value_or(all_methods(call.registry)), given);
+  auto methods =
+      call.registry.select_methods(list.value_or(all_solver_names(call.registry)), given);
   if (common.cases.empty()) {
     for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   }
@@ -109,7 +110,7 @@ int run_command(const Call& call) {
       common, methods,
       {.required = list ? RequiredSolutions::all : RequiredSolutions::references,
        .requested_ids = requested_ids,
-       .threads = thread_count(given),
+       .threads = requested_thread_count(given),
        .with_backward = true},
       call.command_line);
 }

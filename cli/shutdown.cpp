@@ -14,8 +14,8 @@
 #include <mutex>
 #include <vector>
 
-#include "base/process/stop.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
@@ -58,7 +58,7 @@ sem_t signal_received;
 
 // The line is not written with stdio: another thread may hold the locks of stdio while that thread
 // waits for a reader.
-void write_line(const std::string& line) {
+void write_line_without_stdio(const std::string& line) {
   const std::string text = (can_rewrite_line() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
@@ -67,7 +67,7 @@ void write_line(const std::string& line) {
 // the command then prints the message and joins the thread of the watchdog.
 void shut_down_process() {
   if (shutdown_claimed) return;
-  base::reserve_writes_for_this_thread();
+  base::stop_writes_of_other_threads();
   if (shutdown_claimed.exchange(true)) return;
   std::vector<const std::function<void()>*> hooks;
   std::unique_lock lock(shutdown_state().mutex);
@@ -81,7 +81,7 @@ void shut_down_process() {
       set_exit_message(fmt::format("{} ({})", kNothingWritten, error.what()));
     }
   }
-  write_line("fpkcheck: " + exit_message());
+  write_line_without_stdio("fpkcheck: " + exit_message());
   _exit(signal_exit_code(base::stop_signal()));
 }
 
@@ -113,7 +113,7 @@ ShutdownHook::~ShutdownHook() {
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
     : hook_([this] { directory_ = {}; }) {
   if (!out) return;
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   directory_ = results::prepare_output_directory(*out);
 }
 

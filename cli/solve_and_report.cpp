@@ -14,14 +14,14 @@
 #include <optional>
 #include <string_view>
 
-#include "base/process/stop.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/complete_run.hpp"
+#include "methods/case_results.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
 #include "results/run_json.hpp"
@@ -29,7 +29,7 @@
 namespace fpkcheck::cli {
 namespace {
 
-bool is_required(const transform::Solution& solution, const SolveControl& control) {
+bool must_be_ok(const transform::Solution& solution, const SolveAndReportOptions& control) {
   const auto& identity = solution.identity;
   if (transform::is_external(identity)) return false;  // no solver computed this density
   if (solution.status == transform::Status::not_offered) {
@@ -38,23 +38,25 @@ bool is_required(const transform::Solution& solution, const SolveControl& contro
             std::ranges::count(control.requested_ids, identity.id) > 0);
   }
   if (control.required == RequiredSolutions::all) return true;
-  return identity.role != transform::Role::closure && identity.impact != problem::Impact::delta;
+  return identity.role != transform::SolutionRole::closure &&
+         identity.impact != problem::Impact::delta;
 }
 
 // Reasons for an exit code other than 0, one line for each reason.
-std::vector<std::string> failures(const results::Run& run, const SolveControl& control) {
+std::vector<std::string> failure_messages(const results::Run& run,
+                                          const SolveAndReportOptions& control) {
   std::vector<std::string> lines;
   for (const auto& case_result : run.cases) {
     if (case_result.bounds) {
       for (const auto& outside :
-           compare::contradictions(*case_result.bounds, case_result.solutions)) {
+           compare::bound_contradictions(*case_result.bounds, case_result.solutions)) {
         lines.push_back(fmt::format("{}: {} contradicts the guaranteed bounds of {}",
                                     case_result.name(), outside.solution->id(),
                                     outside.bound->functional));
       }
     }
     for (const auto& solution : case_result.solutions) {
-      if (solution.is_ok() || !is_required(solution, control)) continue;
+      if (solution.is_ok() || !must_be_ok(solution, control)) continue;
       lines.push_back(fmt::format("{}: {} {}: {}", case_result.name(), solution.id(),
                                   name(solution.status), solution.reason));
     }
@@ -66,9 +68,9 @@ std::vector<std::string> failures(const results::Run& run, const SolveControl& c
 class FinishedCases {
  public:
   /// Adds a case, or replaces the case with the same name.
-  void store(const results::Case& case_result) {
+  void store_case(const results::CaseResult& case_result) {
     const std::lock_guard lock(mutex_);
-    const auto before = std::ranges::find(cases_, case_result.name(), &results::Case::name);
+    const auto before = std::ranges::find(cases_, case_result.name(), &results::CaseResult::name);
     if (before == cases_.end()) {
       cases_.push_back(case_result);
     } else {
@@ -77,11 +79,12 @@ class FinishedCases {
   }
 
   /// The completed cases, in the order of the problems.
-  std::vector<results::Case> in_order(const std::vector<problem::Problem>& problems) const {
+  std::vector<results::CaseResult> cases_in_order(
+      const std::vector<problem::Problem>& problems) const {
     const std::lock_guard lock(mutex_);
-    std::vector<results::Case> ordered;
+    std::vector<results::CaseResult> ordered;
     for (const auto& problem : problems) {
-      const auto found = std::ranges::find(cases_, problem.name, &results::Case::name);
+      const auto found = std::ranges::find(cases_, problem.name, &results::CaseResult::name);
       if (found != cases_.end()) ordered.push_back(*found);
     }
     return ordered;
@@ -89,7 +92,7 @@ class FinishedCases {
 
  private:
   mutable std::mutex mutex_;
-  std::vector<results::Case> cases_;
+  std::vector<results::CaseResult> cases_;
 };
 
 std::string join_names(const std::vector<std::string>& names) {
@@ -97,11 +100,11 @@ std::string join_names(const std::vector<std::string>& names) {
 }
 
 // Text for results::Run::stopped: the cause of the stop, and the missing results.
-std::string stop_summary(const std::vector<results::Case>& cases,
+std::string stop_summary(const std::vector<results::CaseResult>& cases,
                          const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
   for (const auto& problem : problems) {
-    const auto found = std::ranges::find(cases, problem.name, &results::Case::name);
+    const auto found = std::ranges::find(cases, problem.name, &results::CaseResult::name);
     if (found == cases.end()) {
       missing.push_back(problem.name);
     } else if (with_backward && !found->bounds) {
@@ -120,7 +123,7 @@ std::string stop_summary(const std::vector<results::Case>& cases,
 // Writes the report of the completed cases after a stop signal, without figures, which would take
 // too long.
 void write_partial_report(const std::filesystem::path& directory, const results::Run& run) {
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   report::write_report(directory, run);
   set_exit_message(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the figures)",
                                run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
@@ -144,10 +147,10 @@ report::TextFormat terminal_format() {
 }
 
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
-                     const SolveControl& control, const std::string& command_line) {
+                     const SolveAndReportOptions& control, const std::string& command_line) {
   const auto begin = std::chrono::steady_clock::now();
   const auto problems = load_cases(common);
-  std::vector<transform::Identity> identities;
+  std::vector<transform::SolutionIdentity> identities;
   for (const auto& method : methods) identities.push_back(method.identity);
   report::validate_curves(common.figures.curves, identities);
   const OutputDirectory directory(common.out);
@@ -157,7 +160,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   FinishedCases finished;
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
-    results::Run stopped{results::this_program(command_line), finished.in_order(problems)};
+    results::Run stopped{results::this_program(command_line), finished.cases_in_order(problems)};
     if (!solved) stopped.stopped = stop_summary(stopped.cases, problems, control.with_backward);
     return stopped;
   };
@@ -169,7 +172,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     });
   }
   try {
-    run.cases = methods::complete_run(
+    run.cases = methods::compute_case_results(
         problems, methods,
         {.threads = control.threads,
          .with_backward = control.with_backward,
@@ -178,14 +181,15 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
                // While its fraction is 0, a method has no partial result that it could return.
                set_interruption_policy(at.fraction > 0 ? control.interruption_policy
                                                        : InterruptionPolicy::abort);
-               progress.show(at);
+               progress.rewrite(at);
              },
-         .case_listener = [&](const results::Case& case_result) { finished.store(case_result); },
+         .case_listener =
+             [&](const results::CaseResult& case_result) { finished.store_case(case_result); },
          .poll = throw_if_interrupted});
     solved = !base::stop_requested();
   } catch (const Interrupted&) {
   }
-  progress.clear();
+  progress.erase();
   const bool stopped = !solved;
   if (stopped) {
     run = stopped_run();
@@ -209,7 +213,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   bool all_drawn = true;
   if (common.out) {
-    const base::WriteGuard in_hand;
+    const base::ExitBlocker in_hand;
     for (const auto& warning :
          report::write_report(*common.out, run, common.figures, supplement.report)) {
       print_message(warning);
@@ -223,8 +227,8 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
   if (base::stop_requested()) return kFailure;
   if (!common.quiet && !common.json) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    const auto any = [&](auto results::Case::*list) {
-      return std::ranges::any_of(run.cases, [&](const results::Case& case_result) {
+    const auto any = [&](auto results::CaseResult::*list) {
+      return std::ranges::any_of(run.cases, [&](const results::CaseResult& case_result) {
         return !(case_result.*list).empty();
       });
     };
@@ -234,13 +238,13 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
         "\n{}{:.1f} s.\n",
         common.out
             ? fmt::format("Wrote report.html, summary.json, marginals.csv{}{}{} and {} to {} in ",
-                          any(&results::Case::smooth) ? ", smooth.csv" : "",
-                          any(&results::Case::joints) ? ", joint.nc" : "", others,
+                          any(&results::CaseResult::smooth) ? ", smooth.csv" : "",
+                          any(&results::CaseResult::joints) ? ", joint.nc" : "", others,
                           all_drawn ? "figures/" : "some figures", *common.out)
             : "Done in ",
         elapsed.count()));
   }
-  auto failed = failures(run, control);
+  auto failed = failure_messages(run, control);
   failed.insert(failed.end(), supplement.failures.begin(), supplement.failures.end());
   if (common.quiet) {
     for (const auto& line : failed) print_message(line);

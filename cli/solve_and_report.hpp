@@ -29,7 +29,7 @@ struct Supplement {
   std::vector<std::string> failures;
 };
 
-struct SolveControl {
+struct SolveAndReportOptions {
   RequiredSolutions required = RequiredSolutions::all;
   /// Solution ids in the list of methods. A solution of a family or solver in the list, whose id is
   /// not in `requested_ids`, may have the status not_offered without a failure. Empty if all
@@ -45,7 +45,7 @@ struct SolveControl {
 /// report. The output directory is prepared before the first solution.
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
-                     const SolveControl& control, const std::string& command_line);
+                     const SolveAndReportOptions& control, const std::string& command_line);
 
 /// Text format of standard output. The width is that of the terminal, limited to 80 .. 100 columns,
 /// and 100 columns without a terminal. Output to a terminal has colours, unless NO_COLOR is set and

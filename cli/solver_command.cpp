@@ -7,15 +7,16 @@
 
 namespace fpkcheck::cli {
 
-int solver_command(const Call& call, const methods::Solver& solver) {
+int solver_command(const CommandCall& call, const methods::Solver& solver) {
   CommonArguments common;
   base::Values values = solver.default_options;
-  auto own = make_options(*solver.option_descriptions, values);
-  own.add(case_figure_options(common.figures));
-  if (!parse(call.arguments, solver.usage, with_common_options(own, common), common.cases)) {
+  auto own = make_command_line_options(*solver.option_descriptions, values);
+  own.add(make_case_figure_options(common.figures));
+  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
+                       common.cases)) {
     return kSuccess;
   }
-  return solve_and_report(common, {call.registry.method(solver, values)},
+  return solve_and_report(common, {call.registry.make_method(solver, values)},
                           {.required = RequiredSolutions::all}, call.command_line);
 }
 

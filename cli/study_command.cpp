@@ -7,7 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
-#include "cli/studies.hpp"
+#include "cli/study_subjects.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {
@@ -56,7 +56,7 @@ const std::vector<StudySubject>& study_subjects() {
   return subjects;
 }
 
-int study_command(const Call& call) {
+int study_command(const CommandCall& call) {
   const auto& arguments = call.arguments;
   if (!arguments.empty() && is_help_flag(arguments.front())) {
     emit_help(study_usage(), {});

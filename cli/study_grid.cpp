@@ -8,7 +8,7 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
-#include "cli/studies.hpp"
+#include "cli/study_subjects.hpp"
 #include "cli/write_study.hpp"
 #include "fd_fpk/options.hpp"
 #include "workflows/study/grid.hpp"
@@ -32,7 +32,7 @@ examples:
 
 }  // namespace
 
-int study_grid(const Call& call) {
+int study_grid(const CommandCall& call) {
   namespace po = boost::program_options;
   const auto begin = std::chrono::steady_clock::now();
   CommonArguments common;
@@ -42,7 +42,8 @@ int study_grid(const Call& call) {
                            {"impact", std::string(name(options.impact))}};
   std::string order_list;
   po::options_description own;
-  own.add(make_options(grids, {"equation", "impact", "origin_refinement"}, grid_values));
+  own.add(
+      make_command_line_options(grids, {"equation", "impact", "origin_refinement"}, grid_values));
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("3,5,7"),
        "orders of the transport terms, 2 .. 8; the highest order gives the limit")(
@@ -52,13 +53,14 @@ int study_grid(const Call& call) {
           po::value(&options.coarsest)->value_name("F")->default_value(options.coarsest),
           "refinement factor of the first level; 1 is the automatic grid");
   for (const auto& solver : call.registry.solvers()) {
-    own.add(make_options(*solver.option_descriptions, solver.run_options, options.simulation));
+    own.add(make_command_line_options(*solver.option_descriptions, solver.run_options,
+                                      options.simulation));
   }
-  own.add(figure_options(common.figures));
-  if (!parse(
+  own.add(make_figure_options(common.figures));
+  if (!parse_arguments(
           call.arguments, kGridUsage,
-          with_common_options(
-              own, common, "write study-grid.json, .csv and a figure to DIR (default: no files)"),
+          add_common_options(own, common,
+                             "write study-grid.json, .csv and a figure to DIR (default: no files)"),
           common.cases)) {
     return kSuccess;
   }
@@ -75,9 +77,9 @@ int study_grid(const Call& call) {
 
   ProgressLine line(common.quiet);
   const auto result = study::study_grid(setup.problem, options, call.registry,
-                                        [&](const auto& progress) { line.show(progress); });
+                                        [&](const auto& progress) { line.rewrite(progress); });
   throw_if_interrupted();
-  line.clear();
+  line.erase();
   write_study(common,
               study::output(result, call.command_line, terminal_format(), common.figures.width),
               begin);

@@ -12,9 +12,9 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
-#include "cli/studies.hpp"
+#include "cli/study_subjects.hpp"
 #include "cli/write_study.hpp"
-#include "workflows/study/order.hpp"
+#include "workflows/study/closure_order.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -33,8 +33,9 @@ examples:
   fpkcheck study order case1 --formulations gaussian,gaussian-kf,moment,moment-cut
 )";
 
-std::vector<std::string> formulations(const std::string& list, const methods::Registry& registry) {
-  const auto known = study::formulations(registry);
+std::vector<std::string> parse_formulations(const std::string& list,
+                                            const methods::Registry& registry) {
+  const auto known = study::closure_formulations(registry);
   auto result = parse_list("--formulations", list);
   for (const auto& item : result) {
     if (std::ranges::find(known, item) == known.end()) {
@@ -47,7 +48,7 @@ std::vector<std::string> formulations(const std::string& list, const methods::Re
 
 }  // namespace
 
-int study_order(const Call& call) {
+int study_order(const CommandCall& call) {
   namespace po = boost::program_options;
   const auto begin = std::chrono::steady_clock::now();
   CommonArguments common;
@@ -55,7 +56,7 @@ int study_order(const Call& call) {
   const std::string formulations_help = fmt::format(
       "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
       "the unconfined exponent, cut off at an energy",
-      fmt::join(study::formulations(call.registry), ", "));
+      fmt::join(study::closure_formulations(call.registry), ", "));
   po::options_description own;
   own.add_options()  //
       ("orders", po::value(&order_list)->value_name("LIST")->default_value("2,4,6,8,10,12"),
@@ -63,23 +64,23 @@ int study_order(const Call& call) {
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           formulations_help.c_str());
-  own.add(figure_options(common.figures));
-  if (!parse(
+  own.add(make_figure_options(common.figures));
+  if (!parse_arguments(
           call.arguments, kOrderUsage,
-          with_common_options(
+          add_common_options(
               own, common, "write study-order.json, .csv and a figure to DIR (default: no files)"),
           common.cases)) {
     return kSuccess;
   }
-  const study::OrderStudyOptions options{formulations(formulation_list, call.registry),
-                                         parse_integers("--orders", order_list)};
+  const study::ClosureOrderStudyOptions options{parse_formulations(formulation_list, call.registry),
+                                                parse_integers("--orders", order_list)};
   const auto setup = prepare_study(common);
 
   ProgressLine line(common.quiet);
-  const auto result = study::study_orders(setup.problem, options, call.registry,
-                                          [&](const auto& progress) { line.show(progress); });
+  const auto result = study::study_closure_orders(
+      setup.problem, options, call.registry, [&](const auto& progress) { line.rewrite(progress); });
   throw_if_interrupted();
-  line.clear();
+  line.erase();
   write_study(common,
               study::output(result, call.command_line, terminal_format(), common.figures.width),
               begin);

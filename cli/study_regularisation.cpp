@@ -5,7 +5,7 @@
 #include "cli/program.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/solve_and_report.hpp"
-#include "cli/studies.hpp"
+#include "cli/study_subjects.hpp"
 #include "cli/write_study.hpp"
 #include "workflows/study/regularisation.hpp"
 
@@ -32,21 +32,22 @@ examples:
 
 }  // namespace
 
-int study_regularisation(const Call& call) {
+int study_regularisation(const CommandCall& call) {
   const auto begin = std::chrono::steady_clock::now();
   CommonArguments common;
-  if (!parse(call.arguments, kRegularisationUsage,
-             with_common_options(
-                 {}, common, "write study-regularisation.json and .csv to DIR (default: no files)"),
-             common.cases)) {
+  if (!parse_arguments(
+          call.arguments, kRegularisationUsage,
+          add_common_options({}, common,
+                             "write study-regularisation.json and .csv to DIR (default: no files)"),
+          common.cases)) {
     return kSuccess;
   }
   const auto setup = prepare_study(common);
   ProgressLine line(common.quiet);
   const auto result = study::study_regularisation(
-      setup.problem, [&](const methods::RunProgress& at) { line.show(at); });
+      setup.problem, [&](const methods::RunProgress& at) { line.rewrite(at); });
   throw_if_interrupted();
-  line.clear();
+  line.erase();
   write_study(common, study::output(result, call.command_line, terminal_format()), begin);
   return study_exit_code(common, study::has_converged(result));
 }

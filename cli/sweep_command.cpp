@@ -10,8 +10,8 @@
 #include "base/input_error.hpp"
 #include "base/mpi/communicator.hpp"
 #include "base/options/parse_enum.hpp"
-#include "base/process/stop.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -119,20 +119,20 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
        "for --dry-run: also estimate the time for these numbers of processes with one thread each, "
        "e.g. 2,64,1024");
   // The sweep uses the threads for points; each method has one thread.
-  own.add(figure_options(arguments.common.figures));
+  own.add(make_figure_options(arguments.common.figures));
   own.add(make_run_options(registry, arguments.given));
   return own;
 }
 
-int take_threads(base::Values& given) {
-  const auto found = std::ranges::find(given, "threads", &base::NamedValue::name);
+int extract_thread_count(base::Values& given) {
+  const auto found = std::ranges::find(given, "threads", &base::NamedParameterValue::name);
   if (found == given.end()) return 0;
   const int threads = static_cast<int>(std::get<std::int64_t>(found->value));
   given.erase(found);
   return threads;
 }
 
-sweep::Axis parse_vary(const std::string& text) {
+sweep::Axis parse_varied_key(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
     throw InputError(
@@ -169,14 +169,14 @@ void add_plan_options(const std::vector<base::IniSetting>& lines, const methods:
 
 // Returns the plan of the sweep, from the plan file or case and the command line. Options on the
 // command line take precedence.
-sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& registry) {
+sweep::Plan make_sweep_plan(const SweepArguments& arguments, const methods::Registry& registry) {
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
   }
   const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
   sweep::Plan plan{.base = text.base, .axes = text.axes};
   for (const auto& one : arguments.vary) {
-    auto axis = parse_vary(one);
+    auto axis = parse_varied_key(one);
     const auto same = std::ranges::find(plan.axes, axis.key, &sweep::Axis::key);
     if (same != plan.axes.end() &&
         same - plan.axes.begin() < static_cast<std::ptrdiff_t>(text.axes.size())) {
@@ -185,13 +185,13 @@ sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& 
       plan.axes.push_back(std::move(axis));
     }
   }
-  plan.design = text.design.value_or(sweep::Design::product);
+  plan.design = text.design.value_or(sweep::PlanDesign::product);
   if (arguments.design)
-    plan.design = base::parse_enum<sweep::Design>("--design", *arguments.design);
-  plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrors::reference);
+    plan.design = base::parse_enum<sweep::PlanDesign>("--design", *arguments.design);
+  plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrorSource::reference);
   if (arguments.closure_errors) {
     plan.closure_errors =
-        base::parse_enum<sweep::ClosureErrors>("--closure-errors", *arguments.closure_errors);
+        base::parse_enum<sweep::ClosureErrorSource>("--closure-errors", *arguments.closure_errors);
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
@@ -201,15 +201,15 @@ sweep::Plan make_plan(const SweepArguments& arguments, const methods::Registry& 
   add_plan_options(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
-  plan.methods =
-      registry.select(arguments.methods.value_or(text.methods.value_or(kDefaultMethods)), given);
+  plan.methods = registry.select_methods(
+      arguments.methods.value_or(text.methods.value_or(kDefaultMethods)), given);
   return plan;
 }
 
 void write_results(const SweepArguments& arguments, const sweep::SweepResults& results,
-                   const Call& call, double seconds) {
+                   const CommandCall& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   sweep::write_tables(directory, results, call.command_line);
   set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
@@ -228,8 +228,8 @@ void write_results(const SweepArguments& arguments, const sweep::SweepResults& r
                            *arguments.common.out, seconds));
 }
 
-int merge(const SweepArguments& arguments, const Call& call,
-          std::chrono::steady_clock::time_point begin) {
+int merge_shards(const SweepArguments& arguments, const CommandCall& call,
+                 std::chrono::steady_clock::time_point begin) {
   if (arguments.common.cases.empty()) {
     throw InputError("--merge without a directory; name the directories of the shards");
   }
@@ -251,7 +251,7 @@ std::vector<sweep::PointResult> load_solved_points(const sweep::Plan& plan,
   return sweep::read_journal(journal, plan).points;
 }
 
-int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int threads) {
+int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int threads) {
   for (const int ranks : arguments.ranks) {
     if (ranks < 1) throw InputError(fmt::format("--ranks {} (must be 1 or more)", ranks));
   }
@@ -266,7 +266,7 @@ int dry_run(const SweepArguments& arguments, const sweep::Plan& plan, int thread
 
 // Runs the sweep on the process that writes the journal: rank 0 of mpirun, else the only process.
 int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
-              int threads, base::Communicator* ranks, const Call& call,
+              int threads, base::Communicator* ranks, const CommandCall& call,
               std::chrono::steady_clock::time_point begin) {
   const CommonArguments& common = arguments.common;
   ProgressLine line(common.quiet);
@@ -274,14 +274,14 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
   const auto report_progress = [&](const sweep::PointQueue::State& at) {
     set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command continues)",
                                  at.done, at.total, *common.out, shard.journal_name()));
-    line.show({.done = at.done,
-               .total = at.total,
-               .case_name = plan.base.name,
-               .method = "points",
-               .fraction = 0,
-               .note = at.remaining_seconds
-                           ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
-                           : ""});
+    line.rewrite({.done = at.done,
+                  .total = at.total,
+                  .case_name = plan.base.name,
+                  .method = "points",
+                  .fraction = 0,
+                  .note = at.remaining_seconds
+                              ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
+                              : ""});
   };
   std::optional<OutputDirectory> directory;
   std::optional<sweep::JournaledQueue> progress;
@@ -293,15 +293,15 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
     throw;
   }
   report_progress(progress->state());
-  if (const auto resumed = progress->resumed_text(); !resumed.empty() && !common.quiet) {
+  if (const auto resumed = progress->resumption_text(); !resumed.empty() && !common.quiet) {
     print_message(resumed);
   }
   if (ranks != nullptr) {
     sweep::run_coordinator(plan, *progress, *ranks, threads);
   } else {
-    sweep::solve_remaining(plan, *progress, threads);
+    sweep::solve_remaining_points(plan, *progress, threads);
   }
-  line.clear();
+  line.erase();
   if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
@@ -322,28 +322,28 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
 
 }  // namespace
 
-int sweep_command(const Call& call) {
+int sweep_command(const CommandCall& call) {
   const auto begin = std::chrono::steady_clock::now();
   SweepArguments arguments;
   CommonArguments& common = arguments.common;
   const auto own = sweep_options(arguments, call.registry);
-  if (!parse(call.arguments, kSweepUsage,
-             with_common_options(own, common,
-                                 "write journal, tables and report.html to DIR (default: "
-                                 "fpkcheck-sweep)"),
-             common.cases)) {
+  if (!parse_arguments(call.arguments, kSweepUsage,
+                       add_common_options(own, common,
+                                          "write journal, tables and report.html to DIR (default: "
+                                          "fpkcheck-sweep)"),
+                       common.cases)) {
     return kSuccess;
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
-  if (arguments.merge) return merge(arguments, call, begin);
-  const int threads = methods::number_of_threads(take_threads(arguments.given));
+  if (arguments.merge) return merge_shards(arguments, call, begin);
+  const int threads = methods::number_of_threads(extract_thread_count(arguments.given));
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
-  const auto plan = make_plan(arguments, call.registry);
-  if (arguments.dry_run) return dry_run(arguments, plan, threads);
+  const auto plan = make_sweep_plan(arguments, call.registry);
+  if (arguments.dry_run) return print_forecast(arguments, plan, threads);
 
-  const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::join()
+  const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::initialise_mpi()
                                                            : std::unique_ptr<base::Communicator>();
-  if (ranks && !ranks->is_first()) {
+  if (ranks && !ranks->is_first_rank()) {
     set_exit_message("the finished points are in the journal of rank 0");
     sweep::run_worker(plan, *common.out, *ranks, threads);
     return kSuccess;

@@ -6,7 +6,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
@@ -17,21 +17,22 @@ namespace {
 
 void write_files(const std::filesystem::path& directory, const study::StudyOutput& output,
                  const report::FigureOptions& options) {
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   base::PendingFiles files;
   files.add(directory / (output.stem + ".json"), output.json + '\n');
   files.add(directory / (output.stem + ".csv"), output.csv);
   files.commit();
   set_exit_message("all files were written except the figure");
   if (output.figure.empty()) return;
-  report::remove_pictures_of(directory / "figures", output.stem);
+  report::remove_script_and_pictures(directory / "figures", output.stem);
   for (const auto& warning : report::write_pictures(directory / "figures", output.stem,
                                                     output.figure, options, "gnuplot")) {
     print_message(warning);
   }
 }
 
-std::string file_list(const study::StudyOutput& output, const report::FigureOptions& options) {
+std::string written_files_text(const study::StudyOutput& output,
+                               const report::FigureOptions& options) {
   std::string files = fmt::format("{}.json", output.stem);
   if (output.figure.empty()) return files + " and .csv";
   return files +
@@ -50,11 +51,12 @@ void write_study(const CommonArguments& common, const study::StudyOutput& output
   if (common.out) write_files(*common.out, output, common.figures);
   if (common.quiet || common.json) return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_time;
-  print_output(fmt::format(
-      "\n{}{:.1f} s.\n",
-      common.out ? fmt::format("Wrote {} to {} in ", file_list(output, common.figures), *common.out)
-                 : "Done in ",
-      elapsed.count()));
+  print_output(
+      fmt::format("\n{}{:.1f} s.\n",
+                  common.out ? fmt::format("Wrote {} to {} in ",
+                                           written_files_text(output, common.figures), *common.out)
+                             : "Done in ",
+                  elapsed.count()));
 }
 
 int study_exit_code(const CommonArguments& common, bool is_converged) {

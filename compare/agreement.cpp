@@ -8,7 +8,7 @@ namespace fpkcheck::compare {
 using transform::Solution;
 using transform::Variable;
 
-double critical_sampling_l1(double quantile_99) {
+double critical_sampling_l1_distance(double quantile_99) {
   // Quantiles of |N| at the probabilities 1 - kAgreementSignificance / 2 and 0.99; N is standard
   // normal.
   constexpr double kQuantileOfLevel = 3.4808, kQuantile99 = 2.5758;
@@ -19,32 +19,33 @@ double critical_sampling_l1(double quantile_99) {
 std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
                                               Variable variable) {
   constexpr double kQuantileToMeanRatio = 2;
-  if (const auto most = quantile_99(sampling, variable)) return most;
-  if (const auto mean = expected(sampling, variable)) return kQuantileToMeanRatio * *mean;
+  if (const auto most = l1_error_quantile_99(sampling, variable)) return most;
+  if (const auto mean = expected_l1_error(sampling, variable)) return kQuantileToMeanRatio * *mean;
   return std::nullopt;
 }
 
-std::optional<double> critical_l1(const Solution& first, const Solution& second, Variable variable,
-                                  bool smooth) {
+std::optional<double> critical_l1_distance(const Solution& first, const Solution& second,
+                                           Variable variable, bool over_smooth_bins) {
   double sampling_l1 = 0, stated = 0;
   int estimate_count = 0;
   for (const Solution* solution : {&first, &second}) {
-    const auto& sampling = smooth ? best_sampling_error(*solution) : solution->sampling;
+    const auto& sampling = over_smooth_bins ? best_sampling_error(*solution) : solution->sampling;
     const auto most = sampling ? sampling_l1_quantile_99(*sampling, variable) : std::nullopt;
     sampling_l1 = std::hypot(sampling_l1, most.value_or(0));
     if (solution->error) stated += l1(*solution->error, variable);
     if (most || solution->error) ++estimate_count;
   }
-  if (estimate_count < (smooth ? 2 : 1)) return std::nullopt;
-  return critical_sampling_l1(sampling_l1) + transform::kErrorSafetyFactor * stated;
+  if (estimate_count < (over_smooth_bins ? 2 : 1)) return std::nullopt;
+  return critical_sampling_l1_distance(sampling_l1) + transform::kErrorSafetyFactor * stated;
 }
 
 bool has_agreement(const Solution& first, const Solution& second,
                    std::span<const PairDistances> pairs) {
   return std::ranges::all_of(transform::kVariables, [&](Variable variable) {
-    const PairDistances* pair = find_pair(pairs, first.id(), second.id(), variable);
+    const PairDistances* pair = find_pair_distances(pairs, first.id(), second.id(), variable);
     if (pair == nullptr || !std::isfinite(pair->distances.l1)) return true;
-    const auto most = critical_l1(first, second, variable, pair->l1_standard_error.has_value());
+    const auto most =
+        critical_l1_distance(first, second, variable, pair->l1_standard_error.has_value());
     return !most || pair->distances.l1 <= *most;
   });
 }

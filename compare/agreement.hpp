@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "compare/pairs.hpp"
+#include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
 /// The statistical test of whether two solutions of the same problem agree. All tables and
@@ -22,7 +22,7 @@ inline constexpr double kAgreementSignificance = 1e-3;
 /// 1922). P(|N| <= 3.481) = 1 - kAgreementSignificance / 2, and 3.481 / 2.576 = 1.351. Hence
 /// 1.351 q is an upper bound of the critical distance.
 /// @param quantile_99 99 % quantile q of the L1 distance
-double critical_sampling_l1(double quantile_99);
+double critical_sampling_l1_distance(double quantile_99);
 
 /// 99 % quantile of the L1 sampling error of a marginal. If a solution states only the expected L1
 /// sampling error, the result is twice the expected value: the L1 errors of single runs nearly
@@ -36,10 +36,10 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
 /// both solutions times kErrorSafetyFactor. The result is empty if neither solution has a sampling
 /// error or an error estimate. Sampling errors over smooth bins are far smaller; there the result
 /// is empty if either solution has neither.
-/// @param smooth whether the distance is over smooth bins
-std::optional<double> critical_l1(const transform::Solution& first,
-                                  const transform::Solution& second, transform::Variable variable,
-                                  bool smooth);
+/// @param over_smooth_bins whether the distance is over smooth bins
+std::optional<double> critical_l1_distance(const transform::Solution& first,
+                                           const transform::Solution& second,
+                                           transform::Variable variable, bool over_smooth_bins);
 
 /// Whether the errors of two solutions explain their L1 distances in both marginal densities. In a
 /// marginal without a distance or without an error estimate the solutions count as agreeing.

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "compare/limits.hpp"
+#include "compare/limiting_errors.hpp"
 #include "compare/rest_atoms.hpp"
 #include "compare/smooth_reference.hpp"
 
@@ -16,7 +16,8 @@ namespace {
 using transform::Solution;
 using transform::Variable;
 
-bool has_marginal(const Solution& solution, Variable variable, const std::vector<double>& bins) {
+bool has_marginal_over_bins(const Solution& solution, Variable variable,
+                            const std::vector<double>& bins) {
   return solution.density ||
          std::ranges::any_of(solution.estimated_marginals, [&](const auto& estimate) {
            return estimate.first == variable && estimate.second.edges == bins;
@@ -41,7 +42,8 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
   if (!is_over_smooth_bins) return {from, to, variable, distances(one, other)};
   const auto& compared = smooth[to == smooth_reference->id() ? a : b].marginal;
   return {from, to, variable, distances(smooth[a].marginal, smooth[b].marginal),
-          l1_standard_error(compared, *transform::smooth_estimate(*smooth_reference, variable))};
+          l1_standard_error(compared,
+                            *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
 
 // Replaces negative densities by 0 in ok solutions of discretised equations. Negative densities
@@ -52,7 +54,7 @@ void clip_negative_densities(std::span<const Solution> solutions,
   for (auto& [id, variable, marginal] : marginals) {
     const Solution* solution = transform::find_solution(solutions, id);
     if (solution == nullptr || !solution->is_ok()) continue;
-    if (solution->identity.role != transform::Role::equation) continue;
+    if (solution->identity.role != transform::SolutionRole::equation) continue;
     for (double& density : marginal.density) density = std::max(0.0, density);
   }
 }
@@ -69,10 +71,10 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   }
   std::vector<SolutionMarginal> over_uniform_bins;
   for (const auto variable : transform::kVariables) {
-    const auto& bins = edges(axes, variable);
+    const auto& bins = bin_edges(axes, variable);
     std::vector<SolutionMarginal> unmerged;
     for (const auto& solution : solutions) {
-      if (!has_marginal(solution, variable, bins)) continue;
+      if (!has_marginal_over_bins(solution, variable, bins)) continue;
       unmerged.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
     std::vector<SolutionMarginal> merged;
@@ -86,8 +88,8 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
       for (std::size_t b = a + 1; b < unmerged.size(); ++b) {
         auto pair = compare_pair(merged, smooth, a, b, smooth_reference, with_sampling_error);
         pair.distances.l1 +=
-            atom_distance(transform::find_solution(solutions, pair.a)->atoms,
-                          transform::find_solution(solutions, pair.b)->atoms, variable);
+            rest_atom_l1_distance(transform::find_solution(solutions, pair.a)->atoms,
+                                  transform::find_solution(solutions, pair.b)->atoms, variable);
         result.pairs.push_back(std::move(pair));
       }
     }
@@ -97,7 +99,7 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   }
   result.budget = error_budget(axes, solutions,
                                smooth_reference == nullptr ? over_uniform_bins : result.smooth);
-  result.limits = limits(result.budget, solutions, result.pairs);
+  result.limits = limiting_errors_text(result.budget, solutions, result.pairs);
   clip_negative_densities(solutions, result.marginals);
   clip_negative_densities(solutions, result.smooth);
   return result;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/axes.hpp"
-#include "compare/budget.hpp"
-#include "compare/pairs.hpp"
+#include "compare/comparison_axes.hpp"
+#include "compare/error_budget.hpp"
+#include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::compare {
@@ -17,9 +17,9 @@ struct Comparison {
   std::vector<SolutionMarginal> marginals;
   /// The same marginals over smooth bins, if a solution has smooth estimates; else empty.
   std::vector<SolutionMarginal> smooth;
-  std::vector<PairDistances> pairs;  ///< distances of all pairs of solutions, in both variables
-  std::vector<BudgetRow> budget;     ///< error budgets of the closures
-  std::string limits;                ///< a sentence on the largest error of each closure
+  std::vector<PairDistances> pairs;    ///< distances of all pairs of solutions, in both variables
+  std::vector<ErrorBudgetRow> budget;  ///< error budgets of the closures
+  std::string limits;                  ///< a sentence on the largest error of each closure
 };
 
 /// Computes the marginals of all solutions with a density, the distances of all pairs of solutions

@@ -30,7 +30,7 @@ bool is_finite(const Marginal& m) {
 }
 
 // b log(b/a) - b + a, with the limits at 0.
-double divergence_term(double a, double b) {
+double kullback_leibler_term(double a, double b) {
   if (b == 0) return a;
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;
 }
@@ -39,7 +39,8 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
   TailDistance tail{from, to, 0, 0, 0};
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (b.density[k] < from || b.density[k] >= to) continue;
-    if (a.density[k] > 0 && has_narrow_interval(a, k) && has_narrow_interval(b, k)) {
+    if (a.density[k] > 0 && has_narrow_confidence_interval(a, k) &&
+        has_narrow_confidence_interval(b, k)) {
       tail.mean_abs += std::abs(std::log10(a.density[k] / b.density[k]));
       ++tail.bins;
     } else {
@@ -52,7 +53,7 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
 
 }  // namespace
 
-bool has_narrow_interval(const Marginal& m, std::size_t bin) {
+bool has_narrow_confidence_interval(const Marginal& m, std::size_t bin) {
   if (m.lower.empty() || m.upper.empty()) return true;
   return m.upper[bin] - m.lower[bin] <= 2 * kMaxRelativeHalfWidth * m.density[bin];
 }
@@ -73,7 +74,7 @@ Distances distances(const Marginal& a, const Marginal& b) {
     const double pa = std::max(a.density[k], 0.0), pb = std::max(b.density[k], 0.0);
     const double root_difference = std::sqrt(pa) - std::sqrt(pb);
     root_squares += root_difference * root_difference * width;
-    d.kl += divergence_term(pa, pb) * width;
+    d.kl += kullback_leibler_term(pa, pb) * width;
   }
   d.l2 = std::sqrt(squares);
   d.hellinger = std::sqrt(root_squares / 2);

@@ -35,7 +35,7 @@ struct Distances {
 
 /// Whether the 95 % confidence interval of a bin is within +-50 % of the density in the bin. A
 /// marginal without confidence intervals counts as exact: the result is true.
-bool has_narrow_interval(const transform::Marginal& marginal, std::size_t bin);
+bool has_narrow_confidence_interval(const transform::Marginal& marginal, std::size_t bin);
 
 /// Computes the distances of the marginal a from the reference marginal b. Discretisations can
 /// produce negative averages: l1, l2 and sup use the negative values, hellinger and kl use zero

@@ -10,8 +10,8 @@ namespace fpkcheck::compare {
 
 using problem::Equation;
 using problem::Impact;
-using transform::Role;
 using transform::Solution;
+using transform::SolutionRole;
 using transform::Variable;
 
 namespace {
@@ -20,8 +20,9 @@ constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string_view first,
-                               std::string_view second, Variable variable) {
+const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
+                                         std::string_view first, std::string_view second,
+                                         Variable variable) {
   const auto found = std::ranges::find_if(pairs, [&](const PairDistances& pair) {
     const bool same =
         (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
@@ -30,48 +31,51 @@ const PairDistances* find_pair(std::span<const PairDistances> pairs, std::string
   return found == pairs.end() ? nullptr : &*found;
 }
 
-std::optional<double> l1_between(std::span<const PairDistances> pairs, std::string_view first,
-                                 std::string_view second, Variable variable) {
-  const PairDistances* pair = find_pair(pairs, first, second, variable);
+std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
+                                          std::string_view first, std::string_view second,
+                                          Variable variable) {
+  const PairDistances* pair = find_pair_distances(pairs, first, second, variable);
   if (pair == nullptr || !std::isfinite(pair->distances.l1)) return std::nullopt;
   return pair->distances.l1;
 }
 
-double error_estimate(const Solution& solution, Variable variable) {
+double l1_error_estimate(const Solution& solution, Variable variable) {
   if (solution.error) return l1(*solution.error, variable);
   if (const auto& sampling = best_sampling_error(solution)) {
-    return expected(*sampling, variable).value_or(kUnknownError);
+    return expected_l1_error(*sampling, variable).value_or(kUnknownError);
   }
   return kUnknownError;
 }
 
-double error_estimate(const Solution& solution) {
-  return error_estimate(solution, Variable::y) + error_estimate(solution, Variable::ydot);
+double l1_error_estimate(const Solution& solution) {
+  return l1_error_estimate(solution, Variable::y) + l1_error_estimate(solution, Variable::ydot);
 }
 
 bool is_solution_of_full_problem(const Solution& solution) {
   const auto& identity = solution.identity;
-  const bool independent = identity.role == Role::equation || identity.role == Role::simulation;
+  const bool independent =
+      identity.role == SolutionRole::equation || identity.role == SolutionRole::simulation;
   return solution.is_ok() && solution.has_density() && independent &&
          identity.equation == Equation::kf && identity.impact && *identity.impact != Impact::delta;
 }
 
-const Solution* reference(std::span<const Solution> solutions) {
+const Solution* select_reference(std::span<const Solution> solutions) {
   const Solution* best = nullptr;
   for (const auto& solution : solutions) {
     if (!is_solution_of_full_problem(solution)) continue;
-    if (best == nullptr || !(error_estimate(*best) < error_estimate(solution))) best = &solution;
+    if (best == nullptr || !(l1_error_estimate(*best) < l1_error_estimate(solution)))
+      best = &solution;
   }
   return best;
 }
 
 std::string reference_text(std::span<const Solution> solutions) {
-  const Solution* chosen = reference(solutions);
+  const Solution* chosen = select_reference(solutions);
   if (chosen == nullptr) {
     return "There is no reference: no solution of the full problem has status ok.";
   }
-  const double y = error_estimate(*chosen, Variable::y),
-               ydot = error_estimate(*chosen, Variable::ydot);
+  const double y = l1_error_estimate(*chosen, Variable::y),
+               ydot = l1_error_estimate(*chosen, Variable::ydot);
   const std::string known =
       std::isfinite(y + ydot)
           ? fmt::format(
@@ -84,23 +88,24 @@ std::string reference_text(std::span<const Solution> solutions) {
 
 std::vector<ReferenceDistance> closures_by_reference_distance(
     std::span<const Solution> solutions, std::span<const PairDistances> pairs) {
-  const Solution* reference_solution = reference(solutions);
+  const Solution* reference_solution = select_reference(solutions);
   std::vector<ReferenceDistance> ranks;
   if (reference_solution == nullptr) return ranks;
   for (const auto& solution : solutions) {
-    if (solution.identity.role != Role::closure || !solution.is_ok()) continue;
-    const auto y = l1_between(pairs, solution.id(), reference_solution->id(), Variable::y);
-    const auto ydot = l1_between(pairs, solution.id(), reference_solution->id(), Variable::ydot);
+    if (solution.identity.role != SolutionRole::closure || !solution.is_ok()) continue;
+    const auto y = l1_distance_between(pairs, solution.id(), reference_solution->id(), Variable::y);
+    const auto ydot =
+        l1_distance_between(pairs, solution.id(), reference_solution->id(), Variable::ydot);
     if (y && ydot) ranks.push_back({&solution, *y, *ydot});
   }
-  std::ranges::stable_sort(ranks, {}, &ReferenceDistance::sum);
+  std::ranges::stable_sort(ranks, {}, &ReferenceDistance::l1_sum);
   return ranks;
 }
 
-bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
-                          const Solution& reference) {
-  const double error = error_estimate(reference);
-  return std::isfinite(error) && std::abs(first.sum() - second.sum()) <= error;
+bool are_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
+                           const Solution& reference) {
+  const double error = l1_error_estimate(reference);
+  return std::isfinite(error) && std::abs(first.l1_sum() - second.l1_sum()) <= error;
 }
 
 }  // namespace fpkcheck::compare

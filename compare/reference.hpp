@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/pairs.hpp"
+#include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
 /// Selection of the reference solution of a case: the solution from which the distances of all
@@ -15,9 +15,9 @@ namespace fpkcheck::compare {
 
 /// L1 error estimate of a marginal density: the error estimate of the method; without an error
 /// estimate, the expected sampling error; without both, infinity.
-double error_estimate(const transform::Solution& solution, transform::Variable variable);
+double l1_error_estimate(const transform::Solution& solution, transform::Variable variable);
 /// Sum of the L1 error estimates of both marginal densities.
-double error_estimate(const transform::Solution& solution);
+double l1_error_estimate(const transform::Solution& solution);
 
 /// Whether a solution has a density, the status ok, and solves the full problem: a density equation
 /// or a simulation with the jump integral (`kf`) and the exact impact condition.
@@ -29,7 +29,7 @@ bool is_solution_of_full_problem(const transform::Solution& solution);
 /// the reference.
 /// @param solutions by increasing trust
 /// @return null if no solution satisfies is_solution_of_full_problem()
-const transform::Solution* reference(std::span<const transform::Solution> solutions);
+const transform::Solution* select_reference(std::span<const transform::Solution> solutions);
 
 /// A sentence for reports on the id of the reference and the reason for its selection.
 std::string reference_text(std::span<const transform::Solution> solutions);
@@ -39,7 +39,7 @@ struct ReferenceDistance {
   const transform::Solution* solution;
   double y, ydot;  ///< distances in p(y) and in p(y')
 
-  double sum() const { return y + ydot; }
+  double l1_sum() const { return y + ydot; }
 };
 
 /// The distances of closures from the reference, by increasing sum of both distances. Closures
@@ -49,7 +49,7 @@ std::vector<ReferenceDistance> closures_by_reference_distance(
 
 /// Whether the sums of the distances of two solutions differ by no more than the error estimate of
 /// the reference. With so small a difference, neither solution counts as closer to the reference.
-bool is_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
-                          const transform::Solution& reference);
+bool are_indistinguishable(const ReferenceDistance& first, const ReferenceDistance& second,
+                           const transform::Solution& reference);
 
 }  // namespace fpkcheck::compare

@@ -5,8 +5,9 @@
 
 namespace fpkcheck::compare {
 
-double atom_distance(const std::vector<transform::RestAtom>& a,
-                     const std::vector<transform::RestAtom>& b, transform::Variable variable) {
+double rest_atom_l1_distance(const std::vector<transform::RestAtom>& a,
+                             const std::vector<transform::RestAtom>& b,
+                             transform::Variable variable) {
   std::map<double, double> difference;  // difference of the probabilities, by position of the atom
   const auto place = [&](const transform::RestAtom& atom) {
     return variable == transform::Variable::y ? atom.y : 0;

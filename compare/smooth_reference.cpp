@@ -12,7 +12,7 @@ using transform::Variable;
 
 const Solution* find_smooth_reference(std::span<const Solution> solutions) {
   const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
-    return s.is_ok() && s.identity.role == transform::Role::simulation &&
+    return s.is_ok() && s.identity.role == transform::SolutionRole::simulation &&
            s.identity.equation == problem::Equation::kf && !s.smooth_estimates.empty();
   });
   return found == solutions.end() ? nullptr : &*found;
@@ -23,7 +23,7 @@ std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMargi
                                                    const Solution& smooth_reference) {
   std::vector<SolutionMarginal> smooth;
   for (const auto& [id, variable, marginal] : sharp) {
-    const auto* estimate = transform::smooth_estimate(smooth_reference, variable);
+    const auto* estimate = transform::find_smooth_bin_estimate(smooth_reference, variable);
     if (id == smooth_reference.id()) {
       smooth.push_back({id, variable, estimate->averages});
       continue;
@@ -34,7 +34,7 @@ std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMargi
                             : nullptr;
     smooth.push_back(
         {id, variable,
-         transform::smooth_averages(
+         transform::average_over_smooth_bins(
              cells == nullptr
                  ? marginal
                  : transform::marginal(*solution, variable,
@@ -44,7 +44,8 @@ std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMargi
   return smooth;
 }
 
-double l1_standard_error(const transform::Marginal& a, const transform::SmoothEstimate& estimate) {
+double l1_standard_error(const transform::Marginal& a,
+                         const transform::SmoothBinEstimate& estimate) {
   const auto& p = estimate.averages;
   const std::size_t n = p.size();
   std::vector<double> signed_weight;

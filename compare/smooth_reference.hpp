@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/pairs.hpp"
+#include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
 /// Comparison of solutions over smooth bins with the smooth reference, a simulation with control
@@ -29,6 +29,7 @@ std::vector<SolutionMarginal> smooth_bin_marginals(std::span<const SolutionMargi
 /// standard error of sum_b s_b (a_b - p_b) w_b, where w_b is the width of bin b and s_b is the sign
 /// of a_b - p_b.
 /// @param a marginal over the bins of the estimate
-double l1_standard_error(const transform::Marginal& a, const transform::SmoothEstimate& estimate);
+double l1_standard_error(const transform::Marginal& a,
+                         const transform::SmoothBinEstimate& estimate);
 
 }  // namespace fpkcheck::compare

@@ -42,7 +42,7 @@ struct Sums {
   }
 };
 
-void check_flights(const problem::System& system, const Sums& sums, Checks& checks) {
+void check_flights(const problem::System& system, const Sums& sums, SimulationChecks& checks) {
   const auto& of_system = system.coefficients();
   const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
                           int p, int q, double acceleration) {
@@ -55,7 +55,8 @@ void check_flights(const problem::System& system, const Sums& sums, Checks& chec
   checks.power = defect(0, 1, sums.acceleration[2]);
 }
 
-void check_impulses(const problem::ImpulseTrain& train, const Sums& sums, Checks& checks) {
+void check_impulses(const problem::ImpulseTrain& train, const Sums& sums,
+                    SimulationChecks& checks) {
   const auto& law = train.law();
   const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
   checks.rate = (n - expected) / std::sqrt(expected);
@@ -71,8 +72,8 @@ Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
   const Eigen::Index nv = deposit_layout.v.size();
   Eigen::MatrixXd all(deposit_layout.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
   for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
-    const auto in_y = deposit_layout.y.power(mcs::kPowers[n].first);
-    const auto in_v = deposit_layout.v.power(mcs::kPowers[n].second);
+    const auto in_y = deposit_layout.y.coefficients_of_power(mcs::kPowers[n].first);
+    const auto in_v = deposit_layout.v.coefficients_of_power(mcs::kPowers[n].second);
     for (std::size_t i = 0; i < in_y.size(); ++i) {
       for (std::size_t j = 0; j < in_v.size(); ++j) {
         all(static_cast<Eigen::Index>(i) * nv + static_cast<Eigen::Index>(j),
@@ -85,7 +86,7 @@ Eigen::MatrixXd polynomial_coefficients(const DepositLayout& deposit_layout) {
 
 }  // namespace
 
-Hotelling hotelling_test(const Eigen::MatrixXd& all) {
+HotellingTest hotelling_test(const Eigen::MatrixXd& all) {
   const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
   // In units of the standard deviation of each variable, against rounding errors.
@@ -104,10 +105,11 @@ Hotelling hotelling_test(const Eigen::MatrixXd& all) {
   return {.statistic = statistic, .dimensions = static_cast<int>(p), .p_value = odds};
 }
 
-Checks checks(const ControlSetup& setup, const Eigen::MatrixXd& generator,
-              std::span<const mcs::StreamDeposit> streams, const Estimates& estimates) {
+SimulationChecks check_simulation(const ControlSetup& setup, const Eigen::MatrixXd& generator,
+                                  std::span<const mcs::StreamDeposit> streams,
+                                  const FunctionalEstimates& estimates) {
   const Sums sums(streams);
-  Checks result;
+  SimulationChecks result;
   result.generator =
       hotelling_test(polynomial_coefficients(setup.deposit_layout).transpose() * generator);
   check_flights(setup.problem.system, sums, result);
@@ -123,7 +125,7 @@ Checks checks(const ControlSetup& setup, const Eigen::MatrixXd& generator,
   return result;
 }
 
-std::vector<std::string> Checks::deterministic_failures() const {
+std::vector<std::string> SimulationChecks::failed_deterministic_checks() const {
   std::vector<std::string> names;
   const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
@@ -136,8 +138,8 @@ std::vector<std::string> Checks::deterministic_failures() const {
   return names;
 }
 
-std::vector<std::string> Checks::failed() const {
-  std::vector<std::string> names = deterministic_failures();
+std::vector<std::string> SimulationChecks::failed_checks() const {
+  std::vector<std::string> names = failed_deterministic_checks();
   const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
   };

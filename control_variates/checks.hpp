@@ -11,21 +11,21 @@
 namespace fpkcheck::control_variates {
 
 /// Result of Hotelling's test whether a random vector, observed once in each stream, has zero mean.
-struct Hotelling {
+struct HotellingTest {
   double statistic = 0;  ///< T^2 = n m^T S^-1 m: n streams, mean m, covariance S
   int dimensions = 0;
   double p_value = 1;
 };
 /// @param values shape (dimensions, streams); the test uses the first dimensions only, at most half
 /// as many as there are streams
-Hotelling hotelling_test(const Eigen::MatrixXd& values);
+HotellingTest hotelling_test(const Eigen::MatrixXd& values);
 
 /// Results of the checks that compare the simulated motion, impacts and impulses with the problem.
-struct Checks {
+struct SimulationChecks {
   /// Test of E[L B] = 0 for the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4: whether flights,
   /// impacts and impulses together follow the generator L. The means have the sampling error of the
   /// plain estimate.
-  Hotelling generator;
+  HotellingTest generator;
   /// Means of (y'' + c y' + g(y)) phi along the polynomials of the flights, relative to c (E[y'^2]
   /// E[phi^2])^1/2, for phi = 1, y, y' (in this order). The means are the error of the flights
   /// relative to the damping and have no sampling error.
@@ -45,12 +45,13 @@ struct Checks {
 
   /// Names of the failed checks: "flights", "restitution", "wall", "impulses", "generator",
   /// "plain". Each check with a sampling error has a false alarm rate of 1e-4.
-  std::vector<std::string> failed() const;
+  std::vector<std::string> failed_checks() const;
   /// Names of the failed checks without sampling error: flights, restitution, wall.
-  std::vector<std::string> deterministic_failures() const;
+  std::vector<std::string> failed_deterministic_checks() const;
 };
 
-Checks checks(const ControlSetup& setup, const Eigen::MatrixXd& generator,
-              std::span<const mcs::StreamDeposit> streams, const Estimates& estimates);
+SimulationChecks check_simulation(const ControlSetup& setup, const Eigen::MatrixXd& generator,
+                                  std::span<const mcs::StreamDeposit> streams,
+                                  const FunctionalEstimates& estimates);
 
 }  // namespace fpkcheck::control_variates

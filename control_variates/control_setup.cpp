@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "backward/control/control_fit_paper_class.hpp"
 #include "backward/control/control_functions.hpp"
 #include "backward/control/impulse_means.hpp"
-#include "backward/control/paper_class_fit.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::control_variates {
@@ -25,11 +25,11 @@ std::vector<double> lattice(const mcs::DepositGrid& grid) {
 
 }  // namespace
 
-DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells& cells) {
+DepositLayout make_deposit_layout(const problem::Problem& problem, const ControlCells& cells) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem);
-  auto splines = backward::paper_class_splines(problem, {.y = cells.y, .v = cells.v});
+  auto splines = backward::control_splines_paper_class(problem, {.y = cells.y, .v = cells.v});
   DepositLayout p{
       .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
@@ -59,9 +59,10 @@ DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells
 
 ControlSetup make_control_setup(const problem::Problem& problem,
                                 const DepositLayout& deposit_layout, double sampling_interval) {
-  const auto control =
-      backward::paper_class_fit(problem, deposit_layout.y, deposit_layout.v, 1 / sampling_interval);
-  auto functions = backward::fit_control_functions(control, deposit_layout.functionals.functions());
+  const auto control = backward::control_fit_paper_class(problem, deposit_layout.y,
+                                                         deposit_layout.v, 1 / sampling_interval);
+  auto functions =
+      backward::fit_control_functions(control, deposit_layout.functionals.integrands());
   return {.problem = problem,
           .deposit_layout = deposit_layout,
           .control = std::move(functions.coefficients),

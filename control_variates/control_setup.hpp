@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "control_variates/functionals.hpp"
-#include "mcs/deposit/grid.hpp"
+#include "mcs/deposit/deposit_grid.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 
@@ -15,16 +15,16 @@ struct ControlCells {
 };
 
 /// Layout of the deposits, determined by the problem alone. The splines are the default splines of
-/// the control functions (backward/control/paper_class_fit.hpp). The spacing of the velocity
-/// lattice is an eighth of the standard deviation of the impulses. The smooth bins of y and y' have
-/// spacings of 0.15 and 0.3 standard deviations of the variable, a width of four spacings, and
-/// extend to 7 standard deviations.
+/// the control functions (backward/control/control_fit_paper_class.hpp). The spacing of the
+/// velocity lattice is an eighth of the standard deviation of the impulses. The smooth bins of y
+/// and y' have spacings of 0.15 and 0.3 standard deviations of the variable, a width of four
+/// spacings, and extend to 7 standard deviations.
 struct DepositLayout {
   numerics::QuinticBSplines y, v;
   mcs::DepositGrid grid;
   Functionals functionals;
 };
-DepositLayout deposit_layout(const problem::Problem& problem, const ControlCells& cells);
+DepositLayout make_deposit_layout(const problem::Problem& problem, const ControlCells& cells);
 
 /// The control functions of all functionals, with precomputed means after impulses.
 struct ControlSetup {

@@ -28,10 +28,10 @@ Eigen::MatrixXd error_contributions(const Eigen::MatrixXd& values) {
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
 }
 
-mcs::SamplingL1 bins_sampling_l1(const Eigen::MatrixXd& errors) {
+mcs::L1SamplingError bins_sampling_l1(const Eigen::MatrixXd& errors) {
   mcs::BinErrors bins;
   for (const auto& row : errors.rowwise()) bins.emplace_back(row.begin(), row.end());
-  return mcs::sampling_l1(bins);
+  return mcs::l1_sampling_error(bins);
 }
 
 /// @param controlled, plain means of the bins in each stream, both of shape (bins, streams)
@@ -62,7 +62,7 @@ Eigen::MatrixXd generator_means(const ControlSetup& setup,
   RowMajor after_impulse = setup.after_impulse;
   RowMajor sums(ny, nv);
   for (std::size_t s = 0; s < streams.size(); ++s) {
-    const mcs::Deposit& d = streams[s].sums;
+    const mcs::DepositedSums& d = streams[s].sums;
     sums = Table(d.flow.data(), ny, d.flow_pitch).leftCols(nv);
     sums.noalias() +=
         Table(d.lattice.data(), ny, d.lattice_pitch).leftCols(after_impulse.rows()) * after_impulse;
@@ -72,17 +72,18 @@ Eigen::MatrixXd generator_means(const ControlSetup& setup,
   return means;
 }
 
-Estimates estimate_functionals(const ControlSetup& setup, const Eigen::MatrixXd& generator,
-                               std::span<const mcs::StreamDeposit> streams) {
+FunctionalEstimates estimate_functionals(const ControlSetup& setup,
+                                         const Eigen::MatrixXd& generator,
+                                         std::span<const mcs::StreamDeposit> streams) {
   const Functionals& functionals = setup.deposit_layout.functionals;
   Eigen::MatrixXd plain(functionals.size(), generator.cols());
   for (std::size_t s = 0; s < streams.size(); ++s) {
-    const std::vector<double> means = functionals.means(streams[s]);
+    const std::vector<double> means = functionals.stream_means(streams[s]);
     plain.col(static_cast<Eigen::Index>(s)) =
         Eigen::Map<const Eigen::VectorXd>(means.data(), plain.rows());
   }
   const Eigen::MatrixXd controlled = plain + setup.control.transpose() * generator;
-  std::vector<EstimatePair> moments;
+  std::vector<ControlledAndPlainEstimate> moments;
   for (Eigen::Index f = 0; f < std::ssize(kMoments); ++f) {
     moments.push_back(
         {estimate_over_streams(controlled.row(f)), estimate_over_streams(plain.row(f))});

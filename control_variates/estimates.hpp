@@ -12,20 +12,20 @@
 namespace fpkcheck::control_variates {
 
 /// Two estimates of an expectation: with control variates and without (plain).
-struct EstimatePair {
+struct ControlledAndPlainEstimate {
   mcs::Estimate controlled, plain;
 };
 
 /// Estimates of a marginal density, averaged over smooth bins.
 struct BinEstimates {
   transform::SmoothBins bins;
-  std::vector<EstimatePair> averages;
+  std::vector<ControlledAndPlainEstimate> averages;
   Eigen::MatrixXd covariance;  ///< covariance matrix of the controlled averages
-  mcs::SamplingL1 controlled_l1, plain_l1;
+  mcs::L1SamplingError controlled_l1, plain_l1;
 };
 
-struct Estimates {
-  std::vector<EstimatePair> moments;  ///< moments in the order of kMoments
+struct FunctionalEstimates {
+  std::vector<ControlledAndPlainEstimate> moments;  ///< moments in the order of kMoments
   BinEstimates y, v;
   /// Half-width of a 95 % confidence interval, in standard errors (Student's t).
   double interval_factor = 0;
@@ -39,7 +39,8 @@ Eigen::MatrixXd generator_means(const ControlSetup& setup,
 /// Estimates E[f] by the mean of f + L h for every functional, with control function h. The
 /// estimate is unbiased for any h. The standard errors are computed from the differences between
 /// streams.
-Estimates estimate_functionals(const ControlSetup& setup, const Eigen::MatrixXd& generator,
-                               std::span<const mcs::StreamDeposit> streams);
+FunctionalEstimates estimate_functionals(const ControlSetup& setup,
+                                         const Eigen::MatrixXd& generator,
+                                         std::span<const mcs::StreamDeposit> streams);
 
 }  // namespace fpkcheck::control_variates

@@ -13,13 +13,14 @@ std::function<double(double)> power(int n) {
 }
 
 std::function<double(double)> smooth_bin(const transform::SmoothBins& bins, int b) {
-  return
-      [bins, b](double x) { return transform::cubic_spline((x - bins.first) / bins.spacing - b); };
+  return [bins, b](double x) {
+    return transform::cardinal_cubic_spline((x - bins.first) / bins.spacing - b);
+  };
 }
 
 }  // namespace
 
-std::vector<backward::SeparableFunction> Functionals::functions() const {
+std::vector<backward::SeparableFunction> Functionals::integrands() const {
   std::vector<backward::SeparableFunction> all;
   for (const auto& [p, q] : kMoments) all.push_back({power(p), power(q)});
   for (int b = 0; b < y_bins.count; ++b) all.push_back({smooth_bin(y_bins, b), one});
@@ -27,7 +28,7 @@ std::vector<backward::SeparableFunction> Functionals::functions() const {
   return all;
 }
 
-std::vector<double> Functionals::means(const mcs::StreamDeposit& stream) const {
+std::vector<double> Functionals::stream_means(const mcs::StreamDeposit& stream) const {
   std::vector<double> all;
   for (const auto& [p, q] : kMoments) {
     const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
@@ -35,7 +36,8 @@ std::vector<double> Functionals::means(const mcs::StreamDeposit& stream) const {
   }
   const auto put = [&](const std::vector<double>& sums, int count) {
     for (int b = 0; b < count; ++b) {
-      all.push_back(sums[static_cast<std::size_t>(b + mcs::Deposit::kBinOffset)] / stream.samples);
+      all.push_back(sums[static_cast<std::size_t>(b + mcs::DepositedSums::kBinOffset)] /
+                    stream.samples);
     }
   };
   put(stream.sums.y_bins, y_bins.count);

@@ -11,10 +11,11 @@
 namespace fpkcheck::control_variates {
 
 /// Exponents of the moment E[y^p y'^q].
-struct Moment {
+struct MomentExponents {
   int p, q;
 };
-inline constexpr std::array<Moment, 6> kMoments{{{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
+inline constexpr std::array<MomentExponents, 6> kMoments{
+    {{1, 0}, {2, 0}, {4, 0}, {0, 1}, {0, 2}, {0, 4}}};
 
 /// The estimated functionals, in this order: moments, smooth bins of y, smooth bins of y'.
 struct Functionals {
@@ -22,9 +23,9 @@ struct Functionals {
 
   int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
   /// The integrands f of all functionals, as functions on the phase plane.
-  std::vector<backward::SeparableFunction> functions() const;
+  std::vector<backward::SeparableFunction> integrands() const;
   /// Plain means of the functionals over the samples of one stream.
-  std::vector<double> means(const mcs::StreamDeposit& stream) const;
+  std::vector<double> stream_means(const mcs::StreamDeposit& stream) const;
 };
 
 }  // namespace fpkcheck::control_variates

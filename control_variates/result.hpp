@@ -11,8 +11,8 @@ namespace fpkcheck::control_variates {
 
 /// Results of a simulation with control variates: estimates, checks and the plain simulation.
 struct Result {
-  Estimates estimates;
-  Checks checks;
+  FunctionalEstimates estimates;
+  SimulationChecks checks;
   mcs::Result simulation;  ///< without the deposits
   std::vector<double> backward_means;
 };

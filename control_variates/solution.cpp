@@ -17,33 +17,34 @@ static_assert(std::size(transform::kMoments) == kMoments.size());  // in the sam
 
 /// Adds the plain estimates. Unlike the controlled estimates, the plain estimates depend on the law
 /// of the drawn impulses.
-void add_plain_metrics(const Estimates& estimates, transform::MetricBuilder& builder) {
+void add_plain_metrics(const FunctionalEstimates& estimates, transform::MetricBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;
     const std::string name = transform::kMoments[k].name, error_path = "plain.errors." + name;
     builder.add(
         {.path = "plain.moments." + name, .value = plain.mean, .standard_error_path = error_path});
-    builder.error(error_path, plain.standard_error);
+    builder.add_error(error_path, plain.standard_error);
   }
 }
 
-void add_check_metrics(const Checks& checks, transform::MetricBuilder& builder) {
-  builder.work("checks.flights.momentum", checks.momentum)
-      .work("checks.flights.virial", checks.virial)
-      .work("checks.flights.power", checks.power)
-      .work("checks.impacts.restitution", checks.restitution)
-      .work("checks.impacts.wall_distance", checks.wall_distance)
-      .work("checks.impulses.rate", checks.rate)
-      .work("checks.impulses.mean", checks.mean)
-      .work("checks.impulses.mean_square", checks.mean_square)
-      .work("checks.generator.hotelling", checks.generator.statistic)
-      .work("checks.generator.dimensions", transform::count_value(checks.generator.dimensions))
-      .work("checks.generator.p_value", checks.generator.p_value)
-      .work("checks.plain_moments", checks.plain_moments);
+void add_check_metrics(const SimulationChecks& checks, transform::MetricBuilder& builder) {
+  builder.add_work("checks.flights.momentum", checks.momentum)
+      .add_work("checks.flights.virial", checks.virial)
+      .add_work("checks.flights.power", checks.power)
+      .add_work("checks.impacts.restitution", checks.restitution)
+      .add_work("checks.impacts.wall_distance", checks.wall_distance)
+      .add_work("checks.impulses.rate", checks.rate)
+      .add_work("checks.impulses.mean", checks.mean)
+      .add_work("checks.impulses.mean_square", checks.mean_square)
+      .add_work("checks.generator.hotelling", checks.generator.statistic)
+      .add_work("checks.generator.dimensions",
+                transform::value_from_count(checks.generator.dimensions))
+      .add_work("checks.generator.p_value", checks.generator.p_value)
+      .add_work("checks.plain_moments", checks.plain_moments);
 }
 
-std::string checks_note(const Checks& checks) {
-  const auto failed = checks.failed();
+std::string checks_note(const SimulationChecks& checks) {
+  const auto failed = checks.failed_checks();
   const std::string verdict = failed.empty()
                                   ? "all checks of motion, impacts and impulses passed"
                                   : fmt::format("failed checks: {}", fmt::join(failed, ", "));
@@ -52,8 +53,8 @@ std::string checks_note(const Checks& checks) {
       checks.generator.dimensions, checks.generator.p_value);
 }
 
-void set_status(const Checks& checks, Solution& solution) {
-  const auto wrong = checks.deterministic_failures();
+void set_status(const SimulationChecks& checks, Solution& solution) {
+  const auto wrong = checks.failed_deterministic_checks();
   if (wrong.empty() || !solution.is_ok()) return;
   solution.status = transform::Status::failed;
   solution.reason = fmt::format(
@@ -61,7 +62,8 @@ void set_status(const Checks& checks, Solution& solution) {
       fmt::join(wrong, ", "));
 }
 
-transform::SmoothEstimate smooth_estimate(const BinEstimates& bins, double interval_factor) {
+transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
+                                                      double interval_factor) {
   std::vector<double> averages, lower, upper;
   for (const auto& [controlled, plain] : bins.averages) {
     const double half = interval_factor * controlled.standard_error;
@@ -89,24 +91,26 @@ Solution make_solution(Result&& result) {
     solution.standard_errors->moments.*moment = controlled.standard_error;
   }
   const double factor = estimates.interval_factor;
-  solution.smooth_estimates = {{Variable::y, smooth_estimate(estimates.y, factor)},
-                               {Variable::ydot, smooth_estimate(estimates.v, factor)}};
+  solution.smooth_estimates = {{Variable::y, find_smooth_bin_estimate(estimates.y, factor)},
+                               {Variable::ydot, find_smooth_bin_estimate(estimates.v, factor)}};
   const auto &y = estimates.y.controlled_l1, &v = estimates.v.controlled_l1;
   solution.smooth_sampling = transform::SamplingError{
       .y = y.expected, .ydot = v.expected, .y_99 = y.quantile_99, .ydot_99 = v.quantile_99};
   transform::MetricBuilder builder;
   add_plain_metrics(estimates, builder);
   add_check_metrics(checks, builder);
-  builder.text("notes[0]", checks_note(checks));
-  for (auto& observation : builder.take()) solution.metrics.push_back(std::move(observation));
+  builder.add_text("notes[0]", checks_note(checks));
+  for (auto& observation : builder.take_metrics())
+    solution.metrics.push_back(std::move(observation));
   set_status(checks, solution);
   return solution;
 }
 
-Solution make_plain_solution(Solution&& plain, const std::string& why) {
+Solution make_plain_solution(Solution&& plain, const std::string& reason) {
   transform::MetricBuilder builder;
-  builder.text("notes[0]", fmt::format("plain simulation without control variates: {}", why));
-  for (auto& observation : builder.take()) plain.metrics.push_back(std::move(observation));
+  builder.add_text("notes[0]",
+                   fmt::format("plain simulation without control variates: {}", reason));
+  for (auto& observation : builder.take_metrics()) plain.metrics.push_back(std::move(observation));
   return std::move(plain);
 }
 

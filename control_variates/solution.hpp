@@ -12,7 +12,7 @@ namespace fpkcheck::control_variates {
 transform::Solution make_solution(Result&& result);
 
 /// The plain solution with a note that no control variates are used.
-/// @param why reason in one clause, completes the note
-transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& why);
+/// @param reason reason in one clause, completes the note
+transform::Solution make_plain_solution(transform::Solution&& plain, const std::string& reason);
 
 }  // namespace fpkcheck::control_variates

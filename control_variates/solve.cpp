@@ -6,7 +6,7 @@
 
 #include "backward/generator/normal_equations.hpp"
 #include "control_variates/solution.hpp"
-#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::control_variates {
@@ -25,7 +25,7 @@ constexpr ControlCells kCoarse{.y = 40, .v = 88};
 ControlCells choose_cells(const problem::Problem& problem, const Options& options) {
   if (options.cells) return *options.cells;
   if (!options.simulation.time) return {};
-  const auto plan = mcs::make_plan(problem, options.simulation);
+  const auto plan = mcs::make_simulation_plan(problem, options.simulation);
   return *options.simulation.time < kFewSamples * plan.sampling_interval ? kCoarse : ControlCells{};
 }
 
@@ -34,10 +34,10 @@ double lattice_bytes(const mcs::DepositGrid& grid) {
 }
 
 transform::Solution solve_plain(const problem::Problem& problem, const Options& options,
-                                const std::string& why) {
+                                const std::string& reason) {
   mcs::Options plain = options.simulation;
   plain.controlled = false;
-  return make_plain_solution(mcs::solve(problem, plain).solution, why);
+  return make_plain_solution(mcs::solve(problem, plain).solution, reason);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         "impulses");
   }
   const auto begin = std::chrono::steady_clock::now();
-  const DepositLayout layout = deposit_layout(problem, choose_cells(problem, options));
+  const DepositLayout layout = make_deposit_layout(problem, choose_cells(problem, options));
   if (lattice_bytes(layout.grid) * options.simulation.streams > kMostBytes) {
     return solve_plain(problem, options, "impulses this small need too much memory");
   }
@@ -62,7 +62,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
   simulation.controlled = true;  // require_accuracy() follows below
   simulation.deposit = layout.grid;
   simulation.step = simulation.step.value_or(kStep);
-  const double interval = mcs::make_plan(problem, simulation).sampling_interval;
+  const double interval = mcs::make_simulation_plan(problem, simulation).sampling_interval;
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto setup = std::async(policy, [&] { return make_control_setup(problem, layout, interval); });
   // With one thread the fit precedes the simulation. A stop request during the simulation therefore

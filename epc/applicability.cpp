@@ -7,7 +7,7 @@ namespace fpkcheck::epc {
 
 namespace {
 
-std::string wall_unsupported_reason(const problem::Features& features) {
+std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
   if (features.rests_in_contact) {
     return "the mass comes to rest at a wall: an exponential polynomial of y and y' has no atom; "
            "use epc-polar, fd or mcs";
@@ -19,7 +19,8 @@ std::string wall_unsupported_reason(const problem::Features& features) {
   return "";
 }
 
-std::string gaussian_unsupported_reason(const problem::Features& features, const Options& options) {
+std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features,
+                                        const Options& options) {
   if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
     return "the formulation gaussian supports one wall with constant damping, or no wall";
   }
@@ -32,7 +33,7 @@ std::string gaussian_unsupported_reason(const problem::Features& features, const
 }  // namespace
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  const problem::Features features = problem::features(problem);
+  const problem::ProblemFeatures features = problem::features(problem);
   if (features.is_paper_oscillator) return "";
   switch (options.formulation) {
     case Formulation::gaussian:

@@ -11,13 +11,14 @@ namespace {
 
 using namespace base;
 
-Range order_range(Formulation formulation) {
-  return even_between(2, greatest_order(formulation))
-      .with_reason("a polynomial of odd degree rises in some direction; rounding limits the order");
+AdmissibleRange order_range(Formulation formulation) {
+  return even_integers_between(2, max_closure_order(formulation))
+      .with_appended_reason(
+          "a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
 void require_order(const Options& options) {
-  const Range range = order_range(options.formulation);
+  const AdmissibleRange range = order_range(options.formulation);
   if (range.contains(options.order)) return;
   throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.requirement));
 }
@@ -47,9 +48,10 @@ void require_equation(const Options& options) {
 }
 
 // Part of the id of a solution between "epc-" and "-nN".
-std::string variant(const Options& options) {
+std::string formulation_and_variant(const Options& options) {
   std::string text(name(options.formulation));
-  if (options.formulation == Formulation::moment && options.tail == Tail::cut) text += "-cut";
+  if (options.formulation == Formulation::moment && options.tail == TailTreatment::cut)
+    text += "-cut";
   const Equation equation = equation_of(options);
   if (equation != default_equation(options.formulation)) {
     text += fmt::format("-{}", name(equation));
@@ -82,20 +84,20 @@ const Description<Options>& description() {
                 "for moment: confined (default): a steep fixed term makes the exponent fall beyond "
                 "the confinement level; cut: Q_n alone, zero beyond the level"})
           .add("tolerance", &O::tolerance, {"TOL", "tolerance on the norm of the residual"},
-               positive().with_reason("otherwise the iteration does not end"))
+               positive_numbers().with_appended_reason("otherwise the iteration does not end"))
           .without_flag()
           .add("accuracy", &O::accuracy,
                {"L1",
                 "largest L1 error estimate of p(y) and of p(y') with status ok (in a run: 0.02 for "
                 "closures, 0.01 for fd)"},
-               positive().with_reason("no closure is exact"))
+               positive_numbers().with_appended_reason("no closure is exact"))
           .with_default({})
           .add("max_seconds", &O::max_seconds,
                {"S", "for moment and polar: deadline after which no new attempt at a root begins"},
-               positive())
+               positive_numbers())
           .with_default(Options{}.max_seconds)
           .add("max_iterations", &O::max_iterations, {"N", "largest number of Newton steps"},
-               positive().with_reason("Newton's method takes at least one step"))
+               positive_numbers().with_appended_reason("Newton's method takes at least one step"))
           .without_flag();
   return description;
 }
@@ -104,7 +106,7 @@ void validate(const Options& options) {
   require_order(options);
   description().validate(options);
   require_equation(options);
-  if (options.formulation != Formulation::moment && options.tail != Tail::confined) {
+  if (options.formulation != Formulation::moment && options.tail != TailTreatment::confined) {
     throw InputError(fmt::format("epc tail = {}: the formulation {} has no such option; omit it",
                                  name(options.tail), name(options.formulation)));
   }
@@ -116,7 +118,9 @@ void validate(const Options& options) {
   }
 }
 
-int greatest_order(Formulation formulation) { return formulation == Formulation::moment ? 16 : 12; }
+int max_closure_order(Formulation formulation) {
+  return formulation == Formulation::moment ? 16 : 12;
+}
 
 Equation default_equation(Formulation formulation) {
   return formulation == Formulation::gaussian ? Equation::km4 : Equation::kf;
@@ -127,7 +131,7 @@ Equation equation_of(const Options& options) {
 }
 
 std::string id(const Options& options) {
-  return fmt::format("epc-{}-n{}", variant(options), options.order);
+  return fmt::format("epc-{}-n{}", formulation_and_variant(options), options.order);
 }
 
 std::optional<Options> options_of(std::string_view id) {
@@ -139,26 +143,26 @@ std::optional<Options> options_of(std::string_view id) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), order);
   if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
   for (const auto& formulation : kFormulationNames) {
-    for (const auto& tail : kTailNames) {
+    for (const auto& tail : kTailTreatmentNames) {
       for (const auto& equation : problem::kEquationNames) {
         Options options{.order = order, .formulation = formulation.value, .tail = tail.value};
         if (equation.value != default_equation(formulation.value))
           options.equation = equation.value;
-        if (stem == "epc-" + variant(options)) return options;
+        if (stem == "epc-" + formulation_and_variant(options)) return options;
       }
     }
   }
   return std::nullopt;
 }
 
-transform::Identity identity(const Options& options) {
+transform::SolutionIdentity identity(const Options& options) {
   return {.id = id(options),
           .method = "epc",
-          .formulation = variant(options),
+          .formulation = formulation_and_variant(options),
           .order = options.order,
           .equation = equation_of(options),
           .impact = options.formulation == Formulation::gaussian ? Impact::delta : Impact::map,
-          .role = transform::Role::closure};
+          .role = transform::SolutionRole::closure};
 }
 
 }  // namespace fpkcheck::epc

@@ -30,7 +30,7 @@ inline constexpr base::EnumEntry<Formulation> kFormulationNames[] = {
     {Formulation::gaussian, "gaussian", "the paper's projections under Gaussian weights"},
     {Formulation::moment, "moment", "exact moment equations on the half-plane"},
     {Formulation::polar, "polar", "exact moment equations in amplitude and phase, or velocity"}};
-constexpr std::span<const base::EnumEntry<Formulation>> names(Formulation) {
+constexpr std::span<const base::EnumEntry<Formulation>> enumerator_names(Formulation) {
   return kFormulationNames;
 }
 constexpr std::string_view name(Formulation formulation) { return base::name_of(formulation); }
@@ -42,28 +42,31 @@ enum class MonomialSet {
 };
 inline constexpr base::EnumEntry<MonomialSet> kMonomialSetNames[] = {
     {MonomialSet::point_symmetric, "point_symmetric"}, {MonomialSet::general, "general"}};
-constexpr std::span<const base::EnumEntry<MonomialSet>> names(MonomialSet) {
+constexpr std::span<const base::EnumEntry<MonomialSet>> enumerator_names(MonomialSet) {
   return kMonomialSetNames;
 }
 constexpr std::string_view name(MonomialSet set) { return base::name_of(set); }
 
 /// Treatment of the density beyond the confinement level, the energy up to which Q_n is reliable.
-enum class Tail {
+enum class TailTreatment {
   confined,  ///< the exponent is Q_n + Confinement, which gives a density on the whole half-plane
   cut        ///< the exponent is Q_n alone, and the density is 0 beyond the confinement level
 };
-inline constexpr base::EnumEntry<Tail> kTailNames[] = {{Tail::confined, "confined"},
-                                                       {Tail::cut, "cut"}};
-constexpr std::span<const base::EnumEntry<Tail>> names(Tail) { return kTailNames; }
-constexpr std::string_view name(Tail tail) { return base::name_of(tail); }
+inline constexpr base::EnumEntry<TailTreatment> kTailTreatmentNames[] = {
+    {TailTreatment::confined, "confined"}, {TailTreatment::cut, "cut"}};
+constexpr std::span<const base::EnumEntry<TailTreatment>> enumerator_names(TailTreatment) {
+  return kTailTreatmentNames;
+}
+constexpr std::string_view name(TailTreatment tail) { return base::name_of(tail); }
 
 struct Options {
-  int order = 6;  ///< n of paper (18): even, 2 .. greatest_order
+  int order = 6;  ///< n of paper (18): even, 2 .. max_closure_order
   Formulation formulation = Formulation::gaussian;
   /// monomials of Q_n in the formulation gaussian
   MonomialSet monomials = MonomialSet::point_symmetric;
   std::optional<Equation> equation = {};  ///< equation to solve; empty: default_equation
-  Tail tail = Tail::confined;             ///< treatment of the tail in the formulation moment
+  TailTreatment tail =
+      TailTreatment::confined;  ///< treatment of the tail in the formulation moment
   /// Tolerance on the norm of the residual. In the formulation gaussian, this norm is the largest
   /// projection (23) relative to gaussian::residual_unit. In the formulations moment and polar, the
   /// norm is half_plane::residual_norm.
@@ -91,7 +94,7 @@ const base::Description<Options>& description();
 void validate(const Options& options);
 
 /// Largest order n of the closure in double precision. At higher orders rounding errors dominate.
-int greatest_order(Formulation formulation);
+int max_closure_order(Formulation formulation);
 
 /// Equation that a formulation solves by default: km4 for gaussian, kf for moment and polar.
 Equation default_equation(Formulation formulation);
@@ -109,6 +112,6 @@ std::optional<Options> options_of(std::string_view id);
 
 /// Identity of the solution for given options. The field `formulation` is the part of the id
 /// between "epc-" and "-nN".
-transform::Identity identity(const Options& options);
+transform::SolutionIdentity identity(const Options& options);
 
 }  // namespace fpkcheck::epc

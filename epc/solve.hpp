@@ -13,8 +13,8 @@ namespace fpkcheck::epc {
 ///  - inadmissible if a root was found, but its density violates one of these conditions. The
 ///    result still contains the density and the coefficients;
 ///  - not_converged if no root was found. The solver also discards a root that depends on the disc
-///    of gaussian::JumpRemainder (gaussian with kf), and a root that the quadrature does not
-///    resolve (moment, polar). The result has no density.
+///    of gaussian::JumpIntegralRemainder (gaussian with kf), and a root that the quadrature does
+///    not resolve (moment, polar). The result has no density.
 /// @throws InputError from validate
 Result solve(const problem::Problem& problem, const Options& options);
 

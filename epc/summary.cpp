@@ -9,10 +9,10 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::count_value;
-using transform::Kind;
 using transform::MetricBuilder;
-using transform::optional_value;
+using transform::MetricKind;
+using transform::value_from_count;
+using transform::value_from_optional;
 
 base::Value word(std::string_view text) { return std::string(text); }
 
@@ -43,20 +43,21 @@ double min_scale(const Term& term, const transform::Moments& moments, double rou
 // need not reproduce the parameters themselves. Files of earlier program versions lack them.
 void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.frame) return;
-  builder.text("coordinates", word(name(summary.frame->variables)))
-      .work("log_C", optional_value(summary.frame->log_constant));
+  builder.add_text("coordinates", word(name(summary.frame->variables)))
+      .add_work("log_C", value_from_optional(summary.frame->log_constant));
   const problem::Frame& coordinates = summary.frame->coordinates;
   if (coordinates.is_identity()) return;
-  builder.work("frame.origin", coordinates.origin).work("frame.mirrored", coordinates.mirrored);
+  builder.add_work("frame.origin", coordinates.origin)
+      .add_work("frame.mirrored", coordinates.mirrored);
 }
 
 // Adds the parameters that define the edge of the support.
-void add_edge_metrics(const Frame& frame, MetricBuilder& builder) {
+void add_edge_metrics(const ClosedFormParameters& frame, MetricBuilder& builder) {
   if (frame.deviations) {
-    builder.work("support.sigma1", frame.deviations->x1)
-        .work("support.sigma2", frame.deviations->x2);
+    builder.add_work("support.sigma1", frame.deviations->x1)
+        .add_work("support.sigma2", frame.deviations->x2);
   } else {
-    builder.work("support.energy", frame.support);
+    builder.add_work("support.energy", frame.support);
   }
 }
 
@@ -68,18 +69,18 @@ void add_coefficient_metrics(const Summary& summary, const transform::Moments& m
   for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
     const Term& term = summary.coefficients[k];
     const std::string path = fmt::format("coefficients[{}].", k);
-    builder.result(path + "x1", count_value(term.x1))
-        .result(path + "x2", count_value(term.x2))
+    builder.add_result(path + "x1", value_from_count(term.x1))
+        .add_result(path + "x2", value_from_count(term.x2))
         .add({.path = path + "a",
               .value = term.a,
-              .kind = Kind::coefficient,
+              .kind = MetricKind::coefficient,
               .min_scale = min_scale(term, moments, rounding)});
   }
 }
 
 void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   if (!summary.support || !summary.leading_form) {
-    builder.result("support", {});
+    builder.add_result("support", {});
     return;
   }
   const SupportSummary& support = *summary.support;
@@ -88,24 +89,25 @@ void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
   const auto add_small_density_metric = [&](const char* path, double value) {
     builder.add({.path = path,
                  .value = value,
-                 .kind = is_path_dependent(summary) ? Kind::work : Kind::result,
+                 .kind = is_path_dependent(summary) ? MetricKind::work : MetricKind::result,
                  .min_scale = 1e-6,
                  .is_rounding_sensitive = true});
   };
-  builder.result("support.least_radius", support.least_radius)
-      .result("support.greatest_radius", support.greatest_radius)
-      .result("support.y_max", support.y_max)
-      .result("support.v_max", support.v_max);
-  if (support.y_min != 0) builder.result("support.y_min", support.y_min);
+  builder.add_result("support.least_radius", support.least_radius)
+      .add_result("support.greatest_radius", support.greatest_radius)
+      .add_result("support.y_max", support.y_max)
+      .add_result("support.v_max", support.v_max);
+  if (support.y_min != 0) builder.add_result("support.y_min", support.y_min);
   if (summary.frame) add_edge_metrics(*summary.frame, builder);
   add_small_density_metric("support.edge_density", support.edge_density);
   add_small_density_metric("support.cut_off", support.cut_off);
   builder
-      .result("support.rising_share", form.rising_fraction)
+      .add_result("support.rising_share", form.rising_fraction)
       // the worst direction is arbitrary for an isotropic leading form
-      .work("support.worst_direction.x1", form.worst.x1)
-      .work("support.worst_direction.x2", form.worst.x2)
-      .result("support.rises_from", form.negative ? base::Value() : base::Value(form.rises_from));
+      .add_work("support.worst_direction.x1", form.worst.x1)
+      .add_work("support.worst_direction.x2", form.worst.x2)
+      .add_result("support.rises_from",
+                  form.negative ? base::Value() : base::Value(form.rises_from));
 }
 
 base::Value text_of(const LeadingForm& form) {
@@ -116,62 +118,64 @@ base::Value text_of(const LeadingForm& form) {
 // negative for every Q_n.
 base::Value leading_form(const Summary& summary) {
   if (!summary.leading_form) return {};
-  if (summary.half_plane && summary.half_plane->tail == Tail::confined) return word("negative");
+  if (summary.half_plane && summary.half_plane->tail == TailTreatment::confined)
+    return word("negative");
   return text_of(*summary.leading_form);
 }
 
-void add_branch_metrics(const Branch& branch, MetricBuilder& builder) {
-  if (branch.end == BranchEnd::not_followed) {
-    builder.result("branch", {});
+void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
+  if (branch.end == SolutionBranchEnd::not_followed) {
+    builder.add_result("branch", {});
     return;
   }
-  builder.result("branch.end", word(name(branch.end))).result("branch.furthest", branch.furthest);
-  if (branch.points.empty()) builder.add_empty_list("branch.points", Kind::work);
+  builder.add_result("branch.end", word(name(branch.end)))
+      .add_result("branch.furthest", branch.furthest);
+  if (branch.points.empty()) builder.add_empty_list("branch.points", MetricKind::work);
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
-    const BranchPoint& point = branch.points[k];
+    const SolutionBranchPoint& point = branch.points[k];
     const std::string path = fmt::format("branch.points[{}].", k);
-    builder.work(path + "fraction", point.fraction)
-        .work(path + "norm", point.norm)
-        .work(path + "smallest_singular_value", point.smallest_singular_value)
-        .work(path + "determinant_sign", count_value(point.determinant_sign))
-        .work(path + "falls", point.falls)
-        .work(path + "fold", point.fold);
+    builder.add_work(path + "fraction", point.fraction)
+        .add_work(path + "norm", point.norm)
+        .add_work(path + "smallest_singular_value", point.smallest_singular_value)
+        .add_work(path + "determinant_sign", value_from_count(point.determinant_sign))
+        .add_work(path + "falls", point.falls)
+        .add_work(path + "fold", point.fold);
   }
 }
 
 void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
   const HalfPlaneSummary& half_plane = *summary.half_plane;
-  builder.result("tail.kind", word(name(half_plane.tail)))
-      .result("tail.level", half_plane.level)
-      .result("tail.level_deviations", half_plane.level_deviations)
-      .result("tail.beyond_level", half_plane.beyond_level)
-      .result("tail.polynomial_leading_form", text_of(*summary.leading_form))
-      .work("quadrature_change", half_plane.quadrature_change)
-      .work("homotopies", count_value(half_plane.homotopies));
+  builder.add_result("tail.kind", word(name(half_plane.tail)))
+      .add_result("tail.level", half_plane.level)
+      .add_result("tail.level_deviations", half_plane.level_deviations)
+      .add_result("tail.beyond_level", half_plane.beyond_level)
+      .add_result("tail.polynomial_leading_form", text_of(*summary.leading_form))
+      .add_work("quadrature_change", half_plane.quadrature_change)
+      .add_work("homotopies", value_from_count(half_plane.homotopies));
 }
 
 }  // namespace
 
 transform::Metrics metrics(const Summary& summary, const transform::Moments& moments) {
   MetricBuilder builder;
-  builder.result("order", count_value(summary.order))
-      .result("formulation", word(name(summary.formulation)))
-      .work("iterations", count_value(summary.iterations))
-      .work("residual", summary.residual)
-      .work("condition", optional_value(summary.condition));
+  builder.add_result("order", value_from_count(summary.order))
+      .add_result("formulation", word(name(summary.formulation)))
+      .add_work("iterations", value_from_count(summary.iterations))
+      .add_work("residual", summary.residual)
+      .add_work("condition", value_from_optional(summary.condition));
   add_frame_metrics(summary, builder);
   add_coefficient_metrics(summary, moments, builder);
   add_support_metrics(summary, builder);
-  builder.result("leading_form", leading_form(summary))
-      .result("distance_to_previous", optional_value(summary.distance_to_previous));
-  add_metrics(builder, summary.balances);
+  builder.add_result("leading_form", leading_form(summary))
+      .add_result("distance_to_previous", value_from_optional(summary.distance_to_previous));
+  add_balance_metrics(builder, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
-    builder.work("plain_newton_converges", summary.plain_newton_converges);
-    builder.result("disc_sensitivity", optional_value(summary.disc_sensitivity));
+    builder.add_work("plain_newton_converges", summary.plain_newton_converges);
+    builder.add_result("disc_sensitivity", value_from_optional(summary.disc_sensitivity));
     add_branch_metrics(summary.branch, builder);
   }
   if (summary.half_plane) add_half_plane_metrics(summary, builder);
-  return std::move(builder).take();
+  return std::move(builder).take_metrics();
 }
 
 }  // namespace fpkcheck::epc

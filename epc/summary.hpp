@@ -19,7 +19,7 @@ struct SupportSummary {
   double greatest_radius;  ///< largest radius of the edge, in the same unit
   double y_max, v_max;     ///< upper ends of the bounding box in y and v
   double edge_density;     ///< largest density on the edge, relative to the peak of the density
-  /// estimated probability outside the support; see gaussian::Support::cut_off
+  /// estimated probability outside the support; see gaussian::DensitySupport::cut_off_probability
   double cut_off;
   double y_min = 0;  ///< lower end of the bounding box in y
 };
@@ -27,7 +27,7 @@ struct SupportSummary {
 /// A point of the branch of solutions that starts from the exact density under white noise with
 /// elastic impacts. On this branch the quantities 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the
 /// remainder of the jump integral are multiplied by `fraction`. The full problem has fraction 1.
-struct BranchPoint {
+struct SolutionBranchPoint {
   double fraction;
   double norm;                     ///< norm of the coefficients in the scaled basis
   double smallest_singular_value;  ///< smallest singular value of the Jacobian; zero at a fold
@@ -37,37 +37,40 @@ struct BranchPoint {
 };
 
 /// Reason why the path along a branch of solutions ended.
-enum class BranchEnd {
+enum class SolutionBranchEnd {
   not_followed,  ///< another attempt had found a root, and the branch was not computed
   full_problem,  ///< the branch reaches fraction 1
   white_noise,   ///< the branch returns to fraction 0, at another root of the white-noise equations
   far_away,      ///< the norm of the coefficients exceeds the limit of the path: divergence
   lost           ///< the steps became too short, or the largest number of points was reached
 };
-inline constexpr base::EnumEntry<BranchEnd> kBranchEndNames[] = {
-    {BranchEnd::not_followed, "not_followed"},
-    {BranchEnd::full_problem, "full_problem"},
-    {BranchEnd::white_noise, "white_noise"},
-    {BranchEnd::far_away, "far_away"},
-    {BranchEnd::lost, "lost"}};
-constexpr std::span<const base::EnumEntry<BranchEnd>> names(BranchEnd) { return kBranchEndNames; }
-constexpr std::string_view name(BranchEnd end) { return base::name_of(end); }
+inline constexpr base::EnumEntry<SolutionBranchEnd> kSolutionBranchEndNames[] = {
+    {SolutionBranchEnd::not_followed, "not_followed"},
+    {SolutionBranchEnd::full_problem, "full_problem"},
+    {SolutionBranchEnd::white_noise, "white_noise"},
+    {SolutionBranchEnd::far_away, "far_away"},
+    {SolutionBranchEnd::lost, "lost"}};
+constexpr std::span<const base::EnumEntry<SolutionBranchEnd>> enumerator_names(SolutionBranchEnd) {
+  return kSolutionBranchEndNames;
+}
+constexpr std::string_view name(SolutionBranchEnd end) { return base::name_of(end); }
 
-struct Branch {
-  BranchEnd end = BranchEnd::not_followed;
-  double furthest = 0;              ///< largest fraction on the branch
-  std::vector<BranchPoint> points;  ///< points in the order of the arclength
+struct SolutionBranch {
+  SolutionBranchEnd end = SolutionBranchEnd::not_followed;
+  double furthest = 0;                      ///< largest fraction on the branch
+  std::vector<SolutionBranchPoint> points;  ///< points in the order of the arclength
 };
 
 /// Part of the summary that only the formulations on the half-plane, moment and polar, have.
 struct HalfPlaneSummary {
-  Tail tail;                ///< treatment of the density beyond the confinement level
+  TailTreatment tail;       ///< treatment of the density beyond the confinement level
   double level;             ///< confinement level, or energy beyond which the density is cut to 0
   double level_deviations;  ///< confinement level in deviations of v: sqrt(2 level / E[v^2])
-  /// estimated probability beyond the confinement level, by half_plane::probability_beyond
+  /// estimated probability beyond the confinement level, by half_plane::probability_beyond_contour
   double beyond_level;
-  double quadrature_change;  ///< change of Q_n on more quadrature points: half_plane::Root
-  int homotopies;            ///< number of homotopies followed after damped Newton steps failed
+  double
+      quadrature_change;  ///< change of Q_n on more quadrature points: half_plane::RootSearchResult
+  int homotopies;         ///< number of homotopies followed after damped Newton steps failed
 };
 
 /// Quantities that the solver of the closure reports besides the solution. If no root was found,
@@ -85,7 +88,7 @@ struct Summary {
   /// has monomials of rho and theta.
   std::vector<Term> coefficients = {};
   /// parameters that define the density together with the coefficients
-  std::optional<Frame> frame = {};
+  std::optional<ClosedFormParameters> frame = {};
   std::optional<SupportSummary> support = {};
   std::optional<LeadingForm> leading_form = {};  ///< behaviour of Q_n at infinity
   /// Distance between the densities of order n and n-2: sum of the L1 distances of p(y) and p(y').
@@ -97,10 +100,11 @@ struct Summary {
   /// The residuals of an approximate density have the size of its error.
   transform::BalanceResiduals balances = {};
   /// Relative change of the scaled coefficients if the radius of the disc of
-  /// gaussian::JumpRemainder is smaller by one standard deviation. Only gaussian with `kf` sets it.
+  /// gaussian::JumpIntegralRemainder is smaller by one standard deviation. Only gaussian with `kf`
+  /// sets it.
   std::optional<double> disc_sensitivity = {};
   /// branch of solutions, which the formulation gaussian follows if Newton's method finds no root
-  Branch branch = {};
+  SolutionBranch branch = {};
   /// In the formulation gaussian: whether plain Newton steps from equivalent linearisation, as in
   /// the paper, converge.
   bool plain_newton_converges = false;

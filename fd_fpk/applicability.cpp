@@ -9,7 +9,7 @@ namespace {
 
 // Whether the equation that is solved has a diffusion term: from external white noise, or in place
 // of the term of the impulses.
-bool has_diffusion(const problem::Features& features, const Options& options) {
+bool has_diffusion(const problem::ProblemFeatures& features, const Options& options) {
   return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
 }
 
@@ -20,7 +20,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   if (features.is_paper_oscillator) return "";
   const bool noise = has_diffusion(features, options);
   if (noise) {
-    std::string collapse = problem::collapse_unsupported_reason(problem, Equation::white);
+    std::string collapse = problem::inelastic_collapse_reason(problem, Equation::white);
     if (!collapse.empty()) return collapse;
   }
   if (options.impact != Impact::map &&
@@ -33,7 +33,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
            "use kf and leave out transport, order, nx, nv and origin-refinement";
   }
-  if (rests || options.transport == Transport::characteristics) {
+  if (rests || options.transport == TransportScheme::characteristics) {
     return noise ? "characteristics: the motion between impulses must be deterministic; use "
                    "transport upwind"
                  : characteristics_unsupported_reason(problem);
@@ -52,8 +52,8 @@ std::string transient_unsupported_reason(const problem::Problem& problem, const 
 
 bool can_use_characteristics(const Options& options) {
   return options.equation == Equation::kf && options.impact == Impact::map &&
-         options.transport != Transport::upwind && !options.nx && !options.nv &&
-         !options.origin_refinement && order_of(options) == kDefaultOrder;
+         options.transport != TransportScheme::upwind && !options.nx && !options.nv &&
+         !options.origin_refinement && transport_order(options) == kDefaultOrder;
 }
 
 std::string characteristics_unsupported_reason(const problem::Problem& problem) {
@@ -72,14 +72,14 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
   if (points.empty())
     return "characteristics must end at rest points: the problem has no rest point";
   for (const RestPoint& point : points) {
-    if (!point.contact && flow.contraction({point.y, 0}) <= 0) {
+    if (!point.contact && flow.contraction_rate({point.y, 0}) <= 0) {
       return "characteristics must end at rest points: an equilibrium of the problem is undamped";
     }
   }
   return "";
 }
 
-bool rests_in_contact(const problem::Problem& problem, const Options& options) {
+bool has_rest_in_contact(const problem::Problem& problem, const Options& options) {
   return problem::features(problem).rests_in_contact && options.equation == Equation::kf;
 }
 

@@ -26,6 +26,6 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
 /// Whether probability mass comes to rest in contact with a wall, so that the stationary law of the
 /// equation has an atom at the wall.
-bool rests_in_contact(const problem::Problem& problem, const Options& options);
+bool has_rest_in_contact(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -26,7 +26,7 @@ std::vector<std::string> impact_names() {
   return list;
 }
 
-Range tolerance_range() {
+AdmissibleRange tolerance_range() {
   return {[](double x) { return std::isfinite(x) && x >= kSmallestTolerance; },
           fmt::format("at least {}, the level of rounding errors", kSmallestTolerance)};
 }
@@ -50,42 +50,43 @@ Description<Options> make_description() {
             "upwind: finite volumes; characteristics: along the motion between impulses, for kf "
             "(default: characteristics for rare impulses, strong losses or mass at rest in "
             "contact)"})
-      .with_default(std::string(name(Transport::upwind)))
+      .with_default(std::string(name(TransportScheme::upwind)))
       .add("order", &O::order,
            {"P",
             "order of the transport terms, 2 .. 8; odd orders are upwind-biased (default: 5; 7 "
             "outside the paper's class where no wall dissipates energy)"},
-           between(2, 8))
-      .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"}, positive())
+           closed_interval(2, 8))
+      .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"},
+           positive_numbers())
       .add("origin_refinement", &O::origin_refinement,
            {"F",
             "cells at the origin are F times narrower than cells far from the origin (default: "
             "16 for r < 0.95 and a density bounded at the origin, else 1)"},
-           between(1, kMostOriginRefinement))
+           closed_interval(1, kMostOriginRefinement))
       .add("nx", &O::nx, {"N", "number of cells in y (default: from equivalent linearisation)"},
-           between(kFewestAxisCells, kMostAxisCells))
+           closed_interval(kFewestAxisCells, kMostAxisCells))
       .add("nv", &O::nv,
            {"N", "even number of cells in y' (default: from equivalent linearisation)"},
-           even_between(kFewestAxisCells, kMostAxisCells)
-               .with_reason("y' = 0 lies between two cells"))
+           even_integers_between(kFewestAxisCells, kMostAxisCells)
+               .with_appended_reason("y' = 0 lies between two cells"))
       .add("x1_max", &O::x1_max,
            {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its end)"},
-           positive())
+           positive_numbers())
       .with_flag("y-max")
       .add("x2_max", &O::x2_max,
            {"V", "box |y'| <= V (default: wide enough for a negligible density at its ends)"},
-           positive())
+           positive_numbers())
       .with_flag("v-max")
       .add(
           "regularisation_length", &O::regularisation_length,
           {"L",
            "step l of the fourth difference of km4 (default: l^2 = E[Y^6]/(5 E[Y^4]), longer where "
            "cells are wider than l); 0: the literal scheme"},
-          non_negative())
+          non_negative_numbers())
       .add("wall_density", &O::wall_density,
            {"D",
             "density at an end of the box, relative to the peak, above which the box is widened"},
-           strictly_between(0, 1))
+           open_interval(0, 1))
       .add("refine_unresolved", &O::refine_unresolved,
            {"", "refine an automatic grid that does not resolve its density"})
       .without_flag()
@@ -93,14 +94,15 @@ Description<Options> make_description() {
            {"", "estimate the discretisation error from two coarser grids"})
       .without_flag()
       .add("accuracy", &O::accuracy,
-           {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"}, positive())
+           {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"},
+           positive_numbers())
       .with_default(Options{}.accuracy)
       .add(
           "max_seconds", &O::max_seconds,
           {"S",
            "time limit in seconds: after the limit no finer grid is started or continued; the most "
            "accurate solution so far is returned (in a run 20)"},
-          positive())
+          positive_numbers())
       .with_default(Options{}.max_seconds)
       .add("tolerance", &O::tolerance,
            {"T",
@@ -108,7 +110,7 @@ Description<Options> make_description() {
             "relative errors of the second moments)"},
            tolerance_range())
       .add("residual_tolerance", &O::residual_tolerance,
-           {"R", "threshold of the stationarity residual ||L p||_1 / ||p||_1"}, positive())
+           {"R", "threshold of the stationarity residual ||L p||_1 / ||p||_1"}, positive_numbers())
       .with_flag("residual");
 }
 
@@ -125,7 +127,7 @@ void validate(const Options& options) {
   description().validate(options);
   require(options.impact != Impact::exact,
           "impact exact: only the simulation has this impact; use map or delta");
-  const bool along = options.transport == Transport::characteristics;
+  const bool along = options.transport == TransportScheme::characteristics;
   require(!along || (options.equation == Equation::kf && options.impact == Impact::map),
           fmt::format("transport characteristics with equation {} and impact {}: requires kf and "
                       "map; use upwind",
@@ -142,26 +144,26 @@ void validate(const Options& options) {
           "tolerance with nx or nv: the tolerance selects the grid; leave out nx and nv");
 }
 
-std::string id(const Options& options) {
+std::string solution_id(const Options& options) {
   const std::string equation = fmt::format("fd-{}", problem::name(options.equation));
   return options.impact == Impact::map
              ? equation
              : fmt::format("{}-{}", equation, problem::name(options.impact));
 }
 
-transform::Identity identity(const Options& options) {
-  return {.id = id(options),
+transform::SolutionIdentity solution_identity(const Options& options) {
+  return {.id = solution_id(options),
           .method = "fd",
           .equation = options.equation,
           .impact = options.impact,
-          .role = transform::Role::equation};
+          .role = transform::SolutionRole::equation};
 }
 
 std::optional<Options> options_of(std::string_view wanted) {
-  for (const auto& equation : names(Equation{})) {
+  for (const auto& equation : enumerator_names(Equation{})) {
     for (const Impact impact : kImpacts) {
       const Options options{.equation = equation.value, .impact = impact};
-      if (id(options) == wanted) return options;
+      if (solution_id(options) == wanted) return options;
     }
   }
   return std::nullopt;

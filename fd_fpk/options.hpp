@@ -14,37 +14,42 @@ using problem::Equation;
 using problem::Impact;
 
 /// Method that computes the stationary density of the discrete operator.
-enum class Stepper {
+enum class StationarySolver {
   cvode,  ///< pseudo-transient time steps of CVODE; the result is compared with the null vector
   direct  ///< only the null vector of the operator, by preconditioned GMRES
 };
-inline constexpr base::EnumEntry<Stepper> kStepperNames[] = {
-    {Stepper::cvode, "cvode", "pseudo-transient steps to stationarity"},
-    {Stepper::direct, "direct", "null vector of the operator alone"}};
-constexpr std::span<const base::EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
-constexpr std::string_view name(Stepper stepper) { return base::name_of(stepper); }
+inline constexpr base::EnumEntry<StationarySolver> kStepperNames[] = {
+    {StationarySolver::cvode, "cvode", "pseudo-transient steps to stationarity"},
+    {StationarySolver::direct, "direct", "null vector of the operator alone"}};
+constexpr std::span<const base::EnumEntry<StationarySolver>> enumerator_names(StationarySolver) {
+  return kStepperNames;
+}
+constexpr std::string_view name(StationarySolver stepper) { return base::name_of(stepper); }
 
 /// Discretisation of the transport between two impulses.
-enum class Transport {
+enum class TransportScheme {
   upwind,          ///< finite volumes of high order, upwind-biased for odd orders
   characteristics  ///< along the characteristics of the motion, for `kf` with impact `map`
 };
-inline constexpr base::EnumEntry<Transport> kTransportNames[] = {
-    {Transport::upwind, "upwind", "finite volumes of high order"},
-    {Transport::characteristics, "characteristics", "along the characteristics of the motion"}};
-constexpr std::span<const base::EnumEntry<Transport>> names(Transport) { return kTransportNames; }
-constexpr std::string_view name(Transport transport) { return base::name_of(transport); }
+inline constexpr base::EnumEntry<TransportScheme> kTransportNames[] = {
+    {TransportScheme::upwind, "upwind", "finite volumes of high order"},
+    {TransportScheme::characteristics, "characteristics",
+     "along the characteristics of the motion"}};
+constexpr std::span<const base::EnumEntry<TransportScheme>> enumerator_names(TransportScheme) {
+  return kTransportNames;
+}
+constexpr std::string_view name(TransportScheme transport) { return base::name_of(transport); }
 
 struct Options {
   Equation equation = Equation::kf;
   Impact impact = Impact::map;  ///< map or delta
-  Stepper stepper = Stepper::cvode;
+  StationarySolver stepper = StationarySolver::cvode;
   /// Automatic: characteristics if impulses are rare or losses are strong, see solve().
-  std::optional<Transport> transport{};
+  std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
   /// about 1e-4 of the peak. Automatic: automatic_order() for the stationary density, else
-  /// kDefaultOrder; see order_of().
+  /// kDefaultOrder; see transport_order().
   std::optional<int> order{};
   /// Factor by which the number of cells in each direction exceeds the automatic number: 2 halves
   /// the cell widths.
@@ -91,7 +96,7 @@ struct Options {
 };
 
 inline constexpr int kDefaultOrder = 5;
-inline int order_of(const Options& options) { return options.order.value_or(kDefaultOrder); }
+inline int transport_order(const Options& options) { return options.order.value_or(kDefaultOrder); }
 
 /// Names, help texts and ranges of the options, in files and on the command line.
 const base::Description<Options>& description();
@@ -101,10 +106,10 @@ void validate(const Options& options);
 
 /// The id of the solution of these options, such as "fd-kf", or "fd-km4-delta" for the impact
 /// `delta`.
-std::string id(const Options& options);
+std::string solution_id(const Options& options);
 
 /// The identity (id, method, equation, impact, role) of the solution of these options.
-transform::Identity identity(const Options& options);
+transform::SolutionIdentity solution_identity(const Options& options);
 
 /// The options whose solution has the given id, with default values of all options that the id does
 /// not contain. Empty if no options have the id.

@@ -38,7 +38,7 @@ std::vector<Scheme> schemes(double default_length, double shortest_length) {
           {"pade", Equation::km4_pade, [](double) { return 0.0; }}};
 }
 
-double frequency(const problem::Problem& problem) {
+double linearised_frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
@@ -58,18 +58,18 @@ Options options_for_step(const problem::Problem& problem, double step, int nx) {
 
 Box box_of_options(const Options& options) { return {*options.x1_max, *options.x2_max}; }
 
-void append(std::string& remark, const std::string& more) {
+void append_remark(std::string& remark, const std::string& more) {
   remark += (remark.empty() ? "" : "; ") + more;
 }
 
 NullVector solve_null_vector(const problem::Problem& problem, const Options& options,
                              const Discretisation& on, const FokkerPlanckOperator& op) {
   Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);
-  return null_vector(op, preconditioner, gaussian_start(on.grid, problem));
+  return null_vector(op, preconditioner, initial_gaussian(on.grid, problem));
 }
 
 // The density of the jump equation (kf) on a grid, or the reason why there is no density.
-NullVector reference(const problem::Problem& problem, Options options) {
+NullVector kf_reference_density(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
   const Discretisation on = discretise(problem, options, box_of_options(options));
   if (!on.failure.empty()) return {std::nullopt, 0, on.failure};
@@ -80,32 +80,32 @@ NullVector reference(const problem::Problem& problem, Options options) {
 void find_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator& op,
                       bool symbol_grows, RegularisationRow& row) {
   if (op.areas.size() > kMostCellsFactored) {
-    append(row.remark,
-           fmt::format("no eigenvalue: not computed for more than {} cells", kMostCellsFactored));
+    append_remark(row.remark, fmt::format("no eigenvalue: not computed for more than {} cells",
+                                          kMostCellsFactored));
     return;
   }
   auto [values, vector, residual, factorisations, solves, failure] = rightmost_eigenvalues(
-      op, symbol_grows ? row.symbol->rate : 0, frequency(problem), symbol_grows ? 1 : 2);
-  if (values.empty()) return append(row.remark, failure);
+      op, symbol_grows ? row.symbol->rate : 0, linearised_frequency(problem), symbol_grows ? 1 : 2);
+  if (values.empty()) return append_remark(row.remark, failure);
   row.rightmost = values[0];
   if (values.size() > 1) row.next = values[1];
 }
 
-void find_density(const problem::Problem& problem, const Options& options, const Discretisation& on,
-                  const FokkerPlanckOperator& op, bool symbol_grows, const NullVector& kf,
-                  RegularisationRow& row) {
+void compare_null_vector_with_kf(const problem::Problem& problem, const Options& options,
+                                 const Discretisation& on, const FokkerPlanckOperator& op,
+                                 bool symbol_grows, const NullVector& kf, RegularisationRow& row) {
   // The preconditioner of GMRES approximates only stable operators.
-  const NullVector found = symbol_grows
-                               ? null_vector_by_inverse_iteration(
-                                     op, gaussian_start(on.grid, problem), frequency(problem))
-                               : solve_null_vector(problem, options, on, op);
-  if (!found.averages) return append(row.remark, "no null vector: " + found.failure);
+  const NullVector found =
+      symbol_grows ? null_vector_by_inverse_iteration(op, initial_gaussian(on.grid, problem),
+                                                      linearised_frequency(problem))
+                   : solve_null_vector(problem, options, on, op);
+  if (!found.averages) return append_remark(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
-  if (!kf.averages) return append(row.remark, "no reference density of kf: " + kf.failure);
+  if (!kf.averages) return append_remark(row.remark, "no reference density of kf: " + kf.failure);
   const Marginals mine = marginals(on.grid, *found.averages);
   const Marginals of_kf = marginals(on.grid, *kf.averages);
-  row.l1_y = on.grid.x1.widths().dot((mine.y - of_kf.y).cwiseAbs());
-  row.l1_ydot = on.grid.x2.widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
+  row.l1_y = on.grid.x1.cell_widths().dot((mine.y - of_kf.y).cwiseAbs());
+  row.l1_ydot = on.grid.x2.cell_widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
 }
 
 RegularisationRow study_row(const problem::Problem& problem, const Scheme& scheme, double step,
@@ -118,20 +118,21 @@ RegularisationRow study_row(const problem::Problem& problem, const Scheme& schem
   const Discretisation on = discretise(problem, options, box_of_options(options));
   row.remark = on.failure;
   if (!on.failure.empty()) return row;
-  row.symbol = largest_growth(problem, options, step);
+  row.symbol = fastest_growing_wave(problem, options, step);
   const bool symbol_grows = is_unstable(*row.symbol, problem.impulses);
   const auto op = fokker_planck_operator(problem, options, on);
   find_eigenvalues(problem, op, symbol_grows, row);
-  find_density(problem, options, on, op, symbol_grows, kf, row);
+  compare_null_vector_with_kf(problem, options, on, op, symbol_grows, kf, row);
   return row;
 }
 
 }  // namespace
 
-std::optional<double> RegularisationRow::growth(const problem::Problem& problem) const {
+std::optional<double> RegularisationRow::growth_rate(const problem::Problem& problem) const {
   if (rightmost) {
-    return rightmost->real() > kUnstableRate * frequency(problem) ? std::optional(rightmost->real())
-                                                                  : std::nullopt;
+    return rightmost->real() > kUnstableRate * linearised_frequency(problem)
+               ? std::optional(rightmost->real())
+               : std::nullopt;
   }
   return symbol && is_unstable(*symbol, problem.impulses) ? std::optional(symbol->rate)
                                                           : std::nullopt;
@@ -156,7 +157,7 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
     const double step = study.default_length / division;
     const Options on_step = options_for_step(problem, step, options.nx);
     if (progress) progress(static_cast<int>(by_step.size()), rows);
-    const NullVector kf = reference(problem, on_step);
+    const NullVector kf = kf_reference_density(problem, on_step);
     for (const Scheme& scheme : all) {
       if (progress) progress(static_cast<int>(by_step.size()), rows);
       by_step.push_back(study_row(problem, scheme, step, on_step, kf));

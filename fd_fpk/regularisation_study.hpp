@@ -20,7 +20,7 @@ struct RegularisationRow {
   int nx = 0;          ///< number of cells in y and y'
   int nv = 0;
   /// growth rate by the symbol of the excitation, for waves that depend on x2 alone
-  std::optional<Growth> symbol = {};
+  std::optional<FastestGrowingWave> symbol = {};
   /// Rightmost eigenvalue of the whole discrete operator, per unit time. If no mode is unstable,
   /// this eigenvalue is 0 and belongs to the stationary density.
   std::optional<std::complex<double>> rightmost = {};
@@ -37,7 +37,7 @@ struct RegularisationRow {
   /// The growth rate of the fastest growing mode, apart from the null vector: the rightmost
   /// eigenvalue of the matrix if known, else the maximum of the symbol. Empty if no mode is
   /// unstable or no rate is known.
-  std::optional<double> growth(const problem::Problem& problem) const;
+  std::optional<double> growth_rate(const problem::Problem& problem) const;
 };
 
 struct RegularisationStudy {
@@ -60,7 +60,7 @@ struct RegularisationStudyOptions {
 /// for decreasing velocity steps: growth rates, eigenvalues and null vectors, for well-posed and
 /// ill-posed schemes alike. The study includes ill-posed velocity steps, which fd_fpk::solve
 /// refuses.
-/// @throws InputError outside the paper's class (problem::Features::original)
+/// @throws InputError outside the paper's class (problem::ProblemFeatures::original)
 /// @param progress called before the computation of each row, with the number of the row and the
 /// total number of rows
 RegularisationStudy study_regularisation(

@@ -6,7 +6,7 @@
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
-#include "fd_fpk/stationary/one_grid.hpp"
+#include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
@@ -24,10 +24,11 @@ constexpr double kMostFrequent = 3000;
 // energy loss at an impact.
 double mean_force_ratio(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
-  return -problem.impulses.rate_moment(1) / problem.system.force()(linear.displacement_deviation);
+  return -problem.impulses.rate_times_moment(1) /
+         problem.system.restoring_force()(linear.displacement_deviation);
 }
 
-bool is_bouncing(const problem::Problem& problem) {
+bool has_short_flights(const problem::Problem& problem) {
   constexpr double kBouncing = 1, kLosses = 0.7;
   return mean_force_ratio(problem) > kBouncing && problem.system.restitution() < kLosses;
 }
@@ -43,7 +44,8 @@ bool are_characteristics_preferred(const problem::Problem& problem, double per_d
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
       problem::static_deflection(problem) < kMaxDeflection * linear.displacement_deviation;
-  return per_decay_time < kRare || (losses && per_decay_time < kFrequent) || is_bouncing(problem);
+  return per_decay_time < kRare || (losses && per_decay_time < kFrequent) ||
+         has_short_flights(problem);
 }
 
 // Whether upwind differences cannot resolve the density, because the density is unbounded or
@@ -52,7 +54,7 @@ bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
   if (!problem::is_paper_oscillator(problem)) return false;
   return is_unbounded_at_origin(problem) ||
-         (is_bouncing(problem) && mean_force_ratio(problem) > kStronglyBouncing);
+         (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
 // Whether the options permit the solver to choose finer grids.
@@ -73,22 +75,23 @@ class Solver {
   Result solve() const {
     if (!can_use_characteristics(options_) ||
         !characteristics_unsupported_reason(problem_).empty()) {
-      return solve_with(Transport::upwind);
+      return solve_with(TransportScheme::upwind);
     }
-    if (rests_in_contact(problem_, options_) || options_.transport == Transport::characteristics) {
-      return solve_with(Transport::characteristics);
+    if (has_rest_in_contact(problem_, options_) ||
+        options_.transport == TransportScheme::characteristics) {
+      return solve_with(TransportScheme::characteristics);
     }
     const double per_decay_time = problem::impulses_per_decay_time(problem_, scales_);
     const bool along = are_characteristics_preferred(problem_, per_decay_time);
     if (!has_automatic_grid(options_))
-      return solve_with(along ? Transport::characteristics : Transport::upwind);
+      return solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
-      return solve_with(Transport::characteristics);
+      return solve_with(TransportScheme::characteristics);
     // The transport of first choice has half of the time limit; the other half remains for the
     // alternative transport.
     Result first = solve_with(
-        along ? Transport::characteristics : Transport::upwind,
-        Deadline(options_.tolerance ? deadline_.total_seconds() : deadline_.total_seconds() / 2));
+        along ? TransportScheme::characteristics : TransportScheme::upwind,
+        Deadline(options_.tolerance ? deadline_.limit_seconds() : deadline_.limit_seconds() / 2));
     // If upwind differences are the alternative, they must reach a small estimated error, because
     // their error estimate is unreliable for such problems.
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
@@ -99,7 +102,8 @@ class Solver {
     // is the same for both transports.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostFrequent)) return first;
-    Result second = solve_with(along ? Transport::upwind : Transport::characteristics, deadline_);
+    Result second =
+        solve_with(along ? TransportScheme::upwind : TransportScheme::characteristics, deadline_);
     return is_better(second, first) ? second : first;
   }
 
@@ -110,13 +114,13 @@ class Solver {
     return error && error->y_l1 <= kSmallError && error->ydot_l1 <= kSmallError;
   }
 
-  Result solve_with(Transport transport) const { return solve_with(transport, deadline_); }
+  Result solve_with(TransportScheme transport) const { return solve_with(transport, deadline_); }
 
-  Result solve_with(Transport transport, const Deadline& deadline) const {
+  Result solve_with(TransportScheme transport, const Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
     // Characteristics have no adjustable order.
-    if (transport == Transport::upwind) {
+    if (transport == TransportScheme::upwind) {
       options.order = options.order.value_or(automatic_order(problem_));
     }
     const bool family = !problem::is_paper_oscillator(problem_);
@@ -125,13 +129,13 @@ class Solver {
     // default wall density truncates the tails due to impulses. The truncated tails contribute a
     // fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due to the
     // fourth cumulant.
-    if (family && transport == Transport::upwind) {
+    if (family && transport == TransportScheme::upwind) {
       constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
       options.wall_density *= problem_.impulses.is_present() ? kTailsOfImpulses : kTails;
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
     }
     const auto on_one_grid = [&](const Options& grid) {
-      return transport == Transport::characteristics
+      return transport == TransportScheme::characteristics
                  ? solve_along_characteristics(problem_, scales_, grid, deadline)
                  : solve_on_one_grid(problem_, scales_and_box, grid, deadline);
     };
@@ -145,7 +149,7 @@ class Solver {
   }
 
   const problem::Problem& problem_;
-  const problem::Scales scales_;
+  const problem::MotionScales scales_;
   const Options& options_;
   // Time limit as a fraction of max_seconds. A running solve ends at the next check of its
   // deadline.
@@ -161,7 +165,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   Result result = Solver(problem, options).solve();
   auto& [solution, summary] = result;
   solution.seconds = stopwatch.seconds();
-  solution.identity = identity(options);
+  solution.identity = solution_identity(options);
   if (const auto& error = summary.error) {
     solution.error = {error->y_l1, error->ydot_l1, error->moments};
   }

@@ -21,12 +21,12 @@ class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
   /// A deadline that never passes.
-  static Deadline none() { return Deadline(std::numeric_limits<double>::infinity()); }
+  static Deadline unlimited() { return Deadline(std::numeric_limits<double>::infinity()); }
 
   /// Whether a computation of this duration would end before the deadline if started now.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool has_passed() const { return !has_time_for(0); }
-  double total_seconds() const { return seconds_; }
+  double limit_seconds() const { return seconds_; }
 
  private:
   Stopwatch stopwatch_;

@@ -10,19 +10,19 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using transform::count_value;
 using transform::MetricBuilder;
+using transform::value_from_count;
 
 // Absolute tolerance for densities relative to the peak: smaller differences are insignificant.
 constexpr double kInsignificant = 1e-6;
 
-void observe_faint(MetricBuilder& builder, const std::string& path, double density) {
+void add_density_metric(MetricBuilder& builder, const std::string& path, double density) {
   builder.add({.path = path, .value = density, .min_scale = kInsignificant});
 }
 
 void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
   // A repeated run must reproduce the impact rate, but not the error estimate of the impact rate.
-  if (std::isfinite(error.impact_rate)) builder.work("error.impact_rate", error.impact_rate);
+  if (std::isfinite(error.impact_rate)) builder.add_work("error.impact_rate", error.impact_rate);
   // The observed order is the logarithm of a quotient of small differences, and therefore sensitive
   // to rounding errors.
   builder.add({.path = "error.observed_order",
@@ -41,39 +41,39 @@ void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
 
 transform::Metrics metrics(const Summary& summary) {
   MetricBuilder builder;
-  builder.result("nx", count_value(summary.nx))
-      .result("nv", count_value(summary.nv))
-      .result("refinement", summary.refinement)
-      .result("origin_refinement", summary.origin_refinement)
-      .result("x1_max", summary.x1_max)
-      .result("x2_max", summary.x2_max)
-      .work("nonzeros", count_value(summary.nonzeros))
-      .work("leak", summary.leak)
-      .work("steps", count_value(summary.steps))
-      .work("factorisations", count_value(summary.factorisations))
-      .work("rhs_evaluations", count_value(summary.rhs_evaluations))
-      .work("krylov_iterations", count_value(summary.krylov_iterations))
-      .work("factor_entries", count_value(summary.factor_entries))
-      .work("factor_seconds", summary.factor_seconds)
-      .work("krylov_seconds", summary.krylov_seconds)
-      .work("residual", summary.residual)
-      .work("stepped_against_direct", summary.stepped_against_direct)
-      .result("regularisation_length", summary.regularisation_length)
-      .result("growth_rate", summary.growth_rate)
-      .result("growth_wavenumber", summary.growth_wavenumber);
-  observe_faint(builder, "wall_density.y", summary.wall.x1);
-  observe_faint(builder, "wall_density.ydot", summary.wall.x2);
-  if (std::isfinite(summary.impact_rate)) builder.result("impact_rate", summary.impact_rate);
-  add_metrics(builder, summary.balances);
-  if (summary.transport == Transport::characteristics) {
-    builder.result("transport", std::string(name(summary.transport)))
-        .work("visits", count_value(summary.visits))
-        .result("rest_mass", summary.rest_mass);
+  builder.add_result("nx", value_from_count(summary.nx))
+      .add_result("nv", value_from_count(summary.nv))
+      .add_result("refinement", summary.refinement)
+      .add_result("origin_refinement", summary.origin_refinement)
+      .add_result("x1_max", summary.x1_max)
+      .add_result("x2_max", summary.x2_max)
+      .add_work("nonzeros", value_from_count(summary.nonzeros))
+      .add_work("leak", summary.leak)
+      .add_work("steps", value_from_count(summary.steps))
+      .add_work("factorisations", value_from_count(summary.factorisations))
+      .add_work("rhs_evaluations", value_from_count(summary.rhs_evaluations))
+      .add_work("krylov_iterations", value_from_count(summary.krylov_iterations))
+      .add_work("factor_entries", value_from_count(summary.factor_entries))
+      .add_work("factor_seconds", summary.factor_seconds)
+      .add_work("krylov_seconds", summary.krylov_seconds)
+      .add_work("residual", summary.residual)
+      .add_work("stepped_against_direct", summary.stepped_against_direct)
+      .add_result("regularisation_length", summary.regularisation_length)
+      .add_result("growth_rate", summary.growth_rate)
+      .add_result("growth_wavenumber", summary.growth_wavenumber);
+  add_density_metric(builder, "wall_density.y", summary.wall.x1);
+  add_density_metric(builder, "wall_density.ydot", summary.wall.x2);
+  if (std::isfinite(summary.impact_rate)) builder.add_result("impact_rate", summary.impact_rate);
+  add_balance_metrics(builder, summary.balances);
+  if (summary.transport == TransportScheme::characteristics) {
+    builder.add_result("transport", std::string(name(summary.transport)))
+        .add_work("visits", value_from_count(summary.visits))
+        .add_result("rest_mass", summary.rest_mass);
   } else {
-    builder.result("order", count_value(summary.order));
+    builder.add_result("order", value_from_count(summary.order));
   }
   if (summary.error) add_metrics(builder, *summary.error);
-  return std::move(builder).take();
+  return std::move(builder).take_metrics();
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -28,7 +28,7 @@ struct ErrorEstimate {
   std::vector<double> rest_probabilities = {};  ///< error of the probability of rest, for each atom
   double impact_rate = 0;  ///< error of Summary::impact_rate; not finite if the rate is infinite
   /// Whether the observed order is consistent with the order of the scheme.
-  bool has_limit = false;
+  bool has_richardson_limit = false;
 };
 
 /// Numerical data of a run of the solver, without the density.
@@ -41,8 +41,8 @@ struct Summary {
   double origin_refinement = 1;  ///< the ratio Options::origin_refinement that was used
   double x1_max = 0;
   double x2_max = 0;
-  Transport transport = Transport::upwind;  ///< transport that was used
-  long visits = 0;                          ///< number of cell visits of all characteristics
+  TransportScheme transport = TransportScheme::upwind;  ///< transport that was used
+  long visits = 0;          ///< number of cell visits of all characteristics
   double rest_mass = 0;     ///< mass at rest in equilibria (innermost cells; characteristics only)
   long nonzeros = 0;        ///< number of nonzeros of the operator without the jumps
   double leak = 0;          ///< largest rate at which the operator loses mass in a cell

@@ -12,7 +12,7 @@
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
@@ -32,7 +32,7 @@ constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
 
 // The initial Gaussian of the options, in wall coordinates.
-Gaussian initial_density(const problem::Problem& problem, const problem::Scales& scales,
+Gaussian initial_density(const problem::Problem& problem, const problem::MotionScales& scales,
                          const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
   Gaussian start{
@@ -46,14 +46,15 @@ Gaussian initial_density(const problem::Problem& problem, const problem::Scales&
     start.mean_displacement = 0;
   }
   const problem::Frame& frame = problem.frame;
-  if (const auto& y = transient.start_mean_displacement) start.mean_displacement = frame.x(*y);
-  if (const auto& v = transient.start_mean_velocity) start.mean_velocity = frame.v(*v);
-  const auto &left = problem.system.left(), &right = problem.system.right();
+  if (const auto& y = transient.start_mean_displacement) start.mean_displacement = frame.wall_x(*y);
+  if (const auto& v = transient.start_mean_velocity)
+    start.mean_velocity = frame.physical_velocity(*v);
+  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
   if ((left && start.mean_displacement < left->position) ||
       (right && start.mean_displacement > right->position)) {
     throw InputError(
         fmt::format("start-mean-y = {:.6g}: behind a wall; choose a value between the walls",
-                    frame.y(start.mean_displacement)));
+                    frame.physical_y(start.mean_displacement)));
   }
   return start;
 }
@@ -68,8 +69,8 @@ double max_initial_energy(const problem::System& system, const numerics::Polynom
     const double angle = 2 * std::numbers::pi * n / kDirections;
     double y = start.mean_displacement +
                kInitialBoxDeviations * start.displacement_deviation * std::cos(angle);
-    if (system.left()) y = std::max(y, system.left()->position);
-    if (system.right()) y = std::min(y, system.right()->position);
+    if (system.left_wall()) y = std::max(y, system.left_wall()->position);
+    if (system.right_wall()) y = std::min(y, system.right_wall()->position);
     const double v =
         start.mean_velocity + kInitialBoxDeviations * start.velocity_deviation * std::sin(angle);
     most = std::max(most, v * v / 2 + potential(y));
@@ -79,7 +80,7 @@ double max_initial_energy(const problem::System& system, const numerics::Polynom
 
 // A box for the stationary density, the initial density, and all states that the initial energy can
 // reach.
-Box transient_box(const problem::Problem& problem, const problem::Scales& scales,
+Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
   Box box = stationary_box(problem, scales, options, deadline);
@@ -87,8 +88,8 @@ Box transient_box(const problem::Problem& problem, const problem::Scales& scales
   const double energy = max_initial_energy(system, orbits.potential(), start);
   const auto half_cycles = orbits.half_cycles(energy);
   if (!options.x1_max) {
-    if (!system.left()) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
-    if (!system.right()) box.x1_max = std::max(box.x1_max, half_cycles.back().right);
+    if (!system.left_wall()) box.x1_min = std::min(box.x1_min, half_cycles.front().left);
+    if (!system.right_wall()) box.x1_max = std::max(box.x1_max, half_cycles.back().right);
   }
   if (!options.x2_max) {
     box.x2_max = std::max(box.x2_max, std::sqrt(2 * (energy - orbits.lowest_potential())));
@@ -99,9 +100,9 @@ Box transient_box(const problem::Problem& problem, const problem::Scales& scales
 // The options with cells refined for the initial density. An initial density narrower than the
 // stationary density requires narrower cells in both directions, since the flow rotates the initial
 // density in the phase plane.
-Options refine_for_start(const problem::Problem& problem, const problem::Scales& scales,
-                         Options options, const LengthScales& of_stationary,
-                         const Gaussian& start) {
+Options refine_for_initial_density(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, Options options,
+                                   const LengthScales& of_stationary, const Gaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const LengthScales lengths =
       problem::is_paper_oscillator(problem)
@@ -116,31 +117,32 @@ Options refine_for_start(const problem::Problem& problem, const problem::Scales&
   return options;
 }
 
-Snapshot snapshot(const problem::Problem& problem, const Options& options, const Discretisation& on,
-                  const FokkerPlanckOperator& op, const Eigen::VectorXd& averages, double time) {
+Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
+                       const Discretisation& on, const FokkerPlanckOperator& op,
+                       const Eigen::VectorXd& averages, double time) {
   const Grid& grid = on.grid;
   const Eigen::VectorXd change = op * averages;
   const problem::System& system = problem.system;
   const problem::Frame& frame = problem.frame;
   Snapshot s{.time = time,
-             .moments = physical_moments(frame, grid, averages, order_of(options)),
-             .yv = physical_yv(frame, grid, averages, order_of(options))};
+             .moments = physical_moments(frame, grid, averages, transport_order(options)),
+             .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
   // The potential U is 0 at y = 0, whatever the origin of the wall coordinates.
-  s.energy =
-      mean_energy(system, grid, averages, order_of(options)) - system.potential()(frame.x(0));
-  const double energy_rate = mean_energy(system, grid, change, order_of(options));
+  s.energy = mean_energy(system, grid, averages, transport_order(options)) -
+             system.potential()(frame.wall_x(0));
+  const double energy_rate = mean_energy(system, grid, change, transport_order(options));
   const auto [input, dissipated] =
-      problem::power(problem, options.impact,
-                     energy_terms(system, moments(grid, averages, order_of(options)), grid,
-                                  averages, order_of(options)));
+      problem::power_balance(problem, options.impact,
+                             energy_terms(system, moments(grid, averages, transport_order(options)),
+                                          grid, averages, transport_order(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
   // For a bounded density the impact rate is the flux into the walls, and the initial Gaussian is
   // bounded.
-  s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, order_of(options))
+  s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, transport_order(options))
                             : impact_rate(system, on.excitation, options.impact, grid, averages,
-                                          change, order_of(options));
-  s.mass = op.mass(averages);
+                                          change, transport_order(options));
+  s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
   s.wall = relative_wall_density(problem, grid, averages);
   const auto [y, ydot] = marginals(grid, averages);
@@ -166,7 +168,7 @@ void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapsho
         "the density at t = {:.4g} is negative, {:.1g} of its peak: insufficient resolution; "
         "refine the grid, widen the initial density, use order 3, or reduce time-tolerance",
         at.time, at.min_density);
-  } else if (!kTransientLimits.is_imbalance_accepted(at.power_residual)) {
+  } else if (!kTransientLimits.is_power_residual_accepted(at.power_residual)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
         "the power balance at t = {:.4g} has a residual of {:.1g} of the input: insufficient "
@@ -202,7 +204,7 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
 
   const Grid& grid = on.grid;
   const Eigen::VectorXd start = cell_averages(gaussian, grid);
-  LinearCvode cvode(with_deadline(deadline, linear_system(op, preconditioner)), start,
+  LinearCvode cvode(with_deadline(deadline, linear_ode_system(op, preconditioner)), start,
                     {.max_order = transient.max_order,
                      .relative_tolerance = transient.relative_tolerance,
                      .absolute_tolerance = transient.relative_tolerance * start.maxCoeff(),
@@ -229,33 +231,33 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
     if (flag < 0) {
       result.status = Status::not_converged;
       result.reason = fmt::format("CVODE stopped at t = {:.4g} before t = {:.4g} (flag {}): {}",
-                                  reached, time, flag, cvode.message());
+                                  reached, time, flag, cvode.error_message());
       break;
     }
-    result.snapshots.push_back(snapshot(problem, options, on, op, cvode.averages(), time));
+    result.snapshots.push_back(make_snapshot(problem, options, on, op, cvode.averages(), time));
     check_snapshot(problem.frame, grid, result.snapshots.back(), result);
     if (transient.progress) transient.progress(static_cast<double>(n) / transient.snapshots);
   }
-  result.steps = cvode.steps();
-  result.factorisations = cvode.factorisations();
-  result.rhs_evaluations = cvode.rhs_evaluations();
-  result.krylov_iterations = cvode.krylov_iterations();
+  result.steps = cvode.step_count();
+  result.factorisations = cvode.factorisation_count();
+  result.rhs_evaluations = cvode.rhs_evaluation_count();
+  result.krylov_iterations = cvode.krylov_iteration_count();
 }
 
-TransientResult integrate_untimed(const problem::Problem& problem, const Options& options,
-                                  const TransientOptions& transient) {
-  const problem::Scales scales = problem::scales(problem);
+TransientResult solve_without_timing(const problem::Problem& problem, const Options& options,
+                                     const TransientOptions& transient) {
+  const problem::MotionScales scales = problem::scales(problem);
   const problem::Frame& frame = problem.frame;
   const Gaussian start = initial_density(problem, scales, transient);
   TransientResult result;
   result.start_displacement = start.displacement_deviation;
   result.start_velocity = start.velocity_deviation;
-  result.start_mean_displacement = frame.y(start.mean_displacement);
-  result.start_mean_velocity = frame.v(start.mean_velocity);
+  result.start_mean_displacement = frame.physical_y(start.mean_displacement);
+  result.start_mean_velocity = frame.physical_velocity(start.mean_velocity);
 
   const Deadline deadline(options.max_seconds);
   const Box box = transient_box(problem, scales, options, start, deadline);
-  Options on_grid = refine_for_start(problem, scales, options, box.lengths, start);
+  Options on_grid = refine_for_initial_density(problem, scales, options, box.lengths, start);
   const Discretisation on = discretise_within_limit(problem, box, on_grid);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;
@@ -279,8 +281,8 @@ TransientResult integrate_untimed(const problem::Problem& problem, const Options
 
 }  // namespace
 
-TransientResult integrate(const problem::Problem& problem, const Options& options,
-                          const TransientOptions& transient) {
+TransientResult solve_transient(const problem::Problem& problem, const Options& options,
+                                const TransientOptions& transient) {
   validate(options, transient);
   const problem::Problem seen =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -288,7 +290,7 @@ TransientResult integrate(const problem::Problem& problem, const Options& option
     throw InputError(fmt::format("no density over time: {}", why));
   }
   const Stopwatch stopwatch;
-  TransientResult result = integrate_untimed(seen, options, transient);
+  TransientResult result = solve_without_timing(seen, options, transient);
   result.seconds = stopwatch.seconds();
   return result;
 }

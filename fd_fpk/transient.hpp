@@ -64,7 +64,7 @@ struct TransientResult {
 /// @param problem the problem in any coordinates; the solver uses wall coordinates, the result has
 /// physical coordinates
 /// @throws InputError for invalid options, or if transient_unsupported_reason is not empty
-TransientResult integrate(const problem::Problem& problem, const Options& options,
-                          const TransientOptions& transient);
+TransientResult solve_transient(const problem::Problem& problem, const Options& options,
+                                const TransientOptions& transient);
 
 }  // namespace fpkcheck::fd_fpk

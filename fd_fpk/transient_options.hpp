@@ -12,11 +12,11 @@ struct TransientOptions {
   double until = 0;    ///< end time T > 0 of the integration
   int snapshots = 50;  ///< number N of intervals: densities are stored at t = 0, T/N, .. T
   /// Standard deviations of y and y' of the initial Gaussian; automatic: half of the standard
-  /// deviations of problem::Scales.
+  /// deviations of problem::MotionScales.
   std::optional<double> start_displacement{};
   std::optional<double> start_velocity{};
   /// Means of the initial Gaussian; automatic: mean velocity 0, and mean displacement at the wall
-  /// in the paper's class (a Gaussian of z and z'), else at the centre of problem::Scales.
+  /// in the paper's class (a Gaussian of z and z'), else at the centre of problem::MotionScales.
   std::optional<double> start_mean_displacement{};
   std::optional<double> start_mean_velocity{};
   /// Tolerance of the local error of a time step, relative to the largest density.
@@ -30,7 +30,7 @@ struct TransientOptions {
 
 /// Names, help texts and ranges of these options, in files and on the command line. All of these
 /// options require --until.
-const base::Description<TransientOptions>& transient_description();
+const base::Description<TransientOptions>& transient_option_descriptions();
 
 /// @throws InputError for the first option that is invalid for a density over time
 void validate(const Options& options, const TransientOptions& transient);

@@ -11,7 +11,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
     std::string why = unsupported_splitting_reason(problem, options);
     if (!why.empty()) return why;
   }
-  return problem::collapse_unsupported_reason(problem, options.equation);
+  return problem::inelastic_collapse_reason(problem, options.equation);
 }
 
 std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {

@@ -12,7 +12,7 @@
 #include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/parallel_for.hpp"
-#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -31,7 +31,7 @@ struct Sums {
   std::vector<std::uint64_t> y{}, v{};   // counts in the bins, with two outer bins
 
   Sums(const Bins& y_bins, const Bins& v_bins)
-      : y(y_bins ? y_bins->bins() + 2 : 0), v(v_bins ? v_bins->bins() + 2 : 0) {}
+      : y(y_bins ? y_bins->bin_count() + 2 : 0), v(v_bins ? v_bins->bin_count() + 2 : 0) {}
 
   void add(const State& state, const Bins& y_bins, const Bins& v_bins) {
     const double y2 = state.y * state.y, v2 = state.v * state.v;
@@ -79,7 +79,7 @@ transform::Marginal marginal(const Bins& bins, const std::vector<std::uint64_t>&
                              double trajectories) {
   if (!bins) return {};
   transform::Marginal m{.edges = bins->edges(), .density = {}, .lower = {}, .upper = {}};
-  for (std::size_t b = 0; b < bins->bins(); ++b) {
+  for (std::size_t b = 0; b < bins->bin_count(); ++b) {
     const double share = static_cast<double>(counts[b + 1]) / trajectories;
     const double width = m.edges[b + 1] - m.edges[b];
     const double half = kNormal95 * std::sqrt(share * (1 - share) / trajectories);
@@ -135,8 +135,8 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
                                                 const EnsembleOptions& options) {
   validate(options);
   const problem::System& system = problem.system;
-  require(system.left() && system.left()->position == 0 && !system.right() &&
-              system.damping_is_constant() && problem.impulses.is_present() &&
+  require(system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
+              system.has_constant_damping() && problem.impulses.is_present() &&
               !problem.noise.is_present(),
           "unsupported ensemble: needs one left wall at y = 0, damping c y' and impulses only; "
           "simulate the stationary law");

@@ -43,39 +43,40 @@ const Description<Options>& description() {
           .add("time", &Options::time,
                {"T",
                 "simulated time over all streams (default: 1.6e6 decay times, or about a minute)"},
-               positive())
+               positive_numbers())
           .add("samples", &Options::samples,
                {"N", "simulate until E[y'^2] is as precise as from N independent samples"},
-               positive())
+               positive_numbers())
           .add("target_error", &Options::target_error,
                {"E",
                 "simulate until the relative standard errors of E[y^2] and E[y'^2] and the "
                 "expected L1 sampling errors of the densities are below E"},
-               strictly_between(0, 1))
+               open_interval(0, 1))
           .add("accuracy", &Options::accuracy,
                {"L1",
                 "tolerance for the 99 % quantiles of the L1 sampling errors of p(y) and p(y')"},
-               positive().with_reason("no simulation is exact"))
+               positive_numbers().with_appended_reason("no simulation is exact"))
           .with_default(Options{}.accuracy)
           .add("seed", &Options::seed,
                {"S",
                 "seed of the random numbers; a seed gives the same result for any number of "
                 "threads"},
-               non_negative())
+               non_negative_numbers())
           .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
-               between(1, kMostThreads))
+               closed_interval(1, kMostThreads))
           .add("streams", &Options::streams, {"N", "number of independent streams"},
-               between(kFewestStreams, kMostStreams)
-                   .with_reason("standard errors come from the differences between streams"))
+               closed_interval(kFewestStreams, kMostStreams)
+                   .with_appended_reason(
+                       "standard errors come from the differences between streams"))
           .add("step", &Options::step,
                {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
-               between(kShortestStep, kLongestStep))
+               closed_interval(kShortestStep, kLongestStep))
           .add("white_step", &Options::white_step,
                {"RAD",
                 "interval between the kicks that approximate white noise, in radians (default "
                 "0.05; outside the paper's class 0.2 if every restitution coefficient is at least "
                 "0.6)"},
-               between(kShortestStep, kLongestWhiteStep))
+               closed_interval(kShortestStep, kLongestWhiteStep))
           .add("tails", &Options::tails, {"", "resolve the far tails by importance splitting"})
           .add("controlled", &Options::controlled,
                {"",
@@ -95,7 +96,7 @@ void validate(const Options& options) {
   }
   if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
   if (!options.v_edges.empty()) require_edges("mcs.v_edges", options.v_edges);
-  if (options.deposit) require_grid(*options.deposit);
+  if (options.deposit) require_valid_deposit_grid(*options.deposit);
   if (options.deposit && (options.equation != Equation::kf || options.tails)) {
     throw InputError(
         "mcs.deposit with white noise or tails: deposits need impulses without "
@@ -111,12 +112,12 @@ std::string id(const Options& options) {
   return options.equation == Equation::white ? "mcs-white" : "mcs";
 }
 
-transform::Identity identity(const Options& options) {
+transform::SolutionIdentity identity(const Options& options) {
   return {.id = id(options),
           .method = "mcs",
           .equation = options.equation,
           .impact = problem::Impact::exact,
-          .role = transform::Role::simulation};
+          .role = transform::SolutionRole::simulation};
 }
 
 std::optional<Options> options_of(std::string_view id) {

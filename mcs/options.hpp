@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/options/description.hpp"
-#include "mcs/deposit/grid.hpp"
+#include "mcs/deposit/deposit_grid.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
@@ -30,13 +30,13 @@ struct Progress {
 
 /// Distribution of a simulation over several processes. Each process advances a part of the
 /// streams.
-struct Team {
+struct ProcessGroup {
   int part = 0, parts = 1;
   /// Function that sends the streams of this process to the first process.
-  /// @param own serialised streams of this process; ignored in the first process
+  /// @param serialised_streams serialised streams of this process; ignored in the first process
   /// @return in the first process the streams of each other process, in the order of the processes;
   /// in the other processes empty
-  std::function<std::vector<std::string>(const std::string& own)> gather = {};
+  std::function<std::vector<std::string>(const std::string& serialised_streams)> gather = {};
 };
 
 /// Options of a simulation. An empty optional means the default.
@@ -69,12 +69,12 @@ struct Options {
   std::optional<double> step{};
   /// Interval between the kicks that approximate white noise, in radians, at most 0.5. In the
   /// paper's class the frequency of equivalent linearisation defines the radians, and the default
-  /// is 0.05. Outside that class (GeneralKicks) the mean frequency and the damping together define
+  /// is 0.05. Outside that class (NoiseKicks) the mean frequency and the damping together define
   /// the radians, and the default is 0.2 or, at strong impact losses, 0.05
   /// (simulation/general_plan.cpp).
   std::optional<double> white_step{};
-  /// Splits trajectories at high energies (Splitting), to resolve densities down to 1e-8 of their
-  /// peak and beyond.
+  /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities down to 1e-8
+  /// of their peak and beyond.
   bool tails = false;
   /// Reduces the variance by control variates, for `kf` without `tails`. control_variates::solve()
   /// implements this option with solutions of the backward equation. mcs::solve() returns the plain
@@ -109,7 +109,7 @@ struct Options {
   /// Processes among which the streams are divided. The first process returns the result, bit for
   /// bit the same for any number of processes. Several processes need `time` and permit no
   /// checkpoints.
-  Team team{};
+  ProcessGroup team{};
 };
 
 /// Description of the options with their names on the command line and in files.
@@ -122,7 +122,7 @@ void validate(const Options& options);
 std::string id(const Options& options);
 
 /// Identity (id, label, method) of the solution that solve() computes with these options.
-transform::Identity identity(const Options& options);
+transform::SolutionIdentity identity(const Options& options);
 
 /// Default options except for those that determine the solution id. Empty if no solution of the
 /// simulation has this id.

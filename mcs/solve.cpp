@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "mcs/estimate/crossings.hpp"
 #include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/quantiles.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
-#include "mcs/run_until.hpp"
+#include "mcs/estimate/upcrossing_rates.hpp"
+#include "mcs/simulate_until_goal.hpp"
 #include "mcs/simulation/checkpoint.hpp"
 #include "mcs/simulation/pilot_runs.hpp"
 #include "mcs/simulation/simulation.hpp"
@@ -35,10 +35,10 @@ void estimate_moments(const Simulation& simulation, const StreamWeights& weights
   auto& solution = result.solution;
   auto& summary = result.summary;
   for (const auto& [p, q] : kPowers) {
-    summary.joint_moments.push_back(weights.estimate(moments(simulation, p, q)));
+    summary.joint_moments.push_back(weights.estimate(stream_moments(simulation, p, q)));
   }
   const auto set = [&](double Moments::*member, int p, int q) {
-    const Estimate e = weights.estimate(moments(simulation, p, q));
+    const Estimate e = weights.estimate(stream_moments(simulation, p, q));
     solution.moments.*member = e.mean;
     solution.standard_errors->moments.*member = e.standard_error;
   };
@@ -57,7 +57,7 @@ double damping_power(const problem::System& system, const Simulation& simulation
   return c.coefficient(0) * moment(simulation, r, 0, 2) +
          c.coefficient(1) * moment(simulation, r, 1, 2) +
          c.coefficient(2) * moment(simulation, r, 2, 2) +
-         system.rayleigh() * moment(simulation, r, 0, 4);
+         system.rayleigh_coefficient() * moment(simulation, r, 0, 4);
 }
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
@@ -67,11 +67,11 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
     return r.general ? (*r.general).*sum / simulation.stream_time() : 0.0;
   };
   result.summary.impacts_accumulate = general && general->has_contact_atoms;
-  result.summary.impact_rate = weights.estimate(each(
+  result.summary.impact_rate = weights.estimate(value_per_stream(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // The residual is linear in the averages. Its estimate is therefore the weighted mean of the
   // residuals of the streams.
-  const auto residual = weights.estimate(each(simulation.streams(), [&](const auto& r) {
+  const auto residual = weights.estimate(value_per_stream(simulation.streams(), [&](const auto& r) {
     return problem::energy_residual(
         problem, problem::Impact::exact,
         {.mean_velocity = moment(simulation, r, 0, 1),
@@ -89,8 +89,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
 /// is divided by the scale of its balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const StreamWeights& weights, Summary& summary) {
-  const auto& force = problem.system.force();
-  const auto virial = force.times_argument();
+  const auto& force = problem.system.restoring_force();
+  const auto virial = force.multiplied_by_argument();
   const bool general = simulation.plan().general.has_value();
   if (!general && virial.degree() > kHighestPower) return;  // no estimate of E[y g(y)]
   const auto right_momentum = [&](const StreamRecord& r) {
@@ -113,11 +113,12 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
            simulation.stream_samples();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
-    const auto difference = weights.estimate(
-        each(simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
+    const auto difference = weights.estimate(value_per_stream(
+        simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
     const double scale =
         weights
-            .estimate(each(simulation.streams(), [&](const auto& r) { return balance(r).scale; }))
+            .estimate(value_per_stream(simulation.streams(),
+                                       [&](const auto& r) { return balance(r).scale; }))
             .mean;
     summary.balances.*member = difference.mean / scale;
     summary.balance_errors.*member = difference.standard_error / scale;
@@ -156,27 +157,27 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
 /// weights.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
-    const double ratio = plain_estimate(moments(simulation, p, q)).standard_error / error;
+    const double ratio = plain_estimate(stream_moments(simulation, p, q)).standard_error / error;
     return ratio * ratio;
   };
   auto& solution = result.solution;
   auto& summary = result.summary;
   const auto& errors = solution.standard_errors->moments;
-  summary.effective_samples = effective_samples(simulation, 0, 2);
-  summary.effective_samples_y2 = effective_samples(simulation, 2, 0);
+  summary.effective_samples = effective_sample_count(simulation, 0, 2);
+  summary.effective_samples_y2 = effective_sample_count(simulation, 2, 0);
   summary.variance_reduction_y2 = reduction(2, 0, errors.y2);
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
 /// Fraction of the samples outside the bins.
 double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
-  const Plan& plan = simulation.plan();
-  const auto beyond = each(simulation.streams(), [&](const StreamRecord& record) {
+  const SimulationPlan& plan = simulation.plan();
+  const auto beyond = value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
     const auto rows = record.histogram.row_sums();
     const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
     double inside = 0;
-    for (std::size_t i = 1; i <= plan.y_bins.bins(); ++i) {
-      for (std::size_t j = 1; j <= plan.v_bins.bins(); ++j) inside += record.histogram(i, j);
+    for (std::size_t i = 1; i <= plan.y_bins.bin_count(); ++i) {
+      for (std::size_t j = 1; j <= plan.v_bins.bin_count(); ++j) inside += record.histogram(i, j);
     }
     return all > 0 ? (all - inside) / all : 0.0;
   });
@@ -190,9 +191,10 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
   if (!general || !general->has_contact_atoms) return;
   const auto add = [&](const GeneralWall& wall, double GeneralSums::*rest) {
     if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
-    const Estimate p = weights.estimate(each(simulation.streams(), [&](const StreamRecord& r) {
-      return (*r.general).*rest / simulation.stream_samples();
-    }));
+    const Estimate p =
+        weights.estimate(value_per_stream(simulation.streams(), [&](const StreamRecord& r) {
+          return (*r.general).*rest / simulation.stream_samples();
+        }));
     solution.atoms.push_back({.y = wall.position,
                               .probability = p.mean,
                               .standard_error = p.standard_error,
@@ -209,9 +211,9 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   const auto marginal = [&](Variable variable) {
     auto estimate = estimate_marginal(simulation, weights, variable, summary.effective_samples);
     solution.estimated_marginals.emplace_back(variable, std::move(estimate.marginal));
-    return sampling_l1(estimate.errors);
+    return l1_sampling_error(estimate.errors);
   };
-  const SamplingL1 y = marginal(Variable::y), ydot = marginal(Variable::ydot);
+  const L1SamplingError y = marginal(Variable::y), ydot = marginal(Variable::ydot);
   solution.sampling = transform::SamplingError{
       .y = y.expected, .ydot = ydot.expected, .y_99 = y.quantile_99, .ydot_99 = ydot.quantile_99};
   auto joint = estimate_joint_density(simulation, weights);
@@ -226,18 +228,18 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
     summary.y_quantiles = estimate_quantiles(simulation, weights, Variable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, Variable::ydot);
   }
-  summary.crossings = estimate_crossings(simulation, weights);
+  summary.crossings = estimate_upcrossing_rates(simulation, weights);
   // The peaks are not estimated under white noise, which causes infinitely many maxima, or in a
   // mirrored frame, where the counted maxima are minima of y.
-  const Plan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan();
   const bool noisy = plan.general && plan.general->kicks.is_present();
   if (!noisy && !plan.frame.mirrored) {
-    summary.peaks = estimate_peaks(simulation, weights);
+    summary.peaks = estimate_peak_rates(simulation, weights);
   }
 }
 
 void fill_summary(const Simulation& simulation, Summary& summary) {
-  const Plan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan();
   summary.time = simulation.stream_time() * plan.streams;
   summary.samples =
       simulation.rounds() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
@@ -274,25 +276,25 @@ std::vector<StreamDeposit> deposits(const Simulation& simulation) {
 }
 
 /// The reason why the burn-in is too short; empty if the burn-in is long enough.
-std::string burn_in_reason(const Plan& plan, const Options& options) {
+std::string burn_in_reason(const SimulationPlan& plan, const Options& options) {
   const auto text = [&](const std::string& cause, const char* action) {
     return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
                        action);
   };
-  switch (plan.burn_in_limit) {
-    case BurnInLimit::impulses:
+  switch (plan.short_burn_in_cause) {
+    case ShortBurnInCause::impulses:
       return text(fmt::format("impulses are frequent relative to the decay ({:.2g} per unit time)",
                               1 / plan.excitation.interval),
                   options.tails ? "increase --time"
                                 : "increase --time, or use white noise (--equation white)");
-    case BurnInLimit::wells:
+    case ShortBurnInCause::wells:
       return text(
           "transitions between the wells are rare, and their masses may still be the "
           "initial ones",
           "increase --time");
-    case BurnInLimit::decay:
+    case ShortBurnInCause::decay:
       return text("the energy decays slowly", "increase --time");
-    case BurnInLimit::none:
+    case ShortBurnInCause::none:
       break;
   }
   return "";
@@ -300,7 +302,7 @@ std::string burn_in_reason(const Plan& plan, const Options& options) {
 
 /// @param unreached_reason reason why the simulation did not reach its goal; empty if it reached
 /// the goal
-void set_status(const Plan& plan, const Options& options, const Summary& summary,
+void set_status(const SimulationPlan& plan, const Options& options, const Summary& summary,
                 transform::Solution& solution, const std::string& unreached_reason) {
   constexpr std::uint64_t kFewestImpulses = 10;  // per stream
   const transform::Moments& m = solution.moments;
@@ -309,7 +311,7 @@ void set_status(const Plan& plan, const Options& options, const Summary& summary
       unreached_reason.empty() ? transform::Status::ok : transform::Status::not_converged;
   solution.reason = unreached_reason;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
-  if (plan.burn_in_limit != BurnInLimit::none) {
+  if (plan.short_burn_in_cause != ShortBurnInCause::none) {
     solution.status = transform::Status::not_converged;
     solution.reason = burn_in_reason(plan, options);
   }
@@ -341,7 +343,7 @@ void estimate(const problem::Problem& problem, const Simulation& simulation, Res
   fill_summary(simulation, result.summary);
 }
 
-void require_valid_team_options(const Options& options) {
+void require_options_for_processes(const Options& options) {
   if (options.team.parts == 1) return;
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
@@ -357,7 +359,7 @@ void require_valid_team_options(const Options& options) {
 
 /// Collects the streams of all processes in the first process.
 /// @return whether this process is the first process
-bool gather(const Team& team, Simulation& simulation) {
+bool gather(const ProcessGroup& team, Simulation& simulation) {
   if (team.parts == 1) return true;
   std::ostringstream own;
   if (team.part > 0) simulation.save_part(own);
@@ -384,10 +386,10 @@ void require_accuracy(const Options& options, transform::Solution& solution) {
 }
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
-  const Plan plan = make_plan(problem, options);
-  require_valid_team_options(options);
+  const SimulationPlan plan = make_simulation_plan(problem, options);
+  require_options_for_processes(options);
   if (plan.general) return;
-  if (!problem::collapse_unsupported_reason(problem, options.equation).empty())
+  if (!problem::inelastic_collapse_reason(problem, options.equation).empty())
     return;  // status failed
   [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
@@ -398,28 +400,29 @@ Result solve(const problem::Problem& problem, const Options& options) {
   auto& solution = result.solution;
   auto& summary = result.summary;
   solution.identity = identity(options);
-  const Plan plan = make_plan(problem, options);
-  require_valid_team_options(options);
+  const SimulationPlan plan = make_simulation_plan(problem, options);
+  require_options_for_processes(options);
   // Evenly spaced kicks would lift the mass off the wall after each interval. The result would
   // depend on the interval and would not converge as the interval tends to 0.
-  solution.reason = problem::collapse_unsupported_reason(problem, options.equation);
+  solution.reason = problem::inelastic_collapse_reason(problem, options.equation);
   if (!solution.reason.empty()) return result;  // status failed
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {
     summary.warnings.push_back(warning);
     if (options.warn) options.warn(warning);
   });
-  std::optional<Splitting> splitting;
-  if (options.tails) splitting = plan_splitting(problem, plan);
-  const Splitting* splits = splitting ? &*splitting : nullptr;
+  std::optional<ImportanceSplitting> splitting;
+  if (options.tails) splitting = choose_splitting_thresholds(problem, plan);
+  const ImportanceSplitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
-  simulation.share(options.team.part, options.team.parts);
-  const std::string fingerprint = mcs::fingerprint(problem, plan, splits);
+  simulation.restrict_to_part(options.team.part, options.team.parts);
+  const std::string fingerprint = mcs::simulation_fingerprint(problem, plan, splits);
   if (options.resume.empty()) {
     simulation.burn_in();
   } else {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
-  auto [unreached_reason, interrupted] = run_until(simulation, options, checkpoints, fingerprint);
+  auto [unreached_reason, interrupted] =
+      simulate_until_goal(simulation, options, checkpoints, fingerprint);
 
   if (!gather(options.team, simulation)) {
     solution.reason = "the first process has the result";

@@ -32,8 +32,8 @@ struct Result {
 ///
 /// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
 /// interruptions. The status is not_converged if the simulation ends before its goal, or if the
-/// burn-in is below 5 decay times (BurnInLimit). The status is failed, without a density, for white
-/// noise with a restitution coefficient at which impacts accumulate
+/// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
+/// white noise with a restitution coefficient at which impacts accumulate
 /// (problem/inelastic_collapse.hpp).
 /// @throws InputError as validate(); for springs that Oscillator refuses; for a checkpoint file
 ///        that cannot be read, or could never be written

@@ -7,30 +7,30 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::count_value;
-using transform::Kind;
 using transform::MetricBuilder;
+using transform::MetricKind;
+using transform::value_from_count;
 
 /// Adds a value and its standard error.
 void add_metrics(MetricBuilder& builder, const std::string& path, const Estimate& estimate,
                  const std::string& error_path) {
   builder.add({.path = path, .value = estimate.mean, .standard_error_path = error_path});
-  builder.error(error_path, estimate.standard_error);
+  builder.add_error(error_path, estimate.standard_error);
 }
 
 /// Adds the metrics of each item of a list by calling `put(path of the item, item, index)`.
 template <class Item, class Put>
 void add_metric_list(MetricBuilder& builder, const std::string& path,
-                     const std::vector<Item>& items, Kind kind, Put put) {
+                     const std::vector<Item>& items, MetricKind kind, Put put) {
   if (items.empty()) builder.add_empty_list(path, kind);
   for (std::size_t k = 0; k < items.size(); ++k) put(fmt::format("{}[{}]", path, k), items[k], k);
 }
 
 void add_moment_metrics(MetricBuilder& builder, const std::vector<Estimate>& moments) {
-  add_metric_list(builder, "joint_moments", moments, Kind::result,
+  add_metric_list(builder, "joint_moments", moments, MetricKind::result,
                   [&](const std::string& at, const Estimate& moment, std::size_t k) {
-                    builder.result(at + ".y", count_value(kPowers[k].first));
-                    builder.result(at + ".v", count_value(kPowers[k].second));
+                    builder.add_result(at + ".y", value_from_count(kPowers[k].first));
+                    builder.add_result(at + ".v", value_from_count(kPowers[k].second));
                     add_metrics(builder, at + ".mean", moment, at + ".standard_error");
                   });
 }
@@ -38,31 +38,31 @@ void add_moment_metrics(MetricBuilder& builder, const std::vector<Estimate>& mom
 void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
                           const std::vector<Quantile>& quantiles) {
   add_metric_list(
-      builder, path, quantiles, Kind::result,
+      builder, path, quantiles, MetricKind::result,
       [&](const std::string& at, const Quantile& q, std::size_t) {
         const std::string error_path = at + ".standard_error";
-        builder.result(at + ".probability", q.probability);
+        builder.add_result(at + ".probability", q.probability);
         builder.add({.path = at + ".value", .value = q.value, .standard_error_path = error_path});
-        builder.work(at + ".lower", q.lower);
-        builder.work(at + ".upper", q.upper);
-        builder.error(error_path, (q.upper - q.lower) / (2 * kNormal95));
+        builder.add_work(at + ".lower", q.lower);
+        builder.add_work(at + ".upper", q.upper);
+        builder.add_error(error_path, (q.upper - q.lower) / (2 * kNormal95));
       });
 }
 
 void add_rate_metrics(MetricBuilder& builder, const std::string& path,
-                      const std::vector<LevelRate>& rates) {
+                      const std::vector<LevelEventRate>& rates) {
   // With fewer than about a hundred events the standard error itself is inaccurate.
   constexpr double kRare = 0.1;
   add_metric_list(
-      builder, path, rates, Kind::result,
-      [&](const std::string& at, const LevelRate& r, std::size_t) {
-        builder.result(at + ".level", r.level);
+      builder, path, rates, MetricKind::result,
+      [&](const std::string& at, const LevelEventRate& r, std::size_t) {
+        builder.add_result(at + ".level", r.level);
         const std::string error_path = at + ".standard_error";
         builder.add({.path = at + ".rate",
                      .value = r.rate.mean,
                      .standard_error_path = error_path,
                      .is_rounding_sensitive = r.rate.standard_error > kRare * r.rate.mean});
-        builder.error(error_path, r.rate.standard_error);
+        builder.add_error(error_path, r.rate.standard_error);
       });
 }
 
@@ -70,39 +70,39 @@ void add_rate_metrics(MetricBuilder& builder, const std::string& path,
 
 transform::Metrics metrics(const Summary& summary) {
   MetricBuilder builder;
-  builder.work("time", summary.time)
-      .work("samples", count_value(summary.samples))
-      .error("effective_samples", summary.effective_samples)
-      .error("effective_samples_y2", summary.effective_samples_y2);
+  builder.add_work("time", summary.time)
+      .add_work("samples", value_from_count(summary.samples))
+      .add_error("effective_samples", summary.effective_samples)
+      .add_error("effective_samples_y2", summary.effective_samples_y2);
   add_metrics(builder, "excess_power.relative", {summary.excess_power, summary.excess_power_error},
               "excess_power.standard_error");
-  builder.work("variance_reduction.y2", summary.variance_reduction_y2)
-      .work("variance_reduction.v2", summary.variance_reduction_v2)
-      .work("outside", summary.outside_fraction)
-      .work("seed", count_value(summary.seed))
-      .work("threads", count_value(summary.threads))
-      .result("streams", count_value(summary.streams))
-      .result("step", summary.step)
-      .result("sampling_interval", summary.sampling_interval)
-      .result("burn_in", summary.burn_in);
+  builder.add_work("variance_reduction.y2", summary.variance_reduction_y2)
+      .add_work("variance_reduction.v2", summary.variance_reduction_v2)
+      .add_work("outside", summary.outside_fraction)
+      .add_work("seed", value_from_count(summary.seed))
+      .add_work("threads", value_from_count(summary.threads))
+      .add_result("streams", value_from_count(summary.streams))
+      .add_result("step", summary.step)
+      .add_result("sampling_interval", summary.sampling_interval)
+      .add_result("burn_in", summary.burn_in);
   if (!summary.impacts_accumulate) {
     add_metrics(builder, "impact_rate", summary.impact_rate, "impact_rate_error");
   }
-  add_metrics(builder, summary.balances, summary.balance_errors);
-  builder.work("impulses", count_value(summary.impulses))
-      .work("flights", count_value(summary.flights))
-      .work("rounds", count_value(summary.rounds))
-      .result("interrupted", summary.interrupted)
-      .result("kick_interval", transform::optional_value(summary.kick_interval));
+  add_balance_metrics(builder, summary.balances, summary.balance_errors);
+  builder.add_work("impulses", value_from_count(summary.impulses))
+      .add_work("flights", value_from_count(summary.flights))
+      .add_work("rounds", value_from_count(summary.rounds))
+      .add_result("interrupted", summary.interrupted)
+      .add_result("kick_interval", transform::value_from_optional(summary.kick_interval));
   add_moment_metrics(builder, summary.joint_moments);
   add_quantile_metrics(builder, "quantiles.y", summary.y_quantiles);
   add_quantile_metrics(builder, "quantiles.ydot", summary.v_quantiles);
   add_rate_metrics(builder, "upcrossings", summary.crossings);
   add_rate_metrics(builder, "peaks", summary.peaks);
   add_metric_list(
-      builder, "splitting_thresholds", summary.thresholds, Kind::work,
-      [&](const std::string& at, double energy, std::size_t) { builder.work(at, energy); });
-  return std::move(builder).take();
+      builder, "splitting_thresholds", summary.thresholds, MetricKind::work,
+      [&](const std::string& at, double energy, std::size_t) { builder.add_work(at, energy); });
+  return std::move(builder).take_metrics();
 }
 
 }  // namespace fpkcheck::mcs

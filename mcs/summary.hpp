@@ -16,7 +16,7 @@ namespace fpkcheck::mcs {
 
 /// The deposited sums of one stream and the numbers that normalise them.
 struct StreamDeposit {
-  Deposit sums;
+  DepositedSums sums;
   double samples = 0;                           ///< N, the divisor of the sums
   double time = 0;                              ///< T, simulated time of the stream
   double impacts = 0;                           ///< number of impacts
@@ -60,7 +60,7 @@ struct Summary {
   /// E[y^p y'^q], p + q <= 4, in the order of kPowers.
   std::vector<Estimate> joint_moments{};
   std::vector<Quantile> y_quantiles{}, v_quantiles{};
-  std::vector<LevelRate> crossings{}, peaks{};
+  std::vector<LevelEventRate> crossings{}, peaks{};
   std::vector<double> thresholds{};  ///< threshold energies of the splitting
   /// Standard errors of the averages of the joint histogram, row-major.
   std::vector<double> joint_standard_errors{};

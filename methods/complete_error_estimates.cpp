@@ -16,7 +16,7 @@ using transform::Solution;
 using transform::Variable;
 
 std::optional<double> required_accuracy(const Method& method) {
-  if (method.identity.role != transform::Role::closure) return std::nullopt;
+  if (method.identity.role != transform::SolutionRole::closure) return std::nullopt;
   for (const auto& [name, value] : method.options) {
     if (name != "accuracy") continue;
     if (const auto* number = std::get_if<double>(&value)) return *number;
@@ -39,7 +39,7 @@ struct Distance {
 void set_distance_estimate(const Solution& reference, const Distance& distance,
                            Solution& solution) {
   const auto with_reference_error = [&](const std::optional<double>& l1, Variable variable) {
-    return l1 ? *l1 + compare::error_estimate(reference, variable) : kUnknown;
+    return l1 ? *l1 + compare::l1_error_estimate(reference, variable) : kUnknown;
   };
   transform::ErrorEstimate error{.y_l1 = with_reference_error(distance.y, Variable::y),
                                  .ydot_l1 = with_reference_error(distance.ydot, Variable::ydot)};
@@ -57,14 +57,15 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               const ResidualErrorEstimator& estimator,
                               std::vector<Solution>& solutions,
                               const compare::Comparison* comparison) {
-  const Solution* const reference = compare::reference(solutions);
+  const Solution* const reference = compare::select_reference(solutions);
   std::optional<compare::Comparison> computed_comparison;
   const auto distance = [&](const Solution& solution) -> Distance {
     if (reference == nullptr) return {};
     if (comparison == nullptr)
       comparison = &computed_comparison.emplace(compare::compare_solutions(axes, solutions));
     const auto l1 = [&](Variable variable) {
-      return compare::l1_between(comparison->pairs, solution.id(), reference->id(), variable);
+      return compare::l1_distance_between(comparison->pairs, solution.id(), reference->id(),
+                                          variable);
     };
     return {l1(Variable::y), l1(Variable::ydot)};
   };
@@ -92,7 +93,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
                !transform::has_error_estimate(solution)) {
       if (const Distance found = distance(solution)) {
         set_distance_estimate(*reference, found, solution);
-      } else if (methods[m].identity.role == transform::Role::closure) {
+      } else if (methods[m].identity.role == transform::SolutionRole::closure) {
         set_residual_error_estimate(estimator, HUGE_VAL, solution);
       }
     }

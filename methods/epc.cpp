@@ -39,11 +39,11 @@ examples:
   fpkcheck epc case2 --order 8 --equation kf
 )";
 
-Family family(const std::string& name, const std::string& meaning,
-              std::vector<std::string> default_ids, const ColourRamp& ramp,
-              const std::string& symbol) {
-  return {name, transform::Role::closure, meaning, std::move(default_ids),
-          [&ramp, symbol](const transform::Identity& identity) {
+MethodFamily family(const std::string& name, const std::string& meaning,
+                    std::vector<std::string> default_ids, const ColourRamp& ramp,
+                    const std::string& symbol) {
+  return {name, transform::SolutionRole::closure, meaning, std::move(default_ids),
+          [&ramp, symbol](const transform::SolutionIdentity& identity) {
             return closure_style(ramp, identity, symbol);
           }};
 }

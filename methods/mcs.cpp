@@ -69,7 +69,7 @@ std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
 
 }  // namespace
 
-Method with_control(Method simulation, const SimulationControl& control) {
+Method with_simulation_control(Method simulation, const SimulationControl& control) {
   mcs::Options options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
@@ -95,7 +95,7 @@ Solver mcs_solver() {
                .summary = "Monte Carlo simulation of the impact system",
                .usage = kMcsUsage,
                .families = {{.name = "mcs",
-                             .role = transform::Role::simulation,
+                             .role = transform::SolutionRole::simulation,
                              .meaning = "Monte Carlo simulation of the impact system; bands are "
                                         "95 % confidence intervals.",
                              .default_ids = {"mcs"},

@@ -15,11 +15,11 @@ struct SimulationControl {
   /// Function that returns whether the simulation must end with its result so far.
   std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< receives warnings about failed writes
-  mcs::Team team = {};                                ///< processes that share the simulation
+  mcs::ProcessGroup team = {};                        ///< processes that share the simulation
 };
 
 /// A copy of a simulation method with settings for checkpoints, interruption and processes.
 /// @param simulation a method of mcs_solver()
-Method with_control(Method simulation, const SimulationControl& control);
+Method with_simulation_control(Method simulation, const SimulationControl& control);
 
 }  // namespace fpkcheck::methods

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/options/value.hpp"
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
@@ -29,8 +29,8 @@ struct SolveContext {
 
 /// A solver together with values of its options.
 struct Method {
-  transform::Identity identity;  ///< identity of the solutions of this method
-  base::Values options = {};     ///< values of the options, as stored in files
+  transform::SolutionIdentity identity;  ///< identity of the solutions of this method
+  base::Values options = {};             ///< values of the options, as stored in files
   /// Whether the method uses all processors. No other method should run at the same time.
   bool uses_all_processors = false;
   /// Solves a problem. The caller sets the identity and options of the solution (solve_with).

@@ -14,7 +14,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-using results::Case;
+using results::CaseResult;
 using transform::Moments;
 
 /// The moment error estimates and error sources of one solution.
@@ -29,8 +29,8 @@ results::ErrorSource error_source(const backward::DensityResiduals& residuals,
                                   const Eigen::MatrixXd& contributions,
                                   const transform::GridDensity& cells) {
   Eigen::MatrixXd values =
-      residuals.spread_contributions(contributions, transform::to_x_edges(frame, cells.y_edges),
-                                     transform::transform_v_edges(frame, cells.v_edges));
+      residuals.contributions_per_cell(contributions, transform::to_x_edges(frame, cells.y_edges),
+                                       transform::transform_v_edges(frame, cells.v_edges));
   if (frame.mirrored) values = values.reverse().eval();
   results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
@@ -66,11 +66,11 @@ std::optional<SolutionErrors> estimate_moment_errors(const backward::DensityResi
 
 }  // namespace
 
-void add_moment_error_estimates(Case& case_result, const ResidualErrorEstimator& estimator,
-                                int threads) {
+void add_moment_error_estimates(CaseResult& case_result, const ResidualErrorEstimator& estimator,
+                                int thread_count) {
   std::vector<const transform::Solution*> densities;
   for (const auto& solution : case_result.solutions) {
-    if (solution.density && solution.identity.role != transform::Role::simulation) {
+    if (solution.density && solution.identity.role != transform::SolutionRole::simulation) {
       densities.push_back(&solution);
     }
   }
@@ -78,10 +78,11 @@ void add_moment_error_estimates(Case& case_result, const ResidualErrorEstimator&
   const auto* cells = case_result.joints.empty() ? nullptr : &case_result.joints.front().density;
   std::vector<std::optional<SolutionErrors>> found(densities.size());
   const bool completed = try_within_memory([&] {
-    const auto* residuals = estimator.get();
+    const auto* residuals = estimator.density_residuals();
     if (residuals == nullptr) return;
-    parallel_for(densities.size(), threads, [&](std::size_t k) {
-      found[k] = estimate_moment_errors(*residuals, estimator.frame(), *densities[k], cells);
+    parallel_for(densities.size(), thread_count, [&](std::size_t k) {
+      found[k] =
+          estimate_moment_errors(*residuals, estimator.wall_coordinates(), *densities[k], cells);
     });
   });
   if (!completed) return;

@@ -12,8 +12,8 @@ namespace fpkcheck::methods {
 /// are in physical coordinates. If the backward equation cannot be solved, or memory does not
 /// suffice, the case gets no estimates.
 /// @param estimator residual-based error estimator of the problem of the case
-/// @param threads number of threads; 0 for one per processor
-void add_moment_error_estimates(results::Case& case_result, const ResidualErrorEstimator& estimator,
-                                int threads);
+/// @param thread_count number of threads; 0 for one per processor
+void add_moment_error_estimates(results::CaseResult& case_result,
+                                const ResidualErrorEstimator& estimator, int thread_count);
 
 }  // namespace fpkcheck::methods

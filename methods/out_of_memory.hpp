@@ -16,10 +16,10 @@ inline constexpr const char* kOutOfMemory =
 /// task. The failure to start a thread, whose stack cannot be allocated, is also a lack of memory.
 /// @return whether the function returned without a lack of memory
 /// @throws any other exception of the function
-template <class Part>
-bool try_within_memory(const Part& part) {
+template <class Function>
+bool try_within_memory(const Function& function) {
   try {
-    part();
+    function();
     return true;
   } catch (const std::bad_alloc&) {
     return false;

@@ -10,7 +10,8 @@ int number_of_threads(int requested);
 
 /// Calls work(0) .. work(count - 1) on several threads. After an exception of a call, no further
 /// call starts. The first exception is rethrown after all started calls have ended.
-/// @param threads number of threads; 0 for one per processor
-void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+/// @param thread_count number of threads; 0 for one per processor
+void parallel_for(std::size_t count, int thread_count,
+                  const std::function<void(std::size_t)>& work);
 
 }  // namespace fpkcheck::methods

@@ -7,8 +7,8 @@ namespace {
 
 using problem::Equation;
 using problem::Impact;
-using transform::Identity;
 using transform::PlotStyle;
+using transform::SolutionIdentity;
 
 constexpr const char* kBlack = "#000000";
 constexpr const char* kSkyBlue = "#56B4E9";
@@ -29,7 +29,7 @@ std::size_t order_index(int order) {
 
 }  // namespace
 
-PlotStyle closure_style(const ColourRamp& ramp, const Identity& identity,
+PlotStyle closure_style(const ColourRamp& ramp, const SolutionIdentity& identity,
                         const std::string& symbol) {
   const auto shade = order_index(identity.order.value_or(2));
   return {.colour = ramp[shade],
@@ -40,7 +40,7 @@ PlotStyle closure_style(const ColourRamp& ramp, const Identity& identity,
           .symbol = symbol};
 }
 
-PlotStyle equation_style(const Identity& identity) {
+PlotStyle equation_style(const SolutionIdentity& identity) {
   PlotStyle plot_style{.colour = kBlack,
                        .dash = "solid",
                        .width = 1.5,
@@ -74,7 +74,7 @@ PlotStyle scheme_style(std::size_t rank) {
           .symbol = kEquationMarker};
 }
 
-PlotStyle simulation_style(const Identity&) {
+PlotStyle simulation_style(const SolutionIdentity&) {
   return {.colour = kBlack,
           .dash = "solid",
           .width = 1,

@@ -27,12 +27,13 @@ inline constexpr ColourRamp kOlive{"#C9C46A", "#A8A23A", "#87811F",
 /// closure has a darker shade and longer dashes. Closures are drawn above density equations.
 /// @param ramp shades of the hue of the formulation
 /// @param symbol name of the marker in plotly.js
-transform::PlotStyle closure_style(const ColourRamp& ramp, const transform::Identity& identity,
+transform::PlotStyle closure_style(const ColourRamp& ramp,
+                                   const transform::SolutionIdentity& identity,
                                    const std::string& symbol);
 
 /// The plot style of a density equation: a line. The equation with the full jump integral has a
 /// broad solid line on the lowest layer.
-transform::PlotStyle equation_style(const transform::Identity& identity);
+transform::PlotStyle equation_style(const transform::SolutionIdentity& identity);
 
 /// The plot style of a finite-volume scheme, for studies that compare schemes of several orders of
 /// accuracy.
@@ -40,7 +41,7 @@ transform::PlotStyle equation_style(const transform::Identity& identity);
 transform::PlotStyle scheme_style(std::size_t rank);
 
 /// The plot style of a simulation: points on a layer above the lines.
-transform::PlotStyle simulation_style(const transform::Identity& identity);
+transform::PlotStyle simulation_style(const transform::SolutionIdentity& identity);
 
 /// The plot style of an external density: a dashed line on the top layer.
 /// @param rank index of the density among all external densities, from 0

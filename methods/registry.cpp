@@ -16,10 +16,10 @@
 namespace fpkcheck::methods {
 namespace {
 
-using base::NamedValue;
+using base::NamedParameterValue;
 using base::Values;
-using transform::Identity;
 using transform::Solution;
+using transform::SolutionIdentity;
 
 bool is_in_family(std::string_view id, const std::string& family) {
   return id == family || id.starts_with(family + '-');
@@ -27,7 +27,7 @@ bool is_in_family(std::string_view id, const std::string& family) {
 
 Values with_overrides(Values options, const Values& overrides) {
   for (const auto& [name, value] : overrides) {
-    const auto entry = std::ranges::find(options, name, &NamedValue::name);
+    const auto entry = std::ranges::find(options, name, &NamedParameterValue::name);
     if (entry != options.end()) entry->value = value;
   }
   return options;
@@ -52,35 +52,35 @@ std::vector<std::string> selected_ids(const Registry& registry, const std::strin
 void Registry::add(Solver solver) {
   const auto known = families();
   for (const auto& family : solver.families) {
-    const bool taken =
-        std::ranges::any_of(known, [&](const Family* other) { return other->name == family.name; });
-    if (taken || find(solver.name) != nullptr) {
+    const bool taken = std::ranges::any_of(
+        known, [&](const MethodFamily* other) { return other->name == family.name; });
+    if (taken || find_solver(solver.name) != nullptr) {
       throw std::logic_error("methods '" + family.name + "' are registered twice");
     }
   }
   solvers_.push_back(std::move(solver));
 }
 
-const Solver* Registry::find(std::string_view name) const {
+const Solver* Registry::find_solver(std::string_view name) const {
   const auto found = std::ranges::find(solvers_, name, &Solver::name);
   return found == solvers_.end() ? nullptr : &*found;
 }
 
-std::vector<const Family*> Registry::families() const {
-  std::vector<const Family*> all;
+std::vector<const MethodFamily*> Registry::families() const {
+  std::vector<const MethodFamily*> all;
   for (const auto& solver : solvers_) {
     for (const auto& family : solver.families) all.push_back(&family);
   }
-  std::ranges::stable_sort(all, {}, [](const Family* family) { return family->role; });
+  std::ranges::stable_sort(all, {}, [](const MethodFamily* family) { return family->role; });
   return all;
 }
 
-void Registry::annotate(Identity& identity) const {
+void Registry::complete_identity(SolutionIdentity& identity) const {
   const auto all = families();
   const auto entry = std::ranges::find_if(
-      all, [&](const Family* family) { return is_in_family(identity.id, family->name); });
+      all, [&](const MethodFamily* family) { return is_in_family(identity.id, family->name); });
   if (entry == all.end()) return;
-  const Family& family = **entry;
+  const MethodFamily& family = **entry;
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
@@ -94,25 +94,26 @@ void Registry::annotate(Identity& identity) const {
   identity.plot_style = family.plot_style(identity);
 }
 
-Method Registry::annotated_method(Method method) const {
-  annotate(method.identity);
+Method Registry::with_complete_identity(Method method) const {
+  complete_identity(method.identity);
   return method;
 }
 
-Method Registry::method(const Solver& solver, const Values& options) const {
-  return annotated_method(solver.method(options));
+Method Registry::make_method(const Solver& solver, const Values& options) const {
+  return with_complete_identity(solver.method(options));
 }
 
 std::optional<Method> Registry::method_by_id(std::string_view id, const Values& overrides) const {
   for (const auto& solver : solvers_) {
     if (const auto options = solver.options_of(id)) {
-      return method(solver, with_overrides(*options, overrides));
+      return make_method(solver, with_overrides(*options, overrides));
     }
   }
   return std::nullopt;
 }
 
-std::vector<Method> Registry::select(const std::string& list, const Values& overrides) const {
+std::vector<Method> Registry::select_methods(const std::string& list,
+                                             const Values& overrides) const {
   std::map<std::string, Method> methods;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
@@ -139,7 +140,7 @@ std::optional<Method> Registry::method_for_solution(const Solution& solution,
                                                     const Values& overrides) const {
   const auto& identity = solution.identity;
   if (transform::is_external(identity)) return std::nullopt;
-  const Solver* solver = find(identity.method);
+  const Solver* solver = find_solver(identity.method);
   if (solver == nullptr) {
     std::vector<std::string> names;
     for (const auto& known : solvers_) names.push_back(known.name);
@@ -147,14 +148,14 @@ std::optional<Method> Registry::method_for_solution(const Solution& solution,
                                  base::in_quotes(identity.method), fmt::join(names, ", "),
                                  transform::kExternalFile));
   }
-  Method made = method(*solver, with_overrides(solution.options, overrides));
+  Method made = make_method(*solver, with_overrides(solution.options, overrides));
   if (made.id() != identity.id) {
     throw InputError(fmt::format("the options belong to {}; run again", made.id()));
   }
   return made;
 }
 
-void Registry::annotate(results::Run& run) const {
+void Registry::complete_identities(results::Run& run) const {
   for (auto& one : run.cases) {
     for (auto& solution : one.solutions) {
       if (!solution.identity.family.empty()) continue;
@@ -163,7 +164,7 @@ void Registry::annotate(results::Run& run) const {
   }
 }
 
-bool is_less_trusted(const Identity& first, const Identity& second) {
+bool is_less_trusted(const SolutionIdentity& first, const SolutionIdentity& second) {
   return std::tie(first.role, first.trust, first.id) <
          std::tie(second.role, second.trust, second.id);
 }

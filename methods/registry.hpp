@@ -23,9 +23,9 @@ class Registry {
   /// All solvers, in the order in which they were added.
   const std::vector<Solver>& solvers() const { return solvers_; }
   /// The solver with this name; null if there is none.
-  const Solver* find(std::string_view name) const;
+  const Solver* find_solver(std::string_view name) const;
   /// The families of methods of all solvers, by increasing trust.
-  std::vector<const Family*> families() const;
+  std::vector<const MethodFamily*> families() const;
 
   /// The method with this id; empty if no solver has such an id.
   /// @param overrides values of options, in place of the defaults. Names that are no options of the
@@ -35,14 +35,14 @@ class Registry {
 
   /// The method that consists of a solver and values of its options.
   /// @throws InputError when the options cannot be read or are invalid
-  Method method(const Solver& solver, const base::Values& options) const;
+  Method make_method(const Solver& solver, const base::Values& options) const;
 
   /// The methods that a comma-separated list selects, by increasing trust, each method once. An
   /// item of the list is the id of a method (epc-gaussian-n6, fd-km4, mcs), a family (epc-gaussian)
   /// or a solver (epc). A family or a solver selects its default ids.
   /// @param overrides values of options, as in method_by_id()
   /// @throws InputError when an item of the list selects no method
-  std::vector<Method> select(const std::string& list, const base::Values& overrides) const;
+  std::vector<Method> select_methods(const std::string& list, const base::Values& overrides) const;
 
   /// The method that computed a solution of a saved run, with the options of the solution. Empty
   /// for an external density (a file, a function or samples).
@@ -54,19 +54,20 @@ class Registry {
 
   /// Sets the family, meaning, trust and plot style of solutions of a saved run, if the run was
   /// saved without them.
-  void annotate(results::Run& run) const;
+  void complete_identities(results::Run& run) const;
 
  private:
   /// A copy of a method with the family, meaning, trust and plot style of its solutions.
-  Method annotated_method(Method method) const;
+  Method with_complete_identity(Method method) const;
   /// Sets the family, meaning, trust and plot style of a solution with this id.
-  void annotate(transform::Identity& identity) const;
+  void complete_identity(transform::SolutionIdentity& identity) const;
 
   std::vector<Solver> solvers_;
 };
 
 /// Whether the solutions of `first` are less trusted than the solutions of `second`.
-bool is_less_trusted(const transform::Identity& first, const transform::Identity& second);
+bool is_less_trusted(const transform::SolutionIdentity& first,
+                     const transform::SolutionIdentity& second);
 
 /// The admissible items of a list of methods, as text for messages: "epc, fd, mcs, or ids such
 /// as ..".

@@ -32,7 +32,7 @@ ResidualErrorEstimator::ResidualErrorEstimator(const problem::Problem& problem)
 ResidualErrorEstimator::ResidualErrorEstimator(ResidualErrorEstimator&&) noexcept = default;
 ResidualErrorEstimator::~ResidualErrorEstimator() = default;
 
-const backward::DensityResiduals* ResidualErrorEstimator::get() const {
+const backward::DensityResiduals* ResidualErrorEstimator::density_residuals() const {
   std::call_once(fit_->once, [&] {
     if (!fit_->unsupported_reason.empty()) return;
     try {
@@ -43,7 +43,9 @@ const backward::DensityResiduals* ResidualErrorEstimator::get() const {
   return fit_->estimator ? &*fit_->estimator : nullptr;
 }
 
-const problem::Frame& ResidualErrorEstimator::frame() const { return fit_->problem.frame; }
+const problem::Frame& ResidualErrorEstimator::wall_coordinates() const {
+  return fit_->problem.frame;
+}
 const std::string& ResidualErrorEstimator::unsupported_reason() const {
   return fit_->unsupported_reason;
 }
@@ -58,10 +60,11 @@ namespace {
 std::optional<backward::DensityErrors> weighted_residuals(const ResidualErrorEstimator& estimator,
                                                           const transform::Density& density,
                                                           const problem::Frame& coordinates) try {
-  const auto* known = estimator.get();
+  const auto* known = estimator.density_residuals();
   if (known == nullptr) return std::nullopt;
-  if (coordinates == estimator.frame()) return known->estimate_errors(density);
-  return known->estimate_errors(transform::to_wall_coordinates(estimator.frame(), density));
+  if (coordinates == estimator.wall_coordinates()) return known->estimate_errors(density);
+  return known->estimate_errors(
+      transform::to_wall_coordinates(estimator.wall_coordinates(), density));
 } catch (const InputError&) {
   return std::nullopt;  // the density has no mean
 }

@@ -27,9 +27,9 @@ class ResidualErrorEstimator {
   /// The estimator for densities in wall coordinates. Null if the solution of the backward
   /// equations breaks down or the problem is unsupported (backward::residuals_unsupported_reason).
   /// Several threads may call this function.
-  const backward::DensityResiduals* get() const;
+  const backward::DensityResiduals* density_residuals() const;
   /// The wall coordinates of the problem.
-  const problem::Frame& frame() const;
+  const problem::Frame& wall_coordinates() const;
   /// The reason why the problem is unsupported, in one phrase; empty if the problem is supported.
   const std::string& unsupported_reason() const;
 

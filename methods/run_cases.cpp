@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "methods/complete_error_estimates.hpp"
 #include "methods/out_of_memory.hpp"
 #include "methods/parallel_for.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using transform::Solution;
 
-struct Task {
+struct SolveTask {
   std::size_t problem;
   std::size_t method;
 };
@@ -38,7 +38,7 @@ class CaseTable {
     for (auto& missing : unsolved_) missing = methods.size();
   }
 
-  void solve(const Task& task) {
+  void solve(const SolveTask& task) {
     if (case_listener_ && base::stop_requested()) return;
     const Method& method = methods_[task.method];
     report_progress(task, 0, "");
@@ -54,8 +54,8 @@ class CaseTable {
     report_progress(task, 1, "");
   }
 
-  std::vector<results::Case> cases() {
-    std::vector<results::Case> cases;
+  std::vector<results::CaseResult> cases() {
+    std::vector<results::CaseResult> cases;
     for (auto& one : cases_) {
       if (one) cases.push_back(std::move(*one));
     }
@@ -67,11 +67,11 @@ class CaseTable {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
     complete_error_estimates(methods_, axes_[p], estimators_[p], solutions);
-    cases_[p] = results::make_case(problems_[p], axes_[p], std::move(solutions));
+    cases_[p] = results::make_case_result(problems_[p], axes_[p], std::move(solutions));
     if (case_listener_) case_listener_(*cases_[p]);
   }
 
-  void report_progress(const Task& task, double fraction, const std::string& note) {
+  void report_progress(const SolveTask& task, double fraction, const std::string& note) {
     if (!listener_) return;
     const std::lock_guard lock(listener_mutex_);
     listener_({.done = done_,
@@ -90,7 +90,7 @@ class CaseTable {
   std::vector<compare::ComparisonAxes> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
   std::vector<std::atomic<std::size_t>> unsolved_;  // number of missing solutions of each case
-  std::vector<std::optional<results::Case>> cases_;
+  std::vector<std::optional<results::CaseResult>> cases_;
   std::atomic<std::size_t> done_ = 0;
   std::mutex listener_mutex_;
 };
@@ -109,43 +109,43 @@ Solution solve_with(const Method& method, const problem::Problem& problem,
   // The error estimates of closures and external densities may be computed later, from the distance
   // to the reference (complete_error_estimates).
   const auto role = method.identity.role;
-  if (role == transform::Role::equation || role == transform::Role::simulation) {
+  if (role == transform::SolutionRole::equation || role == transform::SolutionRole::simulation) {
     transform::require_error_estimate(solution);
   }
   return solution;
 }
 
-void require_solvable(const std::vector<problem::Problem>& problems,
-                      const std::vector<Method>& methods) {
+void require_compatible_options(const std::vector<problem::Problem>& problems,
+                                const std::vector<Method>& methods) {
   for (const auto& method : methods) {
     if (!method.check) continue;
     for (const auto& problem : problems) method.check(problem);
   }
 }
 
-std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
-                                     const std::vector<Method>& methods, int threads,
-                                     const ProgressListener& listener) {
-  return run_cases(problems, methods, threads, listener, make_error_estimators(problems), {});
+std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
+                                           const std::vector<Method>& methods, int thread_count,
+                                           const ProgressListener& listener) {
+  return run_cases(problems, methods, thread_count, listener, make_error_estimators(problems), {});
 }
 
-std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
-                                     const std::vector<Method>& methods, int threads,
-                                     const ProgressListener& listener,
-                                     const std::vector<ResidualErrorEstimator>& estimators,
-                                     const CaseListener& case_listener) {
-  require_solvable(problems, methods);
+std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
+                                           const std::vector<Method>& methods, int thread_count,
+                                           const ProgressListener& listener,
+                                           const std::vector<ResidualErrorEstimator>& estimators,
+                                           const CaseListener& case_listener) {
+  require_compatible_options(problems, methods);
   CaseTable run(problems, methods, listener, estimators, case_listener);
-  std::vector<Task> single_threaded;
-  std::vector<Task> all_processors;
+  std::vector<SolveTask> single_threaded;
+  std::vector<SolveTask> all_processors;
   for (std::size_t p = 0; p < problems.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
       (methods[m].uses_all_processors ? all_processors : single_threaded).push_back({p, m});
     }
   }
-  parallel_for(single_threaded.size(), threads,
+  parallel_for(single_threaded.size(), thread_count,
                [&](std::size_t t) { run.solve(single_threaded[t]); });
-  for (const Task& task : all_processors) run.solve(task);
+  for (const SolveTask& task : all_processors) run.solve(task);
   return run.cases();
 }
 

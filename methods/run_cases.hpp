@@ -34,32 +34,32 @@ transform::Solution solve_with(const Method& method, const problem::Problem& pro
 
 /// Tests that the options of every method are compatible with every problem (Method::check).
 /// @throws InputError when a method and a problem are incompatible
-void require_solvable(const std::vector<problem::Problem>& problems,
-                      const std::vector<Method>& methods);
+void require_compatible_options(const std::vector<problem::Problem>& problems,
+                                const std::vector<Method>& methods);
 
-/// Calls require_solvable(), solves every problem with every method,
+/// Calls require_compatible_options(), solves every problem with every method,
 /// and compares the solutions of each problem. Methods that use one processor run in parallel.
 /// While a method that uses all processors runs, no other method runs.
 /// @param methods by increasing trust
-/// @param threads number of threads; 0 for one per processor
+/// @param thread_count number of threads; 0 for one per processor
 /// @throws the first exception of a solver, after the other solvers have ended
-std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
-                                     const std::vector<Method>& methods, int threads,
-                                     const ProgressListener& listener);
+std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
+                                           const std::vector<Method>& methods, int thread_count,
+                                           const ProgressListener& listener);
 
 /// Function that receives the result of a case as soon as all its solutions are computed. Several
 /// threads call the function.
-using CaseListener = std::function<void(const results::Case&)>;
+using CaseListener = std::function<void(const results::CaseResult&)>;
 
 /// Solves and compares as the overload without estimators does.
 /// @param estimators residual-based error estimators, one for each problem; the caller owns them
 /// @param case_listener receives the completed cases; may be empty. If the listener is set, a stop
-///        request (base/process/stop.hpp) prevents further solves, and the returned list omits the
-///        incomplete cases
-std::vector<results::Case> run_cases(const std::vector<problem::Problem>& problems,
-                                     const std::vector<Method>& methods, int threads,
-                                     const ProgressListener& listener,
-                                     const std::vector<ResidualErrorEstimator>& estimators,
-                                     const CaseListener& case_listener);
+///        request (base/process/stop_request.hpp) prevents further solves, and the returned list
+///        omits the incomplete cases
+std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
+                                           const std::vector<Method>& methods, int thread_count,
+                                           const ProgressListener& listener,
+                                           const std::vector<ResidualErrorEstimator>& estimators,
+                                           const CaseListener& case_listener);
 
 }  // namespace fpkcheck::methods

@@ -15,26 +15,26 @@ namespace fpkcheck::methods {
 
 /// A family of methods: methods of one solver that share a name, a meaning and a plot style. Lists
 /// of methods, glossaries and legends have one entry for each family.
-struct Family {
+struct MethodFamily {
   /// Name of the family: "epc-gaussian", "fd", "mcs". The ids of the members are NAME or begin with
   /// NAME-.
   std::string name;
-  transform::Role role;  ///< role of the solutions in comparisons
-  std::string meaning;   ///< one sentence on the methods of the family, for glossaries
+  transform::SolutionRole role;  ///< role of the solutions in comparisons
+  std::string meaning;           ///< one sentence on the methods of the family, for glossaries
   /// Ids of the methods that the family name selects in a list of methods, by increasing trust.
   std::vector<std::string> default_ids;
   /// Function that returns the plot style of a solution of the family.
-  std::function<transform::PlotStyle(const transform::Identity&)> plot_style;
+  std::function<transform::PlotStyle(const transform::SolutionIdentity&)> plot_style;
 };
 
 /// A solver, an entry of the registry. All commands of the program use solvers through their
 /// registry entries only.
 struct Solver {
-  std::string name;                  ///< name of the command, and "method" in files: "epc"
-  std::string summary;               ///< a line of `fpkcheck --help`
-  std::string usage;                 ///< first part of `fpkcheck NAME --help`
-  std::vector<Family> families;      ///< families of methods of the solver, by increasing trust
-  bool uses_all_processors = false;  ///< whether the methods use all processors
+  std::string name;                    ///< name of the command, and "method" in files: "epc"
+  std::string summary;                 ///< a line of `fpkcheck --help`
+  std::string usage;                   ///< first part of `fpkcheck NAME --help`
+  std::vector<MethodFamily> families;  ///< families of methods of the solver, by increasing trust
+  bool uses_all_processors = false;    ///< whether the methods use all processors
   /// Names of the solver's options that the command `run` also accepts.
   std::vector<std::string> run_options = {};
 
@@ -57,7 +57,7 @@ struct SolverTraits {
   /// @throws InputError when the options are invalid
   void (*validate)(const Options&);
   /// The identity of the solutions of the solver with these options.
-  transform::Identity (*identity)(const Options&);
+  transform::SolutionIdentity (*identity)(const Options&);
   /// The options of the method with an id; empty if the solver has no method with this id.
   std::optional<Options> (*options_of)(std::string_view id);
   /// Solves a problem in wall coordinates (problem/frame.hpp), with axes in the same coordinates.

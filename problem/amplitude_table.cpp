@@ -14,7 +14,7 @@
 namespace fpkcheck::problem {
 namespace {
 
-using Kind = AmplitudeTable::Kind;
+using WeightType = AmplitudeTable::WeightType;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
@@ -22,7 +22,9 @@ constexpr std::string_view kProbability = "probability", kDensity = "density";
 // powers of the numbers are finite.
 constexpr double kLargest = 1e30;
 
-std::string_view name_of(Kind kind) { return kind == Kind::probability ? kProbability : kDensity; }
+std::string_view name_of(WeightType kind) {
+  return kind == WeightType::probability ? kProbability : kDensity;
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -42,7 +44,7 @@ std::optional<double> number_of(std::string_view text) {
 /// names the line of the row.
 class TableBuilder {
  public:
-  explicit TableBuilder(Kind kind) { table_.kind = kind; }
+  explicit TableBuilder(WeightType kind) { table_.kind = kind; }
 
   /// @throws InputError AT: ..
   void add(std::string_view row, char separator, const std::string& at) {
@@ -58,10 +60,10 @@ class TableBuilder {
       fail(at, fmt::format("amplitude {} after {} (amplitudes must increase)", *amplitude,
                            table_.amplitude.back()));
     }
-    const bool positive = table_.kind == Kind::density ? *weight >= 0 : *weight > 0;
+    const bool positive = table_.kind == WeightType::density ? *weight >= 0 : *weight > 0;
     if (!positive) {
       fail(at, fmt::format("{} = {} (must be {})", name_of(table_.kind), *weight,
-                           table_.kind == Kind::density ? "0 or above" : "above 0"));
+                           table_.kind == WeightType::density ? "0 or above" : "above 0"));
     }
     if (table_.amplitude.size() == kMaxTableRows) {
       fail(at, fmt::format("more than {} rows, the limit of an amplitude table", kMaxTableRows));
@@ -75,7 +77,7 @@ class TableBuilder {
     if (table_.amplitude.size() < 2) fail(at, "fewer than two rows: Y must vary");
     double sum = 0;
     for (std::size_t k = 0; k < table_.weight.size(); ++k) {
-      if (table_.kind == Kind::probability) {
+      if (table_.kind == WeightType::probability) {
         sum += table_.weight[k];
       } else if (k > 0) {
         sum += (table_.amplitude[k] - table_.amplitude[k - 1]) *
@@ -84,8 +86,8 @@ class TableBuilder {
     }
     if (!(std::abs(sum - 1) <= kTableSumTolerance)) {
       fail(at, fmt::format("the table's {} {} {:.6g} (must be 1 within {})", name_of(table_.kind),
-                           table_.kind == Kind::probability ? "sums to" : "integrates to", sum,
-                           kTableSumTolerance));
+                           table_.kind == WeightType::probability ? "sums to" : "integrates to",
+                           sum, kTableSumTolerance));
     }
     // The standard deviation of the table must exceed rounding errors, and powers of the
     // standardised amplitudes must be finite.
@@ -121,7 +123,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
   const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
   double sum = 0;
   for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
-    if (table.kind == Kind::probability) {
+    if (table.kind == WeightType::probability) {
       sum += table.weight[k] * value(table.amplitude[k]);
     } else if (k > 0) {
       const double from = table.amplitude[k - 1], to = table.amplitude[k];
@@ -145,7 +147,7 @@ double AmplitudeTable::mean() const {
 
 double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2); }
 
-AmplitudeTable AmplitudeTable::mirrored() const {
+AmplitudeTable AmplitudeTable::mirror_image() const {
   AmplitudeTable table = *this;
   for (double& y : table.amplitude) y = 0 - y;  // avoids -0
   std::ranges::reverse(table.amplitude);
@@ -179,7 +181,7 @@ AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& wher
           fmt::format("{} {} (the first line must be amplitude,probability or amplitude,density)",
                       at, in_quotes(line)));
     }
-    rows.emplace(of == kProbability ? Kind::probability : Kind::density);
+    rows.emplace(of == kProbability ? WeightType::probability : WeightType::density);
   }
   if (!rows) {
     throw InputError(fmt::format(
@@ -189,7 +191,7 @@ AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& wher
   return std::move(*rows).table(at);
 }
 
-std::string table_literal(const AmplitudeTable& table) {
+std::string amplitude_table_literal(const AmplitudeTable& table) {
   std::string text = fmt::format("{}(", name_of(table.kind));
   for (std::size_t k = 0; k < table.amplitude.size(); ++k) {
     text += fmt::format("{}{}:{}", k == 0 ? "" : ",", table.amplitude[k], table.weight[k]);
@@ -197,17 +199,17 @@ std::string table_literal(const AmplitudeTable& table) {
   return text + ')';
 }
 
-bool is_table_literal(std::string_view text) {
+bool is_amplitude_table_literal(std::string_view text) {
   return text.starts_with("probability(") || text.starts_with("density(");
 }
 
-AmplitudeTable parse_table_literal(std::string_view text) {
+AmplitudeTable parse_amplitude_table_literal(std::string_view text) {
   const std::string at = fmt::format("impulse.table = {}:", in_quotes(text));
-  if (!is_table_literal(text) || text.back() != ')') {
+  if (!is_amplitude_table_literal(text) || text.back() != ')') {
     throw InputError(
         fmt::format("{} not a table; name a CSV file, or write probability(-1:0.5,1:0.5)", at));
   }
-  TableBuilder rows(text.front() == 'p' ? Kind::probability : Kind::density);
+  TableBuilder rows(text.front() == 'p' ? WeightType::probability : WeightType::density);
   const auto open = text.find('(');
   std::string_view list = text.substr(open + 1, text.size() - open - 2);
   while (!list.empty()) {
@@ -218,10 +220,10 @@ AmplitudeTable parse_table_literal(std::string_view text) {
   return std::move(rows).table(at);
 }
 
-std::string table_summary(std::string_view text) {
-  const AmplitudeTable table = parse_table_literal(text);
+std::string amplitude_table_summary(std::string_view text) {
+  const AmplitudeTable table = parse_amplitude_table_literal(text);
   return fmt::format("{} {} from {:g} to {:g}", table.amplitude.size(),
-                     table.kind == Kind::probability ? "probabilities" : "densities",
+                     table.kind == WeightType::probability ? "probabilities" : "densities",
                      table.amplitude.front(), table.amplitude.back());
 }
 

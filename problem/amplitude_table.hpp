@@ -12,16 +12,16 @@ namespace fpkcheck::problem {
 /// the table. The amplitudes increase. The probabilities have the sum 1, or the density has the
 /// integral 1.
 struct AmplitudeTable {
-  enum class Kind { probability, density };
+  enum class WeightType { probability, density };
 
-  Kind kind = Kind::probability;
+  WeightType kind = WeightType::probability;
   std::vector<double> amplitude, weight;
 
   double mean() const;
   /// The variance E[(Y - E[Y])^2].
   double variance() const;
   /// The table of the law of -Y.
-  AmplitudeTable mirrored() const;
+  AmplitudeTable mirror_image() const;
 };
 
 inline constexpr std::size_t kMaxTableRows = 1000;
@@ -37,15 +37,15 @@ AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& wher
 
 /// The table literal: the whole table, with all digits, as one word of a case file. Example:
 /// "probability(-1:0.25,3:0.75)".
-std::string table_literal(const AmplitudeTable& table);
+std::string amplitude_table_literal(const AmplitudeTable& table);
 /// Whether a text begins like a table literal, with "probability(" or "density(".
-bool is_table_literal(std::string_view text);
+bool is_amplitude_table_literal(std::string_view text);
 /// Parses a table literal.
 /// @throws InputError "impulse.table = .." if the text is not a table literal or the table is
 /// invalid
-AmplitudeTable parse_table_literal(std::string_view text);
+AmplitudeTable parse_amplitude_table_literal(std::string_view text);
 
 /// A short description of a table literal for reports: "37 probabilities from -1 to 3".
-std::string table_summary(std::string_view table_text);
+std::string amplitude_table_summary(std::string_view table_text);
 
 }  // namespace fpkcheck::problem

@@ -29,15 +29,15 @@ using base::sanitise;
 
 const base::Parameter& case_parameter(std::string_view key, const std::string& where) {
   std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
-  for (const base::DescriptionBase* section : case_descriptions()) {
+  for (const base::DescriptionBase* section : case_section_descriptions()) {
     std::vector<std::string_view> names;
-    for (const auto& parameter : section->all()) {
+    for (const auto& parameter : section->parameters()) {
       if (section->prefix() + parameter.name == key) return parameter;
       names.emplace_back(parameter.name);
     }
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
   }
-  if (const std::string text = unsupported_feature_text(key); !text.empty()) {
+  if (const std::string text = unsupported_feature_message(key); !text.empty()) {
     throw InputError(fmt::format("{}: key {}: {}", where, in_quotes(key), text));
   }
   throw InputError(fmt::format("{}: unknown key {}; known keys: {}", where, in_quotes(key),
@@ -90,7 +90,7 @@ void load_table(Settings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
   try {
-    table->second.text = resolve_table_setting(table->second.text, folder);
+    table->second.text = table_literal_from_setting(table->second.text, folder);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", table->second.where, error.what()));
   }
@@ -110,7 +110,7 @@ void complete_from_table(Settings& settings) {
   if (law == settings.end() || said == settings.end() || law->second.text != TabulatedLaw::kName) {
     return;
   }
-  const AmplitudeTable table = parse_table_literal(said->second.text);
+  const AmplitudeTable table = parse_amplitude_table_literal(said->second.text);
   const std::string where = said->second.where;
   if (!settings.contains(kMean)) settings[kMean] = {fmt::format("{}", table.mean()), where};
   const auto rate = number(kRate), mean = number(kMean);
@@ -120,13 +120,14 @@ void complete_from_table(Settings& settings) {
 
 // Parses the settings of one section; returns nothing if the case file has no setting of this
 // section.
-std::optional<Section> section(const base::DescriptionBase& description, const Settings& settings) {
+std::optional<CaseFileSection> section(const base::DescriptionBase& description,
+                                       const Settings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
-  if (!named && &description != &system_description()) return std::nullopt;
-  Section section{prefix.substr(0, prefix.size() - 1), {}};
-  for (const auto& parameter : description.all()) {
+  if (!named && &description != &system_parameter_description()) return std::nullopt;
+  CaseFileSection section{prefix.substr(0, prefix.size() - 1), {}};
+  for (const auto& parameter : description.parameters()) {
     const std::string key = prefix + parameter.name;
     const auto found = settings.find(key);
     if (found != settings.end()) {
@@ -211,7 +212,7 @@ std::string changes_text(const Settings& from_file, const Problem& problem) {
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides, CaseNaming naming) {
   const std::string where = fmt::format("case {}", sanitise(source));
-  return case_from_settings(base::ini_settings(ini, where), name, where, overrides, naming,
+  return case_from_settings(base::read_ini_settings(ini, where), name, where, overrides, naming,
                             std::filesystem::path(source).parent_path());
 }
 
@@ -227,8 +228,8 @@ Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std
   complete_from_table(from_file);
   complete_from_table(settings);
   try {
-    std::vector<Section> sections;
-    for (const base::DescriptionBase* description : case_descriptions()) {
+    std::vector<CaseFileSection> sections;
+    for (const base::DescriptionBase* description : case_section_descriptions()) {
       if (auto one = section(*description, settings)) sections.push_back(std::move(*one));
     }
     Problem problem = problem_from_sections(name, sections);
@@ -242,7 +243,7 @@ Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
                   CaseNaming naming) {
-  if (const BuiltinCase* named = find_builtin_case(name_or_path)) {
+  if (const BuiltInCase* named = find_built_in_case(name_or_path)) {
     std::istringstream ini(named->text);
     return read_case(ini, named->name, named->name, overrides, naming);
   }

@@ -20,16 +20,16 @@ constexpr std::size_t kMaxBranches = 4;
 EnergyAveraging::EnergyAveraging(const Problem& problem)
     : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
   double low = 0, high = 0;
-  if (find_range(low, high)) fill_bands(low, high);
+  if (find_energy_range(low, high)) compute_bands(low, high);
 }
 
-double EnergyAveraging::slope(const Orbit& orbit) const {
+double EnergyAveraging::slope(const OrbitIntegrals& orbit) const {
   return orbit.action > 0 ? orbit.loss / (diffusion_ * orbit.action) : 0;
 }
 
 // Integrates dPhi/dh, taken over all orbits of an energy, from the lowest potential upwards in
 // growing steps.
-bool EnergyAveraging::find_range(double& low, double& high) {
+bool EnergyAveraging::find_energy_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
   const double resolved = std::abs(bottom) * 1e-12;
@@ -41,7 +41,7 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, action = 0;
     for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
-      const Orbit orbit = orbits_.orbit(half_cycle, bottom + above);
+      const OrbitIntegrals orbit = orbits_.orbit_integrals(half_cycle, bottom + above);
       loss += orbit.loss;
       action += orbit.action;
     }
@@ -84,20 +84,20 @@ bool EnergyAveraging::find_range(double& low, double& high) {
   return false;
 }
 
-void EnergyAveraging::fill_bands(double low, double high) {
+void EnergyAveraging::compute_bands(double low, double high) {
   step_ = (high - low) / kBandCount;
   // The bands are computed from the largest energy downwards, so that the band above each band in
   // the tree is already known.
-  std::vector<Band> from_top;
+  std::vector<EnergyBand> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBandCount - 1; n >= 0; --n) {
     const double energy = low + (n + 0.5) * step_;
     const std::size_t begin = from_top.size();
     for (const HalfCycle& half_cycle : orbits_.half_cycles(energy)) {
-      Band band{.energy = energy,
-                .orbit = orbits_.orbit(half_cycle, energy),
-                .potential = 0,
-                .above = from_top.size()};
+      EnergyBand band{.energy = energy,
+                      .orbit = orbits_.orbit_integrals(half_cycle, energy),
+                      .potential = 0,
+                      .above = from_top.size()};
       if (!(band.orbit.period > 0)) continue;
       const double middle = (half_cycle.left + half_cycle.right) / 2;
       for (std::size_t u = upper_begin; u < upper_end; ++u) {
@@ -113,13 +113,13 @@ void EnergyAveraging::fill_bands(double low, double high) {
     upper_end = from_top.size();
   }
   double least = std::numeric_limits<double>::infinity(), total = 0;
-  for (const Band& band : from_top) least = std::min(least, band.potential);
-  for (Band& band : from_top) {
+  for (const EnergyBand& band : from_top) least = std::min(least, band.potential);
+  for (EnergyBand& band : from_top) {
     band.potential -= least;
     band.mass = band.orbit.period * std::exp(-band.potential);
     total += band.mass;
   }
-  for (Band& band : from_top) {
+  for (EnergyBand& band : from_top) {
     band.mass /= total;
     band.above = from_top.size() - 1 - band.above;
   }
@@ -138,13 +138,13 @@ double EnergyAveraging::relaxation_rate() const {
   std::vector<double> conductance(n, 0);
   const double unit = [&] {
     double total = 0;
-    for (const Band& band : bands_) total += band.orbit.period * std::exp(-band.potential);
+    for (const EnergyBand& band : bands_) total += band.orbit.period * std::exp(-band.potential);
     return total;
   }();
   for (std::size_t b = 0; b < n; ++b) {
-    const Band& band = bands_[b];
+    const EnergyBand& band = bands_[b];
     if (band.above == b) continue;
-    const Band& upper = bands_[band.above];
+    const EnergyBand& upper = bands_[band.above];
     conductance[b] = diffusion_ * (band.orbit.action + upper.orbit.action) / 2 *
                      std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) / unit;
   }

@@ -31,15 +31,15 @@ class EnergyAveraging {
 
   /// A band: the undamped orbits of one well in an interval of energies, with the stationary
   /// probability of these orbits.
-  struct Band {
+  struct EnergyBand {
     double energy;  ///< energy at the middle of the band
-    Orbit orbit;
+    OrbitIntegrals orbit;
     double potential;   ///< Phi, shifted such that its minimum is 0
     double mass = 0;    ///< probability of the band; the probabilities of all bands have the sum 1
     std::size_t above;  ///< index of the band above in the tree; for the top band its own index
   };
   /// All bands, sorted by energy. @pre the motion is confined
-  const std::vector<Band>& bands() const { return bands_; }
+  const std::vector<EnergyBand>& bands() const { return bands_; }
 
   /// The smallest positive eigenvalue of the averaged diffusion of the energy, per unit time. This
   /// is the decay rate of the slowest deviation from the stationary law: a deviation of the energy,
@@ -48,16 +48,16 @@ class EnergyAveraging {
   double relaxation_rate() const;
 
  private:
-  double slope(const Orbit& orbit) const;
+  double slope(const OrbitIntegrals& orbit) const;
   /// Finds the interval of energies in which Phi exceeds its minimum by at most kDepth.
   /// @return false if the motion is not confined
-  bool find_range(double& low, double& high);
-  void fill_bands(double low, double high);
+  bool find_energy_range(double& low, double& high);
+  void compute_bands(double low, double high);
 
   UndampedOrbits orbits_;
   double diffusion_;  // D_eff
   std::optional<std::string> unconfined_reason_;
-  std::vector<Band> bands_;
+  std::vector<EnergyBand> bands_;
   double step_ = 0;
 };
 

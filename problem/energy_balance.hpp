@@ -17,12 +17,12 @@ struct EnergyTerms {
 /// The two sides of the balance of power: mean energy input and dissipated energy, per unit time.
 /// At any time and for each equation, input minus dissipated is the time derivative of the mean
 /// energy E[v^2]/2 + E[U(y)], where U is the potential of System.
-struct Power {
+struct PowerBalance {
   double input;  ///< D + lambda E[Y^2]/2 + lambda E[Y] E[v]
   /// E[v f] + kappa int_{v<0} |v|^3 p(a,v) dv, likewise at b; for kappa see energy_residual().
   double dissipated;
 };
-Power power(const Problem& problem, Impact impact, const EnergyTerms& terms);
+PowerBalance power_balance(const Problem& problem, Impact impact, const EnergyTerms& terms);
 
 /// Residual of the stationary balance of power, divided by the input. The balance is
 ///

@@ -70,9 +70,9 @@ double impulses_per_decay_time(const Problem& problem) {
 }
 
 double static_deflection(const Problem& problem) {
-  const double force = problem.impulses.rate_moment(1);
+  const double force = problem.impulses.rate_times_moment(1);
   if (force <= 0) return 0;
-  return positive_root([&](double y) { return problem.system.force()(y) - force; });
+  return positive_root([&](double y) { return problem.system.restoring_force()(y) - force; });
 }
 
 }  // namespace fpkcheck::problem

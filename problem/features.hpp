@@ -5,7 +5,7 @@
 namespace fpkcheck::problem {
 
 /// Properties of a problem that decide which solvers are applicable.
-struct Features {
+struct ProblemFeatures {
   bool is_paper_oscillator = false;  ///< result of is_paper_oscillator(problem)
 
   bool no_wall = false, two_walls = false;
@@ -25,7 +25,7 @@ struct Features {
   int wells = 1;  ///< number of minima of U - lambda E[Y] y, minima at walls included
 };
 
-Features features(const Problem& problem);
+ProblemFeatures features(const Problem& problem);
 
 /// Whether the problem is in the class of the paper: one wall, at y = 0 on the left; damping force
 /// f = c y' with c > 0; restoring force g = k y + mu y^3 with k, mu >= 0; impulses without noise.

@@ -5,8 +5,8 @@
 namespace fpkcheck::problem {
 
 Frame wall_frame(const System& system) {
-  if (system.left()) return {.origin = system.left()->position, .mirrored = false};
-  if (system.right()) return {.origin = system.right()->position, .mirrored = true};
+  if (system.left_wall()) return {.origin = system.left_wall()->position, .mirrored = false};
+  if (system.right_wall()) return {.origin = system.right_wall()->position, .mirrored = true};
   return {};
 }
 
@@ -15,7 +15,7 @@ Problem to_wall_coordinates(const Frame& frame, const Problem& problem) {
   Problem transformed = problem;
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
-  if (frame.mirrored) transformed.impulses = problem.impulses.mirrored();
+  if (frame.mirrored) transformed.impulses = problem.impulses.mirror_image();
   return transformed;
 }
 

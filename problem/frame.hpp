@@ -14,10 +14,10 @@ struct Frame {
   bool mirrored = false;
 
   double sign() const { return mirrored ? -1 : 1; }
-  double y(double x) const { return origin + sign() * x; }
-  double x(double y) const { return sign() * (y - origin); }
+  double physical_y(double x) const { return origin + sign() * x; }
+  double wall_x(double y) const { return sign() * (y - origin); }
   /// The physical velocity y' for the velocity x' in wall coordinates.
-  double v(double x_dot) const { return sign() * x_dot; }
+  double physical_velocity(double x_dot) const { return sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
   /// The inverse transformation.
   Frame inverse() const {

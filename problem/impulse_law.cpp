@@ -37,19 +37,19 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// The law of -Y. A law that is not symmetric about its mean has a function mirrored(), which
+// The law of -Y. A law that is not symmetric about its mean has a function mirror_image(), which
 // returns the law of -Y.
 template <class Law>
 concept Asymmetric = requires(Law law) {
-  law.mirrored();
+  law.mirror_image();
 };
 template <class Law>
-concept Shaped = requires(LawShape shape) {
+concept Shaped = requires(LawShapeParameters shape) {
   Law::from_moments(0, 1, shape);
 };
 
 template <class Law>
-Law make_law(double mean, double deviation, const LawShape& shape) {
+Law make_law(double mean, double deviation, const LawShapeParameters& shape) {
   if constexpr (Shaped<Law>) {
     return Law::from_moments(mean, deviation, shape);
   } else {
@@ -65,44 +65,45 @@ Law make_law(double mean, double deviation, const LawShape& shape) {
 
 template <class Function>
 void for_each_law(const Function& function) {
-  boost::mp11::mp_for_each<ImpulseLaw::Kind>(function);  // passes a default value of each type
+  boost::mp11::mp_for_each<ImpulseLaw::LawVariant>(
+      function);  // passes a default value of each type
 }
 
 }  // namespace
 
-ImpulseLaw::ImpulseLaw(const Kind& kind) : kind_(kind) {
+ImpulseLaw::ImpulseLaw(const LawVariant& kind) : kind_(kind) {
   std::visit([](const auto& law) { validate(law); }, kind_);
   for (int j = 0; j < kMomentCount; ++j) moments_[j] = moment(j);
 }
 
-std::vector<std::string> ImpulseLaw::known_names() {
+std::vector<std::string> ImpulseLaw::law_names() {
   std::vector<std::string> list;
   for_each_law([&](const auto& law) { list.emplace_back(law.kName); });
   return list;
 }
 
 ImpulseLaw ImpulseLaw::from_name(std::string_view name, double mean, double deviation,
-                                 const LawShape& shape) {
+                                 const LawShapeParameters& shape) {
   if (!shape.table.empty() && name != TabulatedLaw::kName) {
     throw InputError(fmt::format(
         "impulse.table beside impulse.law = {}: this law has no table; omit the key, or set "
         "impulse.law = tabulated",
         name));
   }
-  std::optional<Kind> kind;
+  std::optional<LawVariant> kind;
   for_each_law([&]<class Law>(const Law&) {
     if (Law::kName == name) kind = make_law<Law>(mean, deviation, shape);
   });
   if (kind) return ImpulseLaw(*kind);
   throw InputError(
-      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(known_names(), ", ")));
+      fmt::format("impulse.law = '{}' (must be one of {})", name, fmt::join(law_names(), ", ")));
 }
 
-ImpulseLaw ImpulseLaw::mirrored() const {
+ImpulseLaw ImpulseLaw::mirror_image() const {
   return std::visit(
       []<class Law>(Law law) {
         if constexpr (Asymmetric<Law>) {
-          return ImpulseLaw(law.mirrored());
+          return ImpulseLaw(law.mirror_image());
         } else {
           law.mean = -law.mean;
           return ImpulseLaw(law);
@@ -131,7 +132,7 @@ double ImpulseLaw::skewness() const {
   return std::visit([](const auto& law) { return law.standardised_moment(3); }, kind_);
 }
 
-bool ImpulseLaw::symmetric() const {
+bool ImpulseLaw::is_symmetric() const {
   return std::visit([]<class Law>(const Law&) { return !Asymmetric<Law>; }, kind_);
 }
 
@@ -139,11 +140,11 @@ double ImpulseLaw::density(double amplitude) const {
   return std::visit([&](const auto& law) { return law.density(amplitude); }, kind_);
 }
 
-double ImpulseLaw::cumulative(double amplitude) const {
-  return std::visit([&](const auto& law) { return law.cumulative(amplitude); }, kind_);
+double ImpulseLaw::cumulative_probability(double amplitude) const {
+  return std::visit([&](const auto& law) { return law.cumulative_probability(amplitude); }, kind_);
 }
 
-std::vector<Atom> ImpulseLaw::atoms() const {
+std::vector<AmplitudeAtom> ImpulseLaw::atoms() const {
   return std::visit([](const auto& law) { return law.atoms(); }, kind_);
 }
 

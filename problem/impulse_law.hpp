@@ -11,7 +11,7 @@
 #include "problem/laws/gamma.hpp"
 #include "problem/laws/gaussian.hpp"
 #include "problem/laws/laplace.hpp"
-#include "problem/laws/shape.hpp"
+#include "problem/laws/shape_parameters.hpp"
 #include "problem/laws/tabulated.hpp"
 #include "problem/laws/two_point.hpp"
 #include "problem/laws/uniform.hpp"
@@ -26,25 +26,25 @@ inline constexpr int kMomentCount = 7;
 /// mcs/impulses.
 class ImpulseLaw {
  public:
-  using Kind = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
-                            GammaLaw, TabulatedLaw>;
+  using LawVariant = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
+                                  GammaLaw, TabulatedLaw>;
 
   /// @throws InputError if the mean is not finite or the width is not a positive number
-  explicit ImpulseLaw(const Kind& kind);
+  explicit ImpulseLaw(const LawVariant& kind);
 
   /// The names of all laws, as written in case files.
-  static std::vector<std::string> known_names();
+  static std::vector<std::string> law_names();
   /// The law with this name, mean and standard deviation.
   /// @throws InputError if the name is unknown (the message lists all names), if the law has no
   /// such shape parameter, if the mean is not finite, or if the width is not a positive number
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
-                              const LawShape& shape = {});
+                              const LawShapeParameters& shape = {});
   /// The law of -Y.
-  ImpulseLaw mirrored() const;
+  ImpulseLaw mirror_image() const;
 
   /// The name of the law, as written in case files.
   std::string_view name() const;
-  const Kind& kind() const { return kind_; }
+  const LawVariant& kind() const { return kind_; }
 
   /// The moment E[Y^order], order >= 0.
   double moment(int order) const;
@@ -57,16 +57,16 @@ class ImpulseLaw {
   /// The skewness E[(Y - E[Y])^3] / deviation^3.
   double skewness() const;
   /// Whether Y - E[Y] and E[Y] - Y have the same law.
-  bool symmetric() const;
+  bool is_symmetric() const;
 
   /// Density of the continuous part of the law; 0 if the law has no continuous part. The law may
   /// have atoms in addition.
   double density(double amplitude) const;
   /// The probability P(Y <= amplitude).
-  double cumulative(double amplitude) const;
+  double cumulative_probability(double amplitude) const;
   /// The atoms of the law (amplitudes of positive probability), by increasing amplitude. Empty for
   /// a law that has a density.
-  std::vector<Atom> atoms() const;
+  std::vector<AmplitudeAtom> atoms() const;
   /// Increasing break points between which the density is smooth. The probability outside the break
   /// points is below 1e-18. Empty for a law without a density.
   std::vector<double> density_breakpoints() const;
@@ -78,7 +78,7 @@ class ImpulseLaw {
   double moment_generating_function(double u) const;
 
  private:
-  Kind kind_;
+  LawVariant kind_;
   std::array<double, kMomentCount> moments_;
 };
 

@@ -15,8 +15,8 @@ using namespace base;
 namespace {
 
 ImpulseLaw make_law(const ImpulseParameters& parameters) {
-  impulse_description().validate(parameters);
-  require_magnitudes(impulse_description(), parameters);
+  impulse_parameter_description().validate(parameters);
+  require_magnitudes_in_range(impulse_parameter_description(), parameters);
   const auto& [rate, law, intensity, mean, skewness, table] = parameters;
   const double variance = intensity / rate - mean * mean;
   if (variance <= 0) {
@@ -31,29 +31,30 @@ ImpulseLaw make_law(const ImpulseParameters& parameters) {
 
 }  // namespace
 
-const Description<ImpulseParameters>& impulse_description() {
+const Description<ImpulseParameters>& impulse_parameter_description() {
   using P = ImpulseParameters;
   static const Value nothing;
   static const auto description =
       Description<P>("impulse.")
-          .add("rate", &P::arrival_rate, {"LAMBDA", "impulses per unit of time"}, positive())
+          .add("rate", &P::arrival_rate, {"LAMBDA", "impulses per unit of time"},
+               positive_numbers())
           .with_symbol("lambda", "λ")
           .add("law", &P::law, {"LAW", "law of the amplitudes"})
-          .with_choices(ImpulseLaw::known_names())
-          .add("intensity", &P::intensity, {"I", "intensity"}, positive())
+          .with_choices(ImpulseLaw::law_names())
+          .add("intensity", &P::intensity, {"I", "intensity"}, positive_numbers())
           .with_symbol("lambda E[Y^2]", "λ E[Y²]")
-          .add("mean", &P::mean, {"M", "mean amplitude"}, finite_number())
+          .add("mean", &P::mean, {"M", "mean amplitude"}, finite_numbers())
           .with_symbol("E[Y]", "E[Y]")
           .with_default(0.0)
           .add("skewness", &P::skewness,
-               {"S", "skewness of a gamma law; 2 or -2 of an exponential law"}, finite_number())
+               {"S", "skewness of a gamma law; 2 or -2 of an exponential law"}, finite_numbers())
           .with_symbol("skewness", "γ₁")
-          .with_omitted_default(nothing)
+          .with_default_omitted_from_files(nothing)
           .add("table", &P::table,
                {"FILE", "CSV of a tabulated law: amplitude,probability or amplitude,density"})
           .with_symbol("table", "table")
-          .with_display_text([](const std::string& text) { return table_summary(text); })
-          .with_omitted_default(nothing);
+          .with_display_text([](const std::string& text) { return amplitude_table_summary(text); })
+          .with_default_omitted_from_files(nothing);
   return description;
 }
 
@@ -64,14 +65,15 @@ ImpulseTrain::ImpulseTrain()
     : parameters_{.arrival_rate = 0, .law = "gaussian", .intensity = 0, .mean = 0},
       law_(GaussianLaw{0, 1}) {}
 
-ImpulseTrain ImpulseTrain::mirrored() const {
+ImpulseTrain ImpulseTrain::mirror_image() const {
   if (!is_present()) return *this;
   ImpulseParameters parameters = parameters_;
   parameters.mean = -parameters.mean;
-  const ImpulseLaw law = law_.mirrored();
+  const ImpulseLaw law = law_.mirror_image();
   if (parameters.table) {
-    parameters.table = table_literal(parse_table_literal(*parameters.table).mirrored());
-  } else if (!law.symmetric()) {
+    parameters.table =
+        amplitude_table_literal(parse_amplitude_table_literal(*parameters.table).mirror_image());
+  } else if (!law.is_symmetric()) {
     parameters.skewness = law.skewness();
   }
   return ImpulseTrain(parameters, law);

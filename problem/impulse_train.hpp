@@ -11,7 +11,7 @@ namespace fpkcheck::problem {
 /// Parameters of the Poisson impulse train, as read from a case file.
 struct ImpulseParameters {
   double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
-  std::string law;      ///< name of the law of Y, one of ImpulseLaw::known_names()
+  std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
   double intensity;     ///< intensity lambda E[Y^2] > 0
   double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
   /// Skewness of Y, for laws that are not symmetric. If absent, the skewness is the default of the
@@ -22,14 +22,14 @@ struct ImpulseParameters {
 };
 
 /// The description of the parameters of the section [impulse].
-const base::Description<ImpulseParameters>& impulse_description();
+const base::Description<ImpulseParameters>& impulse_parameter_description();
 
 /// The impulsive excitation xi(t) of paper (3): impulses of random amplitudes Y_k at the times of a
 /// Poisson process.
 class ImpulseTrain {
  public:
-  /// Constructs an excitation without impulses: the arrival rate and every rate_moment are 0. (The
-  /// law is a placeholder.)
+  /// Constructs an excitation without impulses: the arrival rate and every rate_times_moment are 0.
+  /// (The law is a placeholder.)
   ImpulseTrain();
   /// Constructs the impulse train of the parameters. The variance of the law is chosen such that
   /// E[Y^2] = intensity / arrival_rate.
@@ -42,13 +42,13 @@ class ImpulseTrain {
   const ImpulseLaw& law() const { return law_; }
 
   /// The product lambda E[Y^order], a coefficient of paper (15).
-  double rate_moment(int order) const { return arrival_rate() * law_.moment(order); }
+  double rate_times_moment(int order) const { return arrival_rate() * law_.moment(order); }
   /// The product lambda E[Y^2]: the intensity of the Gaussian white noise that has the same power
   /// as the impulses.
-  double intensity() const { return rate_moment(2); }
+  double intensity() const { return rate_times_moment(2); }
 
   /// The impulse train whose amplitudes are -Y.
-  ImpulseTrain mirrored() const;
+  ImpulseTrain mirror_image() const;
 
  private:
   ImpulseTrain(const ImpulseParameters& parameters, const ImpulseLaw& law)

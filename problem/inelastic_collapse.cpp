@@ -4,10 +4,10 @@
 
 namespace fpkcheck::problem {
 
-std::string collapse_unsupported_reason(const Problem& problem, Equation equation) {
+std::string inelastic_collapse_reason(const Problem& problem, Equation equation) {
   const bool noise = problem.noise.is_present();
   if (!noise && equation != Equation::white) return "";
-  for (const auto& wall : {problem.system.left(), problem.system.right()}) {
+  for (const auto& wall : {problem.system.left_wall(), problem.system.right_wall()}) {
     if (!wall || wall->restitution > kCollapseRestitution) continue;
     return fmt::format(
         "white noise and restitution {:.3g} lead to inelastic collapse, after which the motion is "

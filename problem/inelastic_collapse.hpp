@@ -19,6 +19,6 @@ inline constexpr double kCollapseRestitution = 0.16303353482158048;
 /// Discrete impulses separate the particle from the wall, so that inelastic collapse needs white
 /// noise: the noise of the problem, for every equation; or the noise by which the equation `white`
 /// replaces the impulses.
-std::string collapse_unsupported_reason(const Problem& problem, Equation equation);
+std::string inelastic_collapse_reason(const Problem& problem, Equation equation);
 
 }  // namespace fpkcheck::problem

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::problem {
 
-void require_magnitudes(const std::string& prefix, const base::Values& values) {
+void require_magnitudes_in_range(const std::string& prefix, const base::Values& values) {
   for (const auto& [name, value] : values) {
     const auto* number = std::get_if<double>(&value);
     if (number == nullptr || *number == 0) continue;

@@ -16,11 +16,11 @@ inline constexpr double kLargestMagnitude = 1e30;
 /// @param prefix text before the names in messages, as in case files: "system."
 /// @throws InputError that states name and value of the first nonzero number outside the limits,
 /// and the limits
-void require_magnitudes(const std::string& prefix, const base::Values& values);
+void require_magnitudes_in_range(const std::string& prefix, const base::Values& values);
 
 template <class Owner>
-void require_magnitudes(const base::Description<Owner>& description, const Owner& owner) {
-  require_magnitudes(description.prefix(), description.values(owner));
+void require_magnitudes_in_range(const base::Description<Owner>& description, const Owner& owner) {
+  require_magnitudes_in_range(description.prefix(), description.values(owner));
 }
 
 }  // namespace fpkcheck::problem

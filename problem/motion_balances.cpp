@@ -5,31 +5,34 @@
 
 namespace fpkcheck::problem {
 
-Balance virial_balance(const Problem& problem, const VirialTerms& terms) {
+BalanceEquation virial_balance(const Problem& problem, const VirialTerms& terms) {
   const System& system = problem.system;
-  double right = terms.mean_virial - problem.impulses.rate_moment(1) * terms.mean_displacement;
-  if (system.rayleigh() != 0) right += system.rayleigh() * terms.mean_y_cubed_velocity;
-  if (const auto& wall = system.right()) {
+  double right =
+      terms.mean_virial - problem.impulses.rate_times_moment(1) * terms.mean_displacement;
+  if (system.rayleigh_coefficient() != 0)
+    right += system.rayleigh_coefficient() * terms.mean_y_cubed_velocity;
+  if (const auto& wall = system.right_wall()) {
     right += (1 + wall->restitution) * wall->position * terms.right_momentum;
   }
   return {.left = terms.mean_square_velocity, .right = right, .scale = terms.mean_square_velocity};
 }
 
-Balance momentum_balance(const Problem& problem, const MomentumTerms& terms) {
+BalanceEquation momentum_balance(const Problem& problem, const MomentumTerms& terms) {
   const System& system = problem.system;
   double taken = terms.mean_force;
-  if (system.rayleigh() != 0) taken += system.rayleigh() * terms.mean_cubed_velocity;
+  if (system.rayleigh_coefficient() != 0)
+    taken += system.rayleigh_coefficient() * terms.mean_cubed_velocity;
   double given = 0, from_walls = 0;
-  if (system.left()) given += (1 + system.restitution()) * terms.impact_momentum;
+  if (system.left_wall()) given += (1 + system.restitution()) * terms.impact_momentum;
   given += terms.contact_momentum_rate;
   from_walls = std::abs(given);
-  if (const auto& wall = system.right()) {
+  if (const auto& wall = system.right_wall()) {
     const double back = (1 + wall->restitution) * terms.right_momentum;
     from_walls += back;
     given -= back;
   }
   return {.left = taken,
-          .right = problem.impulses.rate_moment(1) + given,
+          .right = problem.impulses.rate_times_moment(1) + given,
           .scale = std::max({std::abs(taken), from_walls, terms.mean_absolute_force})};
 }
 

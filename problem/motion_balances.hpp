@@ -24,7 +24,7 @@
 namespace fpkcheck::problem {
 
 /// The two sides of a balance equation: left = right for the exact stationary density.
-struct Balance {
+struct BalanceEquation {
   double left;
   double right;
   double scale;  ///< reference magnitude of the relative residual
@@ -46,7 +46,7 @@ struct VirialTerms {
 ///     E[v^2] = E[y g(y)] + c_vv E[y v^3] - lambda E[Y] E[y] + (1 + r_b) b int u^2 p(b,u) du,
 ///
 /// with a residual relative to E[v^2].
-Balance virial_balance(const Problem& problem, const VirialTerms& terms);
+BalanceEquation virial_balance(const Problem& problem, const VirialTerms& terms);
 
 struct MomentumTerms {
   double mean_force;          ///< E[g(y)]
@@ -72,6 +72,6 @@ struct MomentumTerms {
 /// contribution of the spring, for a mean impulse away from the wall that of the wall. In a
 /// symmetric well without a wall, both sides are 0 and the residual is meaningless; use
 /// difference().
-Balance momentum_balance(const Problem& problem, const MomentumTerms& terms);
+BalanceEquation momentum_balance(const Problem& problem, const MomentumTerms& terms);
 
 }  // namespace fpkcheck::problem

@@ -14,6 +14,6 @@ struct Noise {
 };
 
 /// The description of the parameter of the section [noise].
-const base::Description<Noise>& noise_description();
+const base::Description<Noise>& noise_parameter_description();
 
 }  // namespace fpkcheck::problem

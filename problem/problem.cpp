@@ -12,15 +12,16 @@
 namespace fpkcheck::problem {
 namespace {
 
-const Section* section_of(const std::vector<Section>& sections, const std::string& name) {
-  const auto found = std::ranges::find(sections, name, &Section::name);
+const CaseFileSection* section_of(const std::vector<CaseFileSection>& sections,
+                                  const std::string& name) {
+  const auto found = std::ranges::find(sections, name, &CaseFileSection::name);
   return found == sections.end() ? nullptr : &*found;
 }
 
 template <class Owner>
-Owner read_section(const std::vector<Section>& sections, const std::string& name,
+Owner read_section(const std::vector<CaseFileSection>& sections, const std::string& name,
                    const base::Description<Owner>& description) {
-  const Section* section = section_of(sections, name);
+  const CaseFileSection* section = section_of(sections, name);
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
 
@@ -32,45 +33,49 @@ std::string number_text(const base::Value& value) {
 }  // namespace
 
 double total_intensity(const Problem& problem) {
-  return problem.impulses.rate_moment(2) + problem.noise.intensity;
+  return problem.impulses.rate_times_moment(2) + problem.noise.intensity;
 }
 
-const std::vector<const base::DescriptionBase*>& case_descriptions() {
+const std::vector<const base::DescriptionBase*>& case_section_descriptions() {
   static const std::vector<const base::DescriptionBase*> all{
-      &system_description(), &wall_description(), &impulse_description(), &noise_description()};
+      &system_parameter_description(), &wall_parameter_description(),
+      &impulse_parameter_description(), &noise_parameter_description()};
   return all;
 }
 
-std::vector<Section> sections(const Problem& problem) {
-  std::vector<Section> all{
-      {"system", system_description().stored_values(problem.system.coefficients())}};
+std::vector<CaseFileSection> sections(const Problem& problem) {
+  std::vector<CaseFileSection> all{
+      {"system", system_parameter_description().stored_values(problem.system.coefficients())}};
   const WallParameters& walls = problem.system.wall_parameters();
-  if (!walls.empty()) all.push_back({"wall", wall_description().stored_values(walls)});
+  if (!walls.empty()) all.push_back({"wall", wall_parameter_description().stored_values(walls)});
   if (problem.impulses.is_present()) {
-    all.push_back({"impulse", impulse_description().stored_values(problem.impulses.parameters())});
+    all.push_back(
+        {"impulse", impulse_parameter_description().stored_values(problem.impulses.parameters())});
   }
   if (problem.noise.is_present()) {
-    all.push_back({"noise", noise_description().values(problem.noise)});
+    all.push_back({"noise", noise_parameter_description().values(problem.noise)});
   }
   return all;
 }
 
-Problem problem_from_sections(const std::string& name, const std::vector<Section>& sections) {
-  const Section* system = section_of(sections, "system");
+Problem problem_from_sections(const std::string& name,
+                              const std::vector<CaseFileSection>& sections) {
+  const CaseFileSection* system = section_of(sections, "system");
   if (system == nullptr) {
     throw InputError(
         "system is missing: the file may be from another version of the program; run again");
   }
-  const auto noise = read_section(sections, "noise", noise_description());
-  noise_description().validate(noise);
-  require_magnitudes(noise_description(), noise);
+  const auto noise = read_section(sections, "noise", noise_parameter_description());
+  noise_parameter_description().validate(noise);
+  require_magnitudes_in_range(noise_parameter_description(), noise);
   Problem problem{.name = name,
-                  .system = System(system_description().read(system->values, "system"),
-                                   read_section(sections, "wall", wall_description())),
+                  .system = System(system_parameter_description().read(system->values, "system"),
+                                   read_section(sections, "wall", wall_parameter_description())),
                   .impulses = {},
                   .noise = noise};
-  if (const Section* impulse = section_of(sections, "impulse")) {
-    problem.impulses = ImpulseTrain(impulse_description().read(impulse->values, "impulse"));
+  if (const CaseFileSection* impulse = section_of(sections, "impulse")) {
+    problem.impulses =
+        ImpulseTrain(impulse_parameter_description().read(impulse->values, "impulse"));
   }
   require_stationary_density(problem);
   return problem;
@@ -84,9 +89,9 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 
 std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
   std::vector<DisplayedParameter> displayed;
-  for (const Section& section : sections(problem)) {
-    const auto description =
-        std::ranges::find(case_descriptions(), section.name + '.', &base::DescriptionBase::prefix);
+  for (const CaseFileSection& section : sections(problem)) {
+    const auto description = std::ranges::find(case_section_descriptions(), section.name + '.',
+                                               &base::DescriptionBase::prefix);
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       displayed.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,

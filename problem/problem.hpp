@@ -26,22 +26,23 @@ struct Problem {
 double total_intensity(const Problem& problem);
 
 /// A section of a case file ("system", "wall", "impulse" or "noise") with its values.
-struct Section {
+struct CaseFileSection {
   std::string name;
   base::Values values;  ///< values in the order of the section's description
 };
 
 /// The descriptions of all sections of case files, in the order of case files.
-const std::vector<const base::DescriptionBase*>& case_descriptions();
+const std::vector<const base::DescriptionBase*>& case_section_descriptions();
 
 /// The sections of a case file that defines the problem: [system], and those of [wall], [impulse]
 /// and [noise] that the problem needs.
-std::vector<Section> sections(const Problem& problem);
+std::vector<CaseFileSection> sections(const Problem& problem);
 
 /// Builds the problem that the sections of a case file define.
 /// @throws InputError that names a key if the key is missing, unknown, of the wrong type or out of
 /// range; or that states why there is no stationary density (problem/confinement.hpp)
-Problem problem_from_sections(const std::string& name, const std::vector<Section>& sections);
+Problem problem_from_sections(const std::string& name,
+                              const std::vector<CaseFileSection>& sections);
 
 /// A parameter of a problem in the form in which tables, titles and files display it.
 struct DisplayedParameter {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDeviations = 7;
 
-Scales by_linearisation(const Problem& problem) {
+MotionScales by_linearisation(const Problem& problem) {
   const auto linear = equivalent_linearisation(problem);
   const double centre = static_deflection(problem);
   return {.centre = centre,
@@ -29,7 +29,8 @@ Scales by_linearisation(const Problem& problem) {
 // The smallest positive eigenvalue of the overdamped motion, by inverse iteration on a uniform
 // grid. Far above critical damping the drift of the displacement is v = -V'/c. The displacement is
 // then a diffusion process with the coefficient D_eff / c^2 in the potential c V / D_eff.
-double overdamped_relaxation_rate(const Problem& problem, const Scales& scales, double damping) {
+double overdamped_relaxation_rate(const Problem& problem, const MotionScales& scales,
+                                  double damping) {
   constexpr int kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
   const numerics::Polynomial potential = effective_potential(problem);
@@ -76,16 +77,16 @@ double overdamped_relaxation_rate(const Problem& problem, const Scales& scales, 
   return gamma;
 }
 
-Scales by_averaging(const Problem& problem) {
+MotionScales by_averaging(const Problem& problem) {
   constexpr double kLevel = kDeviations * kDeviations / 2;
   const EnergyAveraging averaging(problem);
   const auto& bands = averaging.bands();
   const double bottom = averaging.orbits().lowest_potential();
-  Scales scales;
+  MotionScales scales;
   double y2 = 0, v2 = 0, damping = 0, lowest = bands.front().orbit.half_cycle.left,
          highest = bands.front().orbit.half_cycle.right;
   for (const auto& band : bands) {
-    const Orbit& orbit = band.orbit;
+    const OrbitIntegrals& orbit = band.orbit;
     const double rate = band.mass / orbit.period;
     scales.centre += rate * orbit.time_integral_y;
     y2 += rate * orbit.time_integral_y2;
@@ -113,11 +114,11 @@ Scales by_averaging(const Problem& problem) {
 
 }  // namespace
 
-Scales scales(const Problem& problem) {
+MotionScales scales(const Problem& problem) {
   return is_paper_oscillator(problem) ? by_linearisation(problem) : by_averaging(problem);
 }
 
-double impulses_per_decay_time(const Problem& problem, const Scales& scales) {
+double impulses_per_decay_time(const Problem& problem, const MotionScales& scales) {
   return problem.impulses.arrival_rate() / scales.slowest_decay_rate;
 }
 

@@ -7,7 +7,7 @@ namespace fpkcheck::problem {
 /// Characteristic scales of the stationary motion, in the coordinates of the problem. Methods
 /// choose the limits of grids, cell widths, axes, initial conditions and burn-in times by these
 /// scales.
-struct Scales {
+struct MotionScales {
   /// Approximation of E[y]; for problems in the class of the paper, the static deflection.
   double centre = 0;
   /// Standard deviation of y; for problems in the class of the paper that of z, paper (25).
@@ -27,10 +27,10 @@ struct Scales {
 /// the map of validity are based on these scales. For all other problems the scales are computed by
 /// energy averaging (problem/energy_averaging.hpp), which treats multiple wells, limit cycles and
 /// two walls.
-Scales scales(const Problem& problem);
+MotionScales scales(const Problem& problem);
 
 /// Mean number of impulses in the time in which the slowest deviation from the stationary density
 /// decays by a factor e (problem/equivalent_linearisation.hpp). 0 for a problem without impulses.
-double impulses_per_decay_time(const Problem& problem, const Scales& scales);
+double impulses_per_decay_time(const Problem& problem, const MotionScales& scales);
 
 }  // namespace fpkcheck::problem

@@ -7,45 +7,45 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<SystemCoefficients>& system_description() {
+const Description<SystemCoefficients>& system_parameter_description() {
   using C = SystemCoefficients;
   static const auto description =
       Description<C>("system.")
-          .add("damping", &C::damping, {"C", "damping"}, finite_number())
+          .add("damping", &C::damping, {"C", "damping"}, finite_numbers())
           .with_symbol("c", "c")
           .add("van_der_pol", &C::van_der_pol, {"C", "damping that grows with y^2"},
-               finite_number())
+               finite_numbers())
           .with_symbol("c_yy", "c_yy")
-          .with_omitted_default(0.0)
-          .add("rayleigh", &C::rayleigh, {"C", "damping that grows with y'^2"}, finite_number())
+          .with_default_omitted_from_files(0.0)
+          .add("rayleigh", &C::rayleigh, {"C", "damping that grows with y'^2"}, finite_numbers())
           .with_symbol("c_vv", "c_vv")
-          .with_omitted_default(0.0)
-          .add("constant", &C::constant, {"G", "constant restoring force"}, finite_number())
+          .with_default_omitted_from_files(0.0)
+          .add("constant", &C::constant, {"G", "constant restoring force"}, finite_numbers())
           .with_symbol("g0", "g₀")
-          .with_omitted_default(0.0)
-          .add("stiffness", &C::stiffness, {"K", "stiffness"}, finite_number())
+          .with_default_omitted_from_files(0.0)
+          .add("stiffness", &C::stiffness, {"K", "stiffness"}, finite_numbers())
           .with_symbol("k", "k")
-          .add("quadratic", &C::quadratic, {"K2", "quadratic stiffness"}, finite_number())
+          .add("quadratic", &C::quadratic, {"K2", "quadratic stiffness"}, finite_numbers())
           .with_symbol("k2", "k₂")
-          .with_omitted_default(0.0)
-          .add("cubic", &C::cubic, {"MU", "cubic stiffness"}, finite_number())
+          .with_default_omitted_from_files(0.0)
+          .add("cubic", &C::cubic, {"MU", "cubic stiffness"}, finite_numbers())
           .with_symbol("mu", "μ")
           .with_default(0.0)
-          .add("quintic", &C::quintic, {"K5", "quintic stiffness"}, finite_number())
+          .add("quintic", &C::quintic, {"K5", "quintic stiffness"}, finite_numbers())
           .with_symbol("k5", "k₅")
-          .with_omitted_default(0.0)
+          .with_default_omitted_from_files(0.0)
           .add("restitution", &C::restitution, {"R", "coefficient of restitution"},
                restitution_range())
           .with_symbol("r", "r")
-          .with_omitted_default(Value());
+          .with_default_omitted_from_files(Value());
   return description;
 }
 
 namespace {
 
 const SystemCoefficients& validated_coefficients(const SystemCoefficients& coefficients) {
-  system_description().validate(coefficients);
-  require_magnitudes(system_description(), coefficients);
+  system_parameter_description().validate(coefficients);
+  require_magnitudes_in_range(system_parameter_description(), coefficients);
   return coefficients;
 }
 
@@ -64,12 +64,13 @@ System System::to_wall_coordinates(const Frame& frame) const {
   if (frame.is_identity()) return *this;
   System transformed = *this;
   const auto moved = [&](std::optional<Wall> wall) {
-    if (wall) wall->position = frame.x(wall->position) + 0.0;  // avoids -0
+    if (wall) wall->position = frame.wall_x(wall->position) + 0.0;  // avoids -0
     return wall;
   };
   transformed.walls_ = {.left = moved(frame.mirrored ? walls_.right : walls_.left),
                         .right = moved(frame.mirrored ? walls_.left : walls_.right)};
-  transformed.force_ = force_.compose_affine(frame.origin, frame.sign()).times(frame.sign());
+  transformed.force_ =
+      force_.compose_affine(frame.origin, frame.sign()).multiplied_by(frame.sign());
   transformed.tangent_ = transformed.force_.derivative();
   transformed.potential_ = transformed.force_.antiderivative();
   transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());

@@ -26,7 +26,7 @@ struct SystemCoefficients {
 };
 
 /// The description of the parameters of the section [system].
-const base::Description<SystemCoefficients>& system_description();
+const base::Description<SystemCoefficients>& system_parameter_description();
 
 /// The oscillator of paper (1)-(2), generalised to any polynomial force of degree 5 and to two
 /// walls:
@@ -48,29 +48,29 @@ class System {
   const SystemCoefficients& coefficients() const { return c_; }
   const WallParameters& wall_parameters() const { return wall_parameters_; }
 
-  /// The damping coefficient c(0); the only damping coefficient if damping_is_constant().
+  /// The damping coefficient c(0); the only damping coefficient if has_constant_damping().
   double damping() const { return damping_.coefficient(0); }
   /// The polynomial c(y) of the damping force.
   const numerics::Polynomial& damping_polynomial() const { return damping_; }
   /// c_vv, the coefficient of y'^3.
-  double rayleigh() const { return c_.rayleigh; }
+  double rayleigh_coefficient() const { return c_.rayleigh; }
   /// Whether the damping force is f = c y'.
-  bool damping_is_constant() const { return damping_.degree() == 0 && c_.rayleigh == 0; }
+  bool has_constant_damping() const { return damping_.degree() == 0 && c_.rayleigh == 0; }
 
   const Walls& walls() const { return walls_; }
-  const std::optional<Wall>& left() const { return walls_.left; }
-  const std::optional<Wall>& right() const { return walls_.right; }
+  const std::optional<Wall>& left_wall() const { return walls_.left; }
+  const std::optional<Wall>& right_wall() const { return walls_.right; }
   /// Coefficient of restitution of the left wall; 1 without a left wall.
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
 
   /// The restoring force g(y).
-  const numerics::Polynomial& force() const { return force_; }
+  const numerics::Polynomial& restoring_force() const { return force_; }
   /// The tangent stiffness g'(y).
   const numerics::Polynomial& tangent_stiffness() const { return tangent_; }
   /// The potential U(y), the integral of g from 0 to y.
   const numerics::Polynomial& potential() const { return potential_; }
   /// Whether the restoring force is linear: g(y) = k y.
-  bool linear() const { return force_.degree() <= 1 && force_.coefficient(0) == 0; }
+  bool has_linear_force() const { return force_.degree() <= 1 && force_.coefficient(0) == 0; }
   /// The stiffness k = g'(0), at the wall of the paper.
   double stiffness() const { return tangent_.coefficient(0); }
 

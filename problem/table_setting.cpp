@@ -9,9 +9,11 @@
 
 namespace fpkcheck::problem {
 
-std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder) {
+std::string table_literal_from_setting(const std::string& setting,
+                                       const std::filesystem::path& folder) {
   constexpr std::size_t kMostBytes = 1 << 17;
-  if (is_table_literal(setting)) return table_literal(parse_table_literal(setting));
+  if (is_amplitude_table_literal(setting))
+    return amplitude_table_literal(parse_amplitude_table_literal(setting));
   const std::filesystem::path file = folder / setting;
   const auto csv = base::read_input_file(file, kMostBytes);
   if (!csv) {
@@ -20,7 +22,7 @@ std::string resolve_table_setting(const std::string& setting, const std::filesys
                     "amplitude,probability or amplitude,density",
                     base::in_quotes(file.string())));
   }
-  return table_literal(parse_amplitude_csv(*csv, base::sanitise(file.string())));
+  return amplitude_table_literal(parse_amplitude_csv(*csv, base::sanitise(file.string())));
 }
 
 }  // namespace fpkcheck::problem

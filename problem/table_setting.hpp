@@ -12,6 +12,7 @@ namespace fpkcheck::problem {
 /// @param folder directory to which relative file names refer; if empty, the working directory
 /// @throws InputError with a one-line message if the file cannot be read, is too large or has an
 /// invalid line
-std::string resolve_table_setting(const std::string& setting, const std::filesystem::path& folder);
+std::string table_literal_from_setting(const std::string& setting,
+                                       const std::filesystem::path& folder);
 
 }  // namespace fpkcheck::problem

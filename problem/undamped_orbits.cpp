@@ -26,11 +26,11 @@ struct SearchInterval {
 
 // The interval in which the roots of a polynomial are searched. Its ends are the walls; on a side
 // without a wall the end is a bound of all roots. A polynomial of a single term has the root 0 and
-// root_bound() 1, and the interval contains both.
+// root_modulus_bound() 1, and the interval contains both.
 SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
-  const double bound = 2 * numerics::root_bound(polynomial) + 1;
-  return {.low = system.left() ? system.left()->position : -bound,
-          .high = system.right() ? system.right()->position : bound};
+  const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
+  return {.low = system.left_wall() ? system.left_wall()->position : -bound,
+          .high = system.right_wall() ? system.right_wall()->position : bound};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::vector<double> sign_changes_between_walls(const numerics::Polynomial& polyn
 
 numerics::Polynomial effective_potential(const Problem& problem) {
   auto coefficients = problem.system.potential().coefficients();
-  coefficients[1] -= problem.impulses.rate_moment(1);
+  coefficients[1] -= problem.impulses.rate_times_moment(1);
   return numerics::Polynomial(coefficients);
 }
 
@@ -60,21 +60,21 @@ UndampedOrbits::UndampedOrbits(const Problem& problem)
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const double after = slope((knots[n] + knots[n + 1]) / 2);
     const bool is_turn = n > 0;
-    if (is_turn ? after > 0 : system_.left() && after >= 0) minima_.push_back(knots[n]);
+    if (is_turn ? after > 0 : system_.left_wall() && after >= 0) minima_.push_back(knots[n]);
     const bool last = n + 2 == knots.size();
-    if (last && system_.right() && after < 0) minima_.push_back(high);
+    if (last && system_.right_wall() && after < 0) minima_.push_back(high);
   }
 }
 
 bool UndampedOrbits::is_confining_on_right() const {
   const numerics::Polynomial slope = potential_.derivative();
-  return system_.right() || slope.coefficient(slope.degree()) > 0;
+  return system_.right_wall() || slope.coefficient(slope.degree()) > 0;
 }
 
 bool UndampedOrbits::is_confining_on_left() const {
   const numerics::Polynomial slope = potential_.derivative();
   const double sign = slope.degree() % 2 == 0 ? 1 : -1;
-  return system_.left() || sign * slope.coefficient(slope.degree()) < 0;
+  return system_.left_wall() || sign * slope.coefficient(slope.degree()) < 0;
 }
 
 double UndampedOrbits::deepest_minimum() const {
@@ -83,7 +83,7 @@ double UndampedOrbits::deepest_minimum() const {
 
 // The point with V = energy outside a knot with V < energy. `outwards` is +1 or -1, the direction
 // from the knot in which V increases without bound.
-double UndampedOrbits::end(double knot, double outwards, double energy) const {
+double UndampedOrbits::half_cycle_end(double knot, double outwards, double energy) const {
   double step = std::max(std::abs(knot) * 1e-8, 1e-30);
   while (potential_(knot + outwards * step) < energy) step *= 2;
   const auto above = [&](double distance) {
@@ -94,8 +94,8 @@ double UndampedOrbits::end(double knot, double outwards, double energy) const {
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   std::vector<double> knots = extrema_;
-  if (system_.left()) knots.insert(knots.begin(), system_.left()->position);
-  if (system_.right()) knots.push_back(system_.right()->position);
+  if (system_.left_wall()) knots.insert(knots.begin(), system_.left_wall()->position);
+  if (system_.right_wall()) knots.push_back(system_.right_wall()->position);
   if (knots.empty()) return {};
   const auto above = [&](double y) { return potential_(y) - energy; };
   const auto below = [&](double y) { return above(y) < 0; };
@@ -103,8 +103,8 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   HalfCycle open{};
   bool inside = below(knots.front());
   if (inside) {
-    open.at_left = system_.left().has_value();
-    open.left = open.at_left ? knots.front() : end(knots.front(), -1, energy);
+    open.at_left = system_.left_wall().has_value();
+    open.left = open.at_left ? knots.front() : half_cycle_end(knots.front(), -1, energy);
   }
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const bool next = below(knots[n + 1]);
@@ -120,16 +120,16 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
     inside = next;
   }
   if (inside) {
-    open.at_right = system_.right().has_value();
-    open.right = open.at_right ? knots.back() : end(knots.back(), 1, energy);
+    open.at_right = system_.right_wall().has_value();
+    open.right = open.at_right ? knots.back() : half_cycle_end(knots.back(), 1, energy);
     all.push_back(open);
   }
   return all;
 }
 
-Orbit UndampedOrbits::orbit(const HalfCycle& half_cycle, double energy) const {
+OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, double energy) const {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
-  Orbit orbit{.half_cycle = half_cycle};
+  OrbitIntegrals orbit{.half_cycle = half_cycle};
   const double middle = (half_cycle.left + half_cycle.right) / 2,
                half = (half_cycle.right - half_cycle.left) / 2;
   const auto speed = [&](double y) {
@@ -142,7 +142,7 @@ Orbit UndampedOrbits::orbit(const HalfCycle& half_cycle, double energy) const {
     // The factor 2 counts both half-cycles of the period.
     const double dy = 2 * weight * half * std::cos(phase);
     const double v = speed(y);
-    const double damping = system_.damping_polynomial()(y) + system_.rayleigh() * v * v;
+    const double damping = system_.damping_polynomial()(y) + system_.rayleigh_coefficient() * v * v;
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
     if (v <= 0) return;
@@ -161,8 +161,8 @@ Orbit UndampedOrbits::orbit(const HalfCycle& half_cycle, double energy) const {
     const double u = speed(wall.position), r = wall.restitution;
     orbit.loss += (1 - r * r) * u * u / 2;
   };
-  if (half_cycle.at_left) bounce(*system_.left());
-  if (half_cycle.at_right) bounce(*system_.right());
+  if (half_cycle.at_left) bounce(*system_.left_wall());
+  if (half_cycle.at_right) bounce(*system_.right_wall());
   return orbit;
 }
 

@@ -13,7 +13,7 @@ struct HalfCycle {
 };
 
 /// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y).
-struct Orbit {
+struct OrbitIntegrals {
   HalfCycle half_cycle;
   double period = 0;            ///< period T = closed integral of dy / v
   double action = 0;            ///< closed integral of v dy
@@ -54,10 +54,10 @@ class UndampedOrbits {
 
   /// All half-cycles with this energy, from left to right. @pre is_confining()
   std::vector<HalfCycle> half_cycles(double energy) const;
-  Orbit orbit(const HalfCycle& half_cycle, double energy) const;
+  OrbitIntegrals orbit_integrals(const HalfCycle& half_cycle, double energy) const;
 
  private:
-  double end(double knot, double outwards, double energy) const;
+  double half_cycle_end(double knot, double outwards, double energy) const;
 
   const System system_;
   numerics::Polynomial potential_;

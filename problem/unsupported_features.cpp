@@ -43,7 +43,7 @@ constexpr UnsupportedFeature kAll[] = {{"dry friction", kFriction},
 
 std::span<const UnsupportedFeature> unsupported_features() { return kAll; }
 
-std::string unsupported_feature_text(std::string_view name) {
+std::string unsupported_feature_message(std::string_view name) {
   std::vector<std::string> parts;
   const std::string lower = boost::algorithm::to_lower_copy(std::string(name));
   boost::algorithm::split(parts, lower, boost::algorithm::is_any_of("._-"));

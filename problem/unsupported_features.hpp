@@ -20,6 +20,6 @@ std::span<const UnsupportedFeature> unsupported_features();
 /// One line that names the unsupported feature which a key or a command requests. Empty if the name
 /// requests no unsupported feature.
 /// @param name key or command: "system.friction", "passage"
-std::string unsupported_feature_text(std::string_view name);
+std::string unsupported_feature_message(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -12,26 +12,26 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<WallParameters>& wall_description() {
+const Description<WallParameters>& wall_parameter_description() {
   using W = WallParameters;
   static const auto description =
       Description<W>("wall.")
-          .add("left", &W::left, {"A", "position of the wall on the left"}, finite_number())
+          .add("left", &W::left, {"A", "position of the wall on the left"}, finite_numbers())
           .with_symbol("a", "a")
-          .with_omitted_default(Value())
+          .with_default_omitted_from_files(Value())
           .add("left_restitution", &W::left_restitution,
                {"R", "coefficient of restitution of the wall on the left"}, restitution_range())
           .with_symbol("r_a", "r_a")
-          .with_omitted_default(Value())
-          .add("right", &W::right, {"B", "position of the wall on the right"}, finite_number())
+          .with_default_omitted_from_files(Value())
+          .add("right", &W::right, {"B", "position of the wall on the right"}, finite_numbers())
           .with_symbol("b", "b")
-          .with_omitted_default(Value())
+          .with_default_omitted_from_files(Value())
           .add("right_restitution", &W::right_restitution,
                {"R", "coefficient of restitution of the wall on the right"}, restitution_range())
           .with_symbol("r_b", "r_b")
-          .with_omitted_default(Value())
+          .with_default_omitted_from_files(Value())
           .add("none", &W::none, {"", "there is no wall"})
-          .with_omitted_default(false);
+          .with_default_omitted_from_files(false);
   return description;
 }
 
@@ -52,8 +52,8 @@ std::optional<Wall> wall(const char* side, const std::optional<double>& position
 }  // namespace
 
 Walls make_walls(const WallParameters& parameters, const std::optional<double>& restitution) {
-  wall_description().validate(parameters);
-  require_magnitudes(wall_description(), parameters);
+  wall_parameter_description().validate(parameters);
+  require_magnitudes_in_range(wall_parameter_description(), parameters);
   if (parameters.empty()) {
     if (restitution) return {.left = Wall{0, *restitution}, .right = {}};
     throw InputError(

@@ -26,7 +26,7 @@ struct WallParameters {
 };
 
 /// The description of the parameters of the section [wall].
-const base::Description<WallParameters>& wall_description();
+const base::Description<WallParameters>& wall_parameter_description();
 
 /// The walls at the left and right ends of the interval of y. A wall is absent where the interval
 /// is unbounded.

@@ -9,14 +9,15 @@
 namespace fpkcheck::report {
 
 /// The solutions of one family of methods, in the order of the input.
-struct Family {
+struct SolutionFamily {
   std::string name;
   std::vector<const transform::Solution*> solutions;
 };
 
 /// The solutions grouped by family. The families have the order of their first members in the
 /// input.
-std::vector<Family> families(const std::vector<const transform::Solution*>& solutions);
-std::vector<Family> families(std::span<const transform::Solution> solutions);
+std::vector<SolutionFamily> group_by_family(
+    const std::vector<const transform::Solution*>& solutions);
+std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::report

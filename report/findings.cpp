@@ -13,7 +13,7 @@
 
 #include "compare/agreement.hpp"
 #include "compare/reference.hpp"
-#include "report/bounds.hpp"
+#include "report/guaranteed_bounds.hpp"
 #include "report/references.hpp"
 #include "report/verdict/outcome.hpp"
 
@@ -23,31 +23,31 @@ namespace {
 using base::meaning_of;
 using problem::Equation;
 using problem::Impact;
-using results::Case;
-using transform::Role;
+using results::CaseResult;
 using transform::Solution;
+using transform::SolutionRole;
 using transform::Variable;
 
 using Sentences = std::vector<std::string>;
 
 std::string number_pair_text(const MarginalDistances& pair) {
-  if (pair.has_both()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
+  if (pair.has_both_distances()) return fmt::format("{:.2g} and {:.2g}", *pair.y, *pair.ydot);
   return fmt::format("{:.2g}", pair.y ? *pair.y : pair.ydot.value_or(0));
 }
 
-MarginalDistances l1_distances(const Case& one, const Solution& a, const Solution& b) {
+MarginalDistances l1_distances(const CaseResult& one, const Solution& a, const Solution& b) {
   return {one.l1(a.id(), b.id(), Variable::y), one.l1(a.id(), b.id(), Variable::ydot)};
 }
 
-std::optional<double> l1_standard_error(const Case& one, const Solution& a, const Solution& b,
+std::optional<double> l1_standard_error(const CaseResult& one, const Solution& a, const Solution& b,
                                         Variable variable) {
-  const auto* pair = compare::find_pair(one.pairs, a.id(), b.id(), variable);
+  const auto* pair = compare::find_pair_distances(one.pairs, a.id(), b.id(), variable);
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
 /// Whether the distances of both marginal densities are over smooth bins: only distances over
 /// smooth bins have standard errors.
-bool has_smooth_distances(const Case& one, const Solution& a, const Solution& b) {
+bool has_smooth_distances(const CaseResult& one, const Solution& a, const Solution& b) {
   return l1_standard_error(one, a, b, Variable::y) && l1_standard_error(one, a, b, Variable::ydot);
 }
 
@@ -55,7 +55,7 @@ bool has_smooth_distances(const Case& one, const Solution& a, const Solution& b)
 std::string solution_description(const Solution& solution) {
   return fmt::format(
       "the {} ({})",
-      solution.identity.role == Role::simulation ? "simulation" : "full jump equation",
+      solution.identity.role == SolutionRole::simulation ? "simulation" : "full jump equation",
       solution.id());
 }
 
@@ -64,12 +64,12 @@ std::string capitalised(std::string sentence) {
   return sentence;
 }
 
-void add_discretisation_errors(const Case& one, Sentences& sentences) {
+void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
   if (!one.budget.empty()) return;  // the error budget contains these errors
   Sentences ids;
   transform::ErrorEstimate largest;
   for (const auto& solution : one.solutions) {
-    if (solution.identity.role != Role::equation || !solution.error) continue;
+    if (solution.identity.role != SolutionRole::equation || !solution.error) continue;
     const auto& error = *solution.error;
     if (!std::isfinite(error.y_l1 + error.ydot_l1 + error.moments.y2 + error.moments.v2)) continue;
     ids.push_back(solution.id());
@@ -88,12 +88,13 @@ void add_discretisation_errors(const Case& one, Sentences& sentences) {
       largest.moments.y2, largest.moments.v2));
 }
 
-void add_approximation_errors(const Case& one, Sentences& sentences) {
+void add_approximation_errors(const CaseResult& one, Sentences& sentences) {
   Sentences of_equations, of_impacts;
   for (const auto& a : one.solutions) {
     for (const auto& b : one.solutions) {
       const auto &approximate = a.identity, &exact = b.identity;
-      if (approximate.role != Role::equation || exact.role != Role::equation) continue;
+      if (approximate.role != SolutionRole::equation || exact.role != SolutionRole::equation)
+        continue;
       if (!a.is_ok() || !b.is_ok() || approximate.method != exact.method) continue;
       const bool known =
           approximate.equation && approximate.impact && exact.equation && exact.impact;
@@ -102,7 +103,7 @@ void add_approximation_errors(const Case& one, Sentences& sentences) {
       const bool costs = other_equation ? !other_impact && exact.equation == Equation::kf
                                         : other_impact && approximate.impact == Impact::delta;
       const MarginalDistances cost = l1_distances(one, a, b);
-      if (!known || !costs || !cost.has_both()) continue;
+      if (!known || !costs || !cost.has_both_distances()) continue;
       const std::string what =
           other_equation ? fmt::format("{} in place of the {}", meaning_of(*approximate.equation),
                                        meaning_of(*exact.equation))
@@ -118,7 +119,7 @@ void add_approximation_errors(const Case& one, Sentences& sentences) {
       fmt::format("L1 error of each approximation: {}.", fmt::join(of_equations, "; ")));
 }
 
-void add_residual_based_errors(const Case& one, Sentences& sentences) {
+void add_residual_based_errors(const CaseResult& one, Sentences& sentences) {
   Sentences parts;
   double largest_gap = 0;
   const results::MomentErrorEstimate* first = nullptr;
@@ -154,10 +155,10 @@ void add_residual_based_errors(const Case& one, Sentences& sentences) {
       largest_gap > 0 ? fmt::format(", within {:.0e} of the simulation", largest_gap) : ""));
 }
 
-void add_closest_closures(const Case& one, Sentences& sentences) {
-  const Solution* reference = compare::reference(one.solutions);
+void add_closest_closures(const CaseResult& one, Sentences& sentences) {
+  const Solution* reference = compare::select_reference(one.solutions);
   const bool any = std::ranges::any_of(
-      one.solutions, [](const Solution& s) { return s.identity.role == Role::closure; });
+      one.solutions, [](const Solution& s) { return s.identity.role == SolutionRole::closure; });
   if (reference == nullptr || !any) return;
   auto ranks = compare::closures_by_reference_distance(one.solutions, one.pairs);
   if (ranks.empty()) {
@@ -182,7 +183,7 @@ void add_closest_closures(const Case& one, Sentences& sentences) {
     const auto& identity = rank.solution->identity;
     auto& closest = groups[{identity.family, identity.formulation}];
     const bool first = closest.empty();
-    if (first || compare::is_indistinguishable(*closest.front(), rank, *reference)) {
+    if (first || compare::are_indistinguishable(*closest.front(), rank, *reference)) {
       closest.push_back(&rank);
       several = several || !first;
     }
@@ -224,9 +225,9 @@ MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDi
   return {sum(one.y, other.y), sum(one.ydot, other.ydot)};
 }
 
-MarginalDistances critical_l1(const Solution& one, const Solution& other, bool smooth) {
-  return {compare::critical_l1(one, other, Variable::y, smooth),
-          compare::critical_l1(one, other, Variable::ydot, smooth)};
+MarginalDistances critical_l1_distance(const Solution& one, const Solution& other, bool smooth) {
+  return {compare::critical_l1_distance(one, other, Variable::y, smooth),
+          compare::critical_l1_distance(one, other, Variable::ydot, smooth)};
 }
 
 // The clause on the errors that explain a distance, with a given source of the error and the
@@ -246,7 +247,7 @@ std::string agreement_text(const MarginalDistances& gap, const MarginalDistances
 }
 
 /// The L1 error of one marginal relative to a simulation with control variates.
-struct MeasuredError {
+struct MeasuredL1Error {
   double l1, error, chance, stated;
   bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
 
@@ -256,19 +257,19 @@ struct MeasuredError {
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
 
-MeasuredError measured_error(const Case& one, const Solution& solution, const Solution& measure,
-                             Variable variable) {
+MeasuredL1Error measured_error(const CaseResult& one, const Solution& solution,
+                               const Solution& measure, Variable variable) {
   const double l1 = one.l1(solution.id(), measure.id(), variable).value_or(0);
-  const auto most = compare::critical_l1(solution, measure, variable, true);
+  const auto most = compare::critical_l1_distance(solution, measure, variable, true);
   return {.l1 = l1,
           .error = *l1_standard_error(one, solution, measure, variable),
-          .chance = expected(*best_sampling_error(measure), variable).value_or(0),
-          .stated = compare::error_estimate(solution, variable),
+          .chance = expected_l1_error(*best_sampling_error(measure), variable).value_or(0),
+          .stated = compare::l1_error_estimate(solution, variable),
           .explained = !most || l1 <= *most};
 }
 
 // The text of an L1 error with its standard error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
-std::string measured_error_text(const MeasuredError& marginal_error, Variable variable) {
+std::string measured_error_text(const MeasuredL1Error& marginal_error, Variable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
                                  ? fmt::format(" (estimate {:.2g})", marginal_error.stated)
                                  : std::string();
@@ -281,13 +282,13 @@ std::string measured_error_text(const MeasuredError& marginal_error, Variable va
                      stated);
 }
 
-void add_measured_errors(const Case& one, Sentences& sentences) {
-  const Solution* measure = compare::reference(one.solutions);
+void add_measured_errors(const CaseResult& one, Sentences& sentences) {
+  const Solution* measure = compare::select_reference(one.solutions);
   if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : references(one)) {
     if (other == measure || !has_smooth_distances(one, *other, *measure)) continue;
-    const MeasuredError y = measured_error(one, *other, *measure, Variable::y);
-    const MeasuredError ydot = measured_error(one, *other, *measure, Variable::ydot);
+    const MeasuredL1Error y = measured_error(one, *other, *measure, Variable::y);
+    const MeasuredL1Error ydot = measured_error(one, *other, *measure, Variable::ydot);
     const bool more = y.exceeds_stated_error() || ydot.exceeds_stated_error();
     sentences.push_back(
         fmt::format("{} has an L1 error of {} and {} over smooth bins, measured by {}{}.",
@@ -297,25 +298,25 @@ void add_measured_errors(const Case& one, Sentences& sentences) {
   }
 }
 
-void add_agreement_of_references(const Case& one, Sentences& sentences) {
+void add_agreement_of_references(const CaseResult& one, Sentences& sentences) {
   const auto all = references(one);
   for (std::size_t k = 1; k < all.size(); ++k) {
     const Solution &reference = *all.front(), &other = *all[k];
     if (reference.smooth_sampling && has_smooth_distances(one, other, reference)) continue;
     const MarginalDistances gap = l1_distances(one, reference, other);
-    if (!gap.has_both()) continue;
+    if (!gap.has_both_distances()) continue;
     const bool smooth = has_smooth_distances(one, reference, other);
     const MarginalDistances own = sampling_errors(reference, smooth),
                             others = sampling_errors(other, smooth);
     std::string chance;
-    if (own.any() || others.any()) {
+    if (own.has_any_distance() || others.has_any_distance()) {
       const std::string error_source =
-          own.any() && others.any()
+          own.has_any_distance() && others.has_any_distance()
               ? "their sampling errors account for about"
               : fmt::format("the sampling error of {} is",
-                            solution_description(own.any() ? reference : other));
+                            solution_description(own.has_any_distance() ? reference : other));
       chance = agreement_text(gap, combined_errors(own, others),
-                              critical_l1(reference, other, smooth), error_source);
+                              critical_l1_distance(reference, other, smooth), error_source);
     }
     sentences.push_back(
         capitalised(fmt::format("{} and {} differ by L1 {}{}.", solution_description(reference),
@@ -323,28 +324,29 @@ void add_agreement_of_references(const Case& one, Sentences& sentences) {
   }
 }
 
-void add_distances_of_external_densities(const Case& one, Sentences& sentences) {
+void add_distances_of_external_densities(const CaseResult& one, Sentences& sentences) {
   const auto all = references(one);
   for (const auto& given : one.solutions) {
-    if (given.identity.role != Role::external) continue;
+    if (given.identity.role != SolutionRole::external) continue;
     for (const Solution* reference : all) {
       const MarginalDistances gap = l1_distances(one, given, *reference);
-      if (!gap.any()) continue;
+      if (!gap.has_any_distance()) continue;
       // The comparison covers only those marginals of the external density that have standard
       // errors.
       const bool smooth = has_smooth_distances(one, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);
-      MarginalDistances explained = critical_l1(given, *reference, smooth);
+      MarginalDistances explained = critical_l1_distance(given, *reference, smooth);
       for (auto* part : {&other, &explained}) {
         if (!own.y) part->y.reset();
         if (!own.ydot) part->ydot.reset();
       }
       std::string chance;
-      if (own.any()) {
-        chance = agreement_text(gap, combined_errors(own, other), explained,
-                                fmt::format("its standard errors{} account for about",
-                                            other.any() ? " and those of " + reference->id() : ""));
+      if (own.has_any_distance()) {
+        chance = agreement_text(
+            gap, combined_errors(own, other), explained,
+            fmt::format("its standard errors{} account for about",
+                        other.has_any_distance() ? " and those of " + reference->id() : ""));
       }
       sentences.push_back(fmt::format("{} differs from {} by L1 {}{}.", given.id(),
                                       solution_description(*reference), distances_text(gap),
@@ -353,7 +355,7 @@ void add_distances_of_external_densities(const Case& one, Sentences& sentences) 
   }
 }
 
-void add_solver_notes(const Case& one, Sentences& sentences) {
+void add_solver_notes(const CaseResult& one, Sentences& sentences) {
   constexpr std::string_view kNotes = "notes[";
   for (const auto& solution : one.solutions) {
     std::map<std::string, Sentences> notes;  // by the prefix of the path
@@ -365,7 +367,7 @@ void add_solver_notes(const Case& one, Sentences& sentences) {
       notes[observation.path.substr(0, mark)].push_back(*note);
     }
     for (const auto& [place, own] : notes) {
-      const auto file = transform::word(solution.metrics, place + "file");
+      const auto file = transform::metric_text(solution.metrics, place + "file");
       sentences.push_back(
           fmt::format("Note on {}: {}.",
                       file ? std::filesystem::path(*file).filename().string() : solution.id(),
@@ -376,8 +378,8 @@ void add_solver_notes(const Case& one, Sentences& sentences) {
 
 }  // namespace
 
-std::vector<std::string> findings(const Case& one) {
-  Sentences sentences = bounds_findings(one);
+std::vector<std::string> findings(const CaseResult& one) {
+  Sentences sentences = guaranteed_bounds_findings(one);
   if (one.solutions.size() > 1) sentences.push_back(compare::reference_text(one.solutions));
   add_discretisation_errors(one, sentences);
   add_approximation_errors(one, sentences);

@@ -10,7 +10,7 @@ namespace fpkcheck::report {
 /// Sentences that quantify the error of each approximation in one case by distances between
 /// solutions with status ok:
 ///
-///   - findings on the guaranteed bounds (report/bounds.hpp);
+///   - findings on the guaranteed bounds (report/guaranteed_bounds.hpp);
 ///   - the reference (compare/reference.hpp), if the case has several solutions;
 ///   - the discretisation error of an equation that was solved with an error estimate, or the
 ///     largest such error of several equations; this sentence is omitted if the case has an error
@@ -25,6 +25,6 @@ namespace fpkcheck::report {
 ///   - the distances of external densities to all solutions above, with standard errors;
 ///   - notes of the solvers, from the metrics `notes[k]`; or notes on a file, from the metrics
 ///     `X.notes[k]` and the file name `X.file`.
-std::vector<std::string> findings(const results::Case& one);
+std::vector<std::string> findings(const results::CaseResult& one);
 
 }  // namespace fpkcheck::report

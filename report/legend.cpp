@@ -6,39 +6,41 @@
 #include <algorithm>
 #include <string_view>
 
-#include "compare/budget.hpp"
+#include "compare/error_budget.hpp"
 #include "problem/model.hpp"
 #include "report/budget/table.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-using compare::Link;
+using compare::Approximation;
 
 constexpr const char* kSolvesColumn = "solves";
 
-bool any_group(const std::vector<Column>& columns, std::string_view start) {
-  return std::ranges::any_of(columns, [&](const Column& c) { return c.group.starts_with(start); });
+bool any_group(const std::vector<TextColumn>& columns, std::string_view start) {
+  return std::ranges::any_of(columns,
+                             [&](const TextColumn& c) { return c.group.starts_with(start); });
 }
 
-bool any_header(const std::vector<Column>& columns, std::string_view part) {
+bool any_header(const std::vector<TextColumn>& columns, std::string_view part) {
   return std::ranges::any_of(
-      columns, [&](const Column& c) { return c.header.find(part) != std::string::npos; });
+      columns, [&](const TextColumn& c) { return c.header.find(part) != std::string::npos; });
 }
 
 template <class Condition>
-bool any_cell(const std::vector<Column>& columns, std::string_view header, Condition condition) {
-  return std::ranges::any_of(columns, [&](const Column& c) {
+bool any_cell(const std::vector<TextColumn>& columns, std::string_view header,
+              Condition condition) {
+  return std::ranges::any_of(columns, [&](const TextColumn& c) {
     return c.header == header && std::ranges::any_of(c.cells, condition);
   });
 }
 
 // The names of the values of an enum that occur in the cells, with the meanings of these values.
 template <class Enum>
-std::string enum_legend(const std::vector<Column>& results, const std::string& before,
+std::string enum_legend(const std::vector<TextColumn>& results, const std::string& before,
                         const std::string& after) {
   std::vector<std::string> terms;
-  for (const auto& [value, name, meaning] : names(Enum{})) {
+  for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
     const std::string part = fmt::format("{}{}{}", before, name, after);
     if (any_cell(results, kSolvesColumn, [&](const auto& cell) {
           return after.empty() ? cell.ends_with(part) : cell.starts_with(part);
@@ -49,7 +51,7 @@ std::string enum_legend(const std::vector<Column>& results, const std::string& b
   return fmt::format("{}", fmt::join(terms, "; "));
 }
 
-std::string solves_legend(const std::vector<Column>& results) {
+std::string solves_legend(const std::vector<TextColumn>& results) {
   const auto equations = enum_legend<problem::Equation>(results, "", "/");
   const auto impacts = enum_legend<problem::Impact>(results, "/", "");
   std::vector<std::string> terms;
@@ -64,14 +66,15 @@ std::string solves_legend(const std::vector<Column>& results) {
 
 }  // namespace
 
-std::string results_legend(const std::vector<Column>& results, const results::Run& run) {
+std::string results_legend(const std::vector<TextColumn>& results, const results::Run& run) {
   std::vector<std::string> sentences;
   const bool distances = any_group(results, "L1");
   if (distances) {
     sentences.emplace_back(
         "L1: integral of |p - reference|, 0 for equal densities, 2 for disjoint ones.");
-    const bool smooth = std::ranges::any_of(
-        run.cases, [](const results::Case& case_result) { return !case_result.smooth.empty(); });
+    const bool smooth = std::ranges::any_of(run.cases, [](const results::CaseResult& case_result) {
+      return !case_result.smooth.empty();
+    });
     if (smooth) {
       sentences.emplace_back(
           "Distances to a simulation with control variates are over smooth bins, which do not "
@@ -90,15 +93,16 @@ std::string results_legend(const std::vector<Column>& results, const results::Ru
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-std::string budget_legend(const std::vector<Column>& budgets) {
+std::string budget_legend(const std::vector<TextColumn>& budgets) {
   if (budgets.empty()) return "";
   const auto has_row = [&](std::string_view name) {
     return any_cell(budgets, "error budget", [&](const auto& cell) { return cell == name; });
   };
   std::vector<std::string> rows_below;
-  for (const auto& links : {std::vector{Link::discretisation}, std::vector{Link::sampling},
-                            std::vector{Link::discretisation, Link::sampling}}) {
-    if (has_row(compare::name(links))) rows_below.push_back(compare::name(links));
+  for (const auto& approximations :
+       {std::vector{Approximation::discretisation}, std::vector{Approximation::sampling},
+        std::vector{Approximation::discretisation, Approximation::sampling}}) {
+    if (has_row(compare::name(approximations))) rows_below.push_back(compare::name(approximations));
   }
   std::string text =
       "error budget: total is the L1 distance from each closure to the end of its chain of models "
@@ -107,12 +111,12 @@ std::string budget_legend(const std::vector<Column>& budgets) {
     text += fmt::format(" and of the row{} {}", rows_below.size() > 1 ? "s" : "",
                         fmt::join(rows_below, " and "));
   }
-  for (const auto& [link, name, meaning] : compare::kLinkNames) {
-    const std::string header = part_header(std::string(name));
+  for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
+    const std::string header = budget_part_header(std::string(name));
     // Approximations without a solution between them share a column: closure + impact.
     if (!any_header(budgets, header) && !any_header(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
-    if (link == Link::closure) text += ", against its own equation discretised";
+    if (approximation == Approximation::closure) text += ", against its own equation discretised";
   }
   if (any_group(budgets, "tail")) {
     text += "; tail: mean |log10 p - log10 q|, with q the end of the chain";

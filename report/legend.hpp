@@ -12,10 +12,10 @@ namespace fpkcheck::report {
 /// displayed columns. The legend is empty if no column is displayed.
 /// @param results columns of the tables of solutions of all cases
 /// @param run     the run with these cases
-std::string results_legend(const std::vector<Column>& results, const results::Run& run);
+std::string results_legend(const std::vector<TextColumn>& results, const results::Run& run);
 
 /// The legend of the tables of error budgets, in sentences.
 /// @param budgets columns of the tables of error budgets of all cases
-std::string budget_legend(const std::vector<Column>& budgets);
+std::string budget_legend(const std::vector<TextColumn>& budgets);
 
 }  // namespace fpkcheck::report

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::report {
 
-std::vector<const transform::Solution*> references(const results::Case& case_result) {
-  const auto* chosen = compare::reference(case_result.solutions);
+std::vector<const transform::Solution*> references(const results::CaseResult& case_result) {
+  const auto* chosen = compare::select_reference(case_result.solutions);
   if (chosen == nullptr) return {};
   std::vector<const transform::Solution*> all{chosen};
   for (const auto& solution : case_result.solutions) {

@@ -10,6 +10,6 @@ namespace fpkcheck::report {
 /// The solutions of the full problem, with which tables and sentences compare all other solutions.
 /// The reference of the case is the first element; the remaining solutions have the order of the
 /// case. The list of solutions is empty if the case has no reference.
-std::vector<const transform::Solution*> references(const results::Case& case_result);
+std::vector<const transform::Solution*> references(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

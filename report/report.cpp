@@ -36,7 +36,7 @@ std::vector<std::string> write_report(const fs::path& directory, const results::
                                       const FigureOptions& figures, const Supplement& supplement) {
   const auto earlier = earlier_run(directory);
   base::PendingFiles files;
-  results::add_run(files, directory, run);
+  results::add_run_files(files, directory, run);
   files.add(directory / kPageFile, page(run, supplement));
   for (const auto& [name, text] : supplement.files) files.add(directory / name, text);
   files.commit();

@@ -14,7 +14,8 @@ namespace fpkcheck::report {
 /// Writes marginals.csv, joint.nc (if a solution has a joint density), summary.json, report.html
 /// and figures/ into a directory that results::prepare_output_directory prepared. Either all files
 /// of an earlier run are replaced, or none; pictures and joint densities of the earlier run are
-/// removed. After a stop request (base/process/stop.hpp) pictures are omitted without a warning.
+/// removed. After a stop request (base/process/stop_request.hpp) pictures are omitted without a
+/// warning.
 /// @param supplement additional files, which replace the files of an earlier run together with all
 ///                   other files
 /// @return warnings about pictures that could not be drawn, one line each

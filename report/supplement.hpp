@@ -13,7 +13,7 @@ struct ExtraFile {
 };
 
 /// A gnuplot script, with the file name (without extension) that the script and its pictures share.
-struct Picture {
+struct PictureScript {
   std::string stem, script;
 };
 
@@ -35,7 +35,7 @@ struct Supplement {
   std::string text;  ///< printed after the tables
   std::vector<PageSection> sections;
   std::vector<ExtraFile> files;
-  std::vector<Picture> pictures;  ///< drawn into figures/
+  std::vector<PictureScript> pictures;  ///< drawn into figures/
 };
 
 }  // namespace fpkcheck::report

@@ -33,12 +33,12 @@ std::string seconds_text(double x) {
   return fmt::format("{:.{}f}", x, x < 10 ? 2 : x < 100 ? 1 : 0);
 }
 
-std::vector<Column> columns(const results::Case& case_result) {
+std::vector<TextColumn> columns(const results::CaseResult& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
-  std::vector<Column> all;
+  std::vector<TextColumn> all;
   // Adds a column if the column has a value: the column of the distances to the only solution, for
   // example, has none.
-  const auto add = [&](Column column, const auto& cell) {
+  const auto add = [&](TextColumn column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
       // The solution has no row: a line with the reason replaces the row.
       if (solution.status == transform::Status::not_offered) continue;
@@ -88,7 +88,7 @@ std::vector<Column> columns(const results::Case& case_result) {
   return all;
 }
 
-std::string reasons_text(const results::Case& case_result, std::size_t width) {
+std::string reasons_text(const results::CaseResult& case_result, std::size_t width) {
   std::string text;
   for (const auto& [solutions, status, reason] : status_reasons(case_result)) {
     text += wrap_text(fmt::format("  {} {}: {}", fmt::join(solutions, ", "), name(status), reason),
@@ -105,16 +105,16 @@ std::string case_title(const problem::Problem& problem) {
 
 std::string table(const results::Run& run, const TextFormat& format) {
   const std::size_t width = format.width;
-  const Verdict run_verdict = verdict(run);
-  std::string text = answer_text(run_verdict, format);
+  const Verdict run_verdict = make_verdict(run);
+  std::string text = verdict_answer_text(run_verdict, format);
   if (!text.empty()) text += '\n';
-  std::vector<Column> all, budgets;
+  std::vector<TextColumn> all, budgets;
   std::string missing;
   for (const auto& case_result : run.cases) {
     const auto all_columns = columns(case_result);
     const auto shown = fit_columns(all_columns, format);
     if (missing.empty()) missing = omitted_columns(all_columns, shown);
-    text += wrap_text(case_title(case_result.problem), width, 2) + rows(shown, format) +
+    text += wrap_text(case_title(case_result.problem), width, 2) + table_rows_text(shown, format) +
             reasons_text(case_result, width) + budget_table(case_result, format);
     for (const auto& sentence : findings(case_result)) text += wrap_text("  " + sentence, width, 2);
     text += '\n';

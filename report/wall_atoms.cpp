@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-std::vector<double> walls_with_atoms(const results::Case& case_result) {
+std::vector<double> walls_with_atoms(const results::CaseResult& case_result) {
   std::set<double> walls;
   for (const auto& solution : case_result.solutions) {
     for (const auto& atom : solution.atoms) walls.insert(atom.y);
@@ -16,7 +16,7 @@ std::vector<double> walls_with_atoms(const results::Case& case_result) {
   return {walls.begin(), walls.end()};
 }
 
-std::string atom_header(const results::Case& case_result, double wall) {
+std::string atom_header(const results::CaseResult& case_result, double wall) {
   return walls_with_atoms(case_result).size() == 1 ? std::string("P(rest)")
                                                    : fmt::format("P(rest at {:g})", wall);
 }

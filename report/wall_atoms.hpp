@@ -9,10 +9,10 @@ namespace fpkcheck::report {
 
 /// The walls at which a solution of the case has an atom (mass at rest in contact), in increasing
 /// order. The list of walls is empty for the cases of the paper.
-std::vector<double> walls_with_atoms(const results::Case& case_result);
+std::vector<double> walls_with_atoms(const results::CaseResult& case_result);
 
 /// The header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls have atoms.
-std::string atom_header(const results::Case& case_result, double wall);
+std::string atom_header(const results::CaseResult& case_result, double wall);
 
 /// The probability of the atom at a wall; NaN if the solution has no atom there.
 double atom_probability(const transform::Solution& solution, double wall);

@@ -15,10 +15,10 @@ namespace {
 
 bool has_coordinates(const NetCdfReader& file, const std::vector<std::string>& names,
                      const std::string& variable) {
-  const auto axes = file.dimensions(variable);
+  const auto axes = file.dimension_names(variable);
   return axes.size() == 2 && std::ranges::all_of(axes, [&](const std::string& axis) {
            return std::ranges::find(names, axis) != names.end() &&
-                  file.dimensions(axis) == std::vector{axis};
+                  file.dimension_names(axis) == std::vector{axis};
          });
 }
 
@@ -27,7 +27,7 @@ bool has_coordinates(const NetCdfReader& file, const std::vector<std::string>& n
 GriddedVariable read_gridded_variable(std::string bytes, const std::string& where) {
   try {
     NetCdfReader file(std::move(bytes));
-    const auto names = file.variables();
+    const auto names = file.variable_names();
     GriddedVariable variable;
     for (const auto& name : names) {
       if (!has_coordinates(file, names, name)) continue;
@@ -38,12 +38,12 @@ GriddedVariable read_gridded_variable(std::string bytes, const std::string& wher
       variable.name = name;
     }
     if (variable.name.empty()) throw std::runtime_error("no variable has two coordinates");
-    const auto axes = file.dimensions(variable.name);
+    const auto axes = file.dimension_names(variable.name);
     variable.first_name = axes[0];
     variable.second_name = axes[1];
-    variable.first = file.values(axes[0]);
-    variable.second = file.values(axes[1]);
-    variable.values = file.values(variable.name);
+    variable.first = file.read_values(axes[0]);
+    variable.second = file.read_values(axes[1]);
+    variable.values = file.read_values(variable.name);
     if (variable.values.size() != variable.first.size() * variable.second.size()) {
       throw std::runtime_error(
           fmt::format("{}: the shape differs from that of the axes", variable.name));

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {

@@ -12,10 +12,10 @@
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/directory.hpp"
 #include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/netcdf/writer.hpp"
+#include "results/output_directory.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -39,8 +39,8 @@ std::vector<std::string> solution_ids(const Run& run) {
 }
 
 void write_problem(NetCdfWriter& file, const problem::Problem& problem, int variable) {
-  file.attribute("case", problem.name, variable);
-  write_parameters(file, problem, variable);
+  file.write_attribute("case", problem.name, variable);
+  write_problem_attributes(file, problem, variable);
 }
 
 /// The values of a variable of a case, shape (solution, cells); NaN for solutions without values.
@@ -66,7 +66,7 @@ class SolutionArray {
 
 // The probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y = 0.5". The
 // integral of a density is 1 minus these probabilities. Empty if all of them are zero.
-std::string atoms_text(const Case& case_result) {
+std::string atoms_text(const CaseResult& case_result) {
   std::vector<std::string> solutions;
   for (const auto& solution : case_result.solutions) {
     std::vector<std::string> atoms;
@@ -79,18 +79,18 @@ std::string atoms_text(const Case& case_result) {
   return fmt::format("{}", fmt::join(solutions, "; "));
 }
 
-void write_case(NetCdfWriter& file, const Case& case_result,
+void write_case(NetCdfWriter& file, const CaseResult& case_result,
                 const std::vector<std::string>& solutions, int solution, int bounds) {
   if (case_result.joints.empty()) return;
   const auto& cells = case_result.joints.front().density;
   const std::string name = file_stem(case_result.name());
-  const int y = file.cells("y_" + name, "displacement y", bounds, cells.y_edges);
-  const int ydot = file.cells("ydot_" + name, "velocity y'", bounds, cells.v_edges);
+  const int y = file.write_cell_coordinate("y_" + name, "displacement y", bounds, cells.y_edges);
+  const int ydot = file.write_cell_coordinate("ydot_" + name, "velocity y'", bounds, cells.v_edges);
   const auto write = [&](const std::string& prefix, const std::string& meaning,
                          const SolutionArray& over) {
-    const int variable =
-        file.compressed_float(prefix + '_' + name, {solution, y, ydot}, meaning, over.values());
-    file.attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
+    const int variable = file.write_compressed_floats(prefix + '_' + name, {solution, y, ydot},
+                                                      meaning, over.values());
+    file.write_attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
     write_problem(file, case_result.problem, variable);
     return variable;
   };
@@ -98,7 +98,7 @@ void write_case(NetCdfWriter& file, const Case& case_result,
   for (const auto& [id, density] : case_result.joints) densities.put(id, density.averages);
   const int p = write("p", "joint probability density of y and y'", densities);
   if (const std::string atoms = atoms_text(case_result); !atoms.empty()) {
-    file.attribute("rest_in_contact", atoms, p);
+    file.write_attribute("rest_in_contact", atoms, p);
   }
   for (const auto& moment : transform::kMoments) {
     SolutionArray sources(solutions, cells.averages.size());
@@ -118,20 +118,20 @@ void write_case(NetCdfWriter& file, const Case& case_result,
 template <class Use>
 void read_variable(NetCdfReader& file, const std::string& name,
                    const std::vector<std::string>& solutions, Use use) {
-  const auto axes = file.dimensions(name);
+  const auto axes = file.dimension_names(name);
   if (axes.size() != 3) throw std::runtime_error(fmt::format("{}: not three dimensions", name));
-  const auto shape = file.shape(name);
-  const auto y_edges = file.edges(axes[1]), v_edges = file.edges(axes[2]);
+  const auto shape = file.dimension_lengths(name);
+  const auto y_edges = file.read_cell_edges(axes[1]), v_edges = file.read_cell_edges(axes[2]);
   if (shape[0] != solutions.size() || shape[1] + 1 != y_edges.size() ||
       shape[2] + 1 != v_edges.size()) {
     throw std::runtime_error(fmt::format("{}: the shape differs from that of the axes", name));
   }
-  const auto values = file.values(name);
+  const auto values = file.read_values(name);
   const std::size_t count = shape[1] * shape[2];
   for (std::size_t s = 0; s < solutions.size(); ++s) {
     const std::span<const double> averages(values.data() + s * count, count);
     if (std::ranges::all_of(averages, [](double p) { return std::isnan(p); })) continue;
-    use(file.text(name, "case"), solutions[s],
+    use(file.text_attribute(name, "case"), solutions[s],
         transform::GridDensity{y_edges, v_edges, {averages.begin(), averages.end()}});
   }
 }
@@ -140,23 +140,23 @@ void read_variable(NetCdfReader& file, const std::string& name,
 
 std::string joint_netcdf(const Run& run) {
   NetCdfWriter file;
-  file.attribute("Conventions", "CF-1.8");
-  file.attribute("title",
-                 "stationary joint densities of oscillators under random impulses or noise");
-  file.attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
-  file.attribute("command", run.program.command);
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title",
+                       "stationary joint densities of oscillators under random impulses or noise");
+  file.write_attribute("source", fmt::format("{} {}", run.program.name, run.program.version));
+  file.write_attribute("command", run.program.command);
   const auto solutions = solution_ids(run);
-  const int solution = file.dimension("solution", solutions.size());
-  const int bounds = file.dimension("bounds", 2);
-  file.labels("solution", solution, solutions);
+  const int solution = file.define_dimension("solution", solutions.size());
+  const int bounds = file.define_dimension("bounds", 2);
+  file.write_labels("solution", solution, solutions);
   for (const auto& case_result : run.cases)
     write_case(file, case_result, solutions, solution, bounds);
-  return file.bytes();
+  return file.close_and_take_bytes();
 }
 
 bool is_joint_netcdf(const std::string& bytes) {
   try {
-    const auto names = NetCdfReader(bytes).variables();
+    const auto names = NetCdfReader(bytes).variable_names();
     return std::ranges::find(names, "solution") != names.end();
   } catch (const std::runtime_error&) {
     return false;
@@ -170,9 +170,9 @@ JointFileContent read_joint_netcdf(const fs::path& path,
     if (!bytes) throw std::runtime_error("no readable file");
     if (inspect) inspect(*bytes);
     NetCdfReader file(*std::move(bytes));
-    const auto solutions = file.labels("solution");
+    const auto solutions = file.read_labels("solution");
     JointFileContent found;
-    const auto names = file.variables();
+    const auto names = file.variable_names();
     for (const auto& name : names) {
       if (!name.starts_with("p_")) continue;
       read_variable(file, name, solutions, [&](auto&& case_result, auto& id, auto&& density) {

@@ -15,8 +15,8 @@
 namespace fpkcheck::results {
 namespace {
 
-using transform::Kind;
 using transform::Metric;
+using transform::MetricKind;
 using transform::Metrics;
 
 // Largest depth of nesting. Every file of this program is less deep, and a stack has the capacity
@@ -70,8 +70,8 @@ void collect_metrics(const std::string& path, const Json& json, Metrics& metrics
     }
   } else {
     metrics.push_back({.path = path,
-                       .value = value_in(json),
-                       .kind = json.is_string() ? Kind::text : Kind::result});
+                       .value = value_from_json(json),
+                       .kind = json.is_string() ? MetricKind::text : MetricKind::result});
   }
 }
 
@@ -129,13 +129,13 @@ void add_metrics(const Metrics& metrics, Json& object) {
   }
 }
 
-Metrics metrics_in(const Json& object) {
+Metrics metrics_from_json(const Json& object) {
   Metrics metrics;
   collect_metrics("", object, metrics);
   return metrics;
 }
 
-base::Value value_in(const Json& json) {
+base::Value value_from_json(const Json& json) {
   if (json.is_null()) return {};
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_number_unsigned() && !std::in_range<std::int64_t>(json.get<std::uint64_t>())) {
@@ -148,18 +148,18 @@ base::Value value_in(const Json& json) {
   throw InputError("a list or an object in place of a value; run again");
 }
 
-base::Values values_in(const Json& object) {
+base::Values values_from_json(const Json& object) {
   base::Values values;
   for (const auto& [key, value] : object.items()) {
-    if (!value.is_structured()) values.push_back({key, value_in(value)});
+    if (!value.is_structured()) values.push_back({key, value_from_json(value)});
   }
   return values;
 }
 
-problem::Problem problem_in(const Json& object) {
-  std::vector<problem::Section> sections;
+problem::Problem problem_from_json(const Json& object) {
+  std::vector<problem::CaseFileSection> sections;
   for (const auto& [key, value] : object.items()) {
-    if (value.is_object()) sections.push_back({key, values_in(value)});
+    if (value.is_object()) sections.push_back({key, values_from_json(value)});
   }
   return problem::problem_from_sections(object.at("name").get<std::string>(), sections);
 }
@@ -171,7 +171,7 @@ double number_in(const Json& object, const char* key) {
 
 int integer_in(const Json& object, const char* key) {
   // get<int>() of the JSON library would also convert 1e300 and integers out of range.
-  const base::Value value = value_in(object.at(key));
+  const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {
     throw InputError(
@@ -180,7 +180,7 @@ int integer_in(const Json& object, const char* key) {
   return static_cast<int>(*whole);
 }
 
-transform::Moments moments_in(const Json& json) {
+transform::Moments moments_from_json(const Json& json) {
   transform::Moments moments;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     moments.*moment = number_in(json, name);
@@ -202,7 +202,7 @@ Json with_null_for_non_finite(Json value) {
   return value;
 }
 
-std::string text_of(const Json& json) {
+std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -225,7 +225,7 @@ Json parse_json(std::istream& in, const std::string& where) {
         throw InputError(fmt::format("{} has a text of {} bytes: not a file of this program", where,
                                      text_value.size()));
       }
-      text_value = base::escape_controls(text_value);
+      text_value = base::escape_control_characters(text_value);
     }
     return true;
   };

@@ -37,17 +37,17 @@ Json moments_json(const transform::Moments& moments);
 void add_metrics(const transform::Metrics& metrics, Json& object);
 /// Reads the metrics that add_metrics() wrote: one metric for each leaf of the JSON object. The
 /// kind of a metric follows from the type of the leaf: `text` for a string, otherwise `result`.
-transform::Metrics metrics_in(const Json& object);
+transform::Metrics metrics_from_json(const Json& object);
 
 /// Converts the result of value_json() back to a value.
 /// @throws InputError when the JSON value is a list, an object or an integer out of range
-base::Value value_in(const Json& json);
+base::Value value_from_json(const Json& json);
 /// Converts the result of values_json() back to named values.
 /// @throws nlohmann::json::exception, InputError
-base::Values values_in(const Json& object);
+base::Values values_from_json(const Json& object);
 /// Converts the result of problem_json() back to a problem.
 /// @throws nlohmann::json::exception, InputError
-problem::Problem problem_in(const Json& object);
+problem::Problem problem_from_json(const Json& object);
 /// The number that represents null when JSON is read, since JSON has no NaN.
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 /// The number under a key of a JSON object; NaN if the JSON value is null.
@@ -55,7 +55,7 @@ inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 double number_in(const Json& object, const char* key);
 /// Converts the result of moments_json() back to moments.
 /// @throws nlohmann::json::exception
-transform::Moments moments_in(const Json& json);
+transform::Moments moments_from_json(const Json& json);
 /// The integer under a key of a JSON object.
 /// @throws nlohmann::json::exception
 /// @throws InputError when the JSON value is not an integer, or is out of the range of int
@@ -70,7 +70,7 @@ Json with_null_for_non_finite(Json value);
 
 /// The text of a JSON value. The text has replacement characters in place of bytes that are not
 /// UTF-8, since file names may contain such bytes.
-std::string text_of(const Json& json);
+std::string json_text(const Json& json);
 
 /// Parses the JSON of a file. The depth of nesting, the number of values and the length of texts
 /// are limited.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/pairs.hpp"
+#include "compare/pair_distances.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {

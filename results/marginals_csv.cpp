@@ -19,7 +19,7 @@ constexpr std::string_view kHeader = "case,solution,variable,abscissa,density,lo
 constexpr std::size_t kFields = 7;
 constexpr std::size_t kMaxLineLength = 1000;
 
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> split_csv_fields(const std::string& line) {
   std::vector<std::string> fields(1);
   bool inside_quotes = false;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -45,7 +45,7 @@ std::string interval_end(const std::vector<double>& ends, std::size_t k) {
 }
 
 // Reads a line without its end. The end may be CRLF, since version control may change line ends.
-bool next_line(std::istream& in, std::string& line) {
+bool read_line(std::istream& in, std::string& line) {
   if (!std::getline(in, line)) return false;
   if (line.ends_with('\r')) line.pop_back();
   return true;
@@ -61,7 +61,7 @@ class RowReader {
     if (line.size() > kMaxLineLength) {
       fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
     }
-    const auto fields = split(line);
+    const auto fields = split_csv_fields(line);
     if (fields.size() != kFields) {
       fail(fmt::format("{} fields (must be {})", fields.size(), kFields));
     }
@@ -110,8 +110,8 @@ class RowReader {
 
 }  // namespace
 
-void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
-                         std::vector<Curve> Case::*curves) {
+void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
+                         std::vector<Curve> CaseResult::*curves) {
   out << kHeader << '\n';
   for (const auto& case_result : cases) {
     const std::string case_name = csv_field(case_result.name());
@@ -129,11 +129,11 @@ std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view sou
                                           const NonFinitePredicate& allows_non_finite) {
   RowReader row(source, allows_non_finite);
   std::string line;
-  if (!next_line(in, line) || line != kHeader) {
+  if (!read_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
   }
   std::vector<CaseCurve> curves;
-  for (int line_number = 2; next_line(in, line); ++line_number) {
+  for (int line_number = 2; read_line(in, line); ++line_number) {
     row.read(line, line_number, curves);
   }
   return curves;

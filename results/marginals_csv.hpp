@@ -15,10 +15,10 @@ namespace fpkcheck::results {
 /// Writes the marginal densities of all cases as CSV. The header is
 /// `case,solution,variable,abscissa,density,lower,upper`; every bin of every curve is one row. The
 /// numbers have sufficient digits to be read back without rounding errors.
-/// @param curves the curves to write: &Case::curves, or &Case::smooth for curves over smooth
-///        bins
-void write_marginals_csv(std::ostream& out, std::span<const Case> cases,
-                         std::vector<Curve> Case::*curves = &Case::curves);
+/// @param curves the curves to write: &CaseResult::curves, or &CaseResult::smooth for curves over
+///        smooth bins
+void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
+                         std::vector<Curve> CaseResult::*curves = &CaseResult::curves);
 
 /// A curve with the name of its case.
 struct CaseCurve {

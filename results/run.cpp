@@ -51,21 +51,23 @@ std::vector<double> bin_widths(const Curve& curve) {
   return widths;
 }
 
-const Curve* Case::curve(std::string_view solution, transform::Variable variable) const {
+const Curve* CaseResult::curve(std::string_view solution, transform::Variable variable) const {
   return find_curve(curves, solution, variable);
 }
 
-const Curve* Case::smooth_curve(std::string_view solution, transform::Variable variable) const {
+const Curve* CaseResult::smooth_curve(std::string_view solution,
+                                      transform::Variable variable) const {
   return find_curve(smooth, solution, variable);
 }
 
-const MomentErrorEstimate* Case::moment_error_estimate(std::string_view solution) const {
+const MomentErrorEstimate* CaseResult::moment_error_estimate(std::string_view solution) const {
   const auto found =
       std::ranges::find(moment_error_estimates, solution, &MomentErrorEstimate::solution);
   return found == moment_error_estimates.end() ? nullptr : &*found;
 }
 
-const ErrorSource* Case::error_source(std::string_view solution, std::string_view moment) const {
+const ErrorSource* CaseResult::error_source(std::string_view solution,
+                                            std::string_view moment) const {
   const auto found = std::ranges::find_if(error_sources, [&](const ErrorSource& source) {
     return source.solution == solution && source.moment == moment;
   });
@@ -83,16 +85,16 @@ Curve make_curve(compare::SolutionMarginal&& found) {
           std::move(marginal.lower), std::move(marginal.upper)};
 }
 
-Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
-               std::vector<transform::Solution> solutions) {
+CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+                            std::vector<transform::Solution> solutions) {
   auto comparison = compare::compare_solutions(axes, solutions);
-  Case result{.problem = problem,
-              .solutions = std::move(solutions),
-              .pairs = std::move(comparison.pairs),
-              .budget = std::move(comparison.budget),
-              .limits = std::move(comparison.limits),
-              .curves = {},
-              .joints = {}};
+  CaseResult result{.problem = problem,
+                    .solutions = std::move(solutions),
+                    .pairs = std::move(comparison.pairs),
+                    .budget = std::move(comparison.budget),
+                    .limits = std::move(comparison.limits),
+                    .curves = {},
+                    .joints = {}};
   for (auto& found : comparison.marginals) result.curves.push_back(make_curve(std::move(found)));
   for (auto& found : comparison.smooth) result.smooth.push_back(make_curve(std::move(found)));
   result.joints = joint_densities(axes, result.solutions);

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/axes.hpp"
-#include "compare/bounds.hpp"
 #include "compare/comparison.hpp"
+#include "compare/comparison_axes.hpp"
+#include "compare/guaranteed_bounds.hpp"
 #include "problem/problem.hpp"
 #include "transform/density.hpp"
 #include "transform/solution.hpp"
@@ -60,11 +60,11 @@ struct ErrorSource {
 };
 
 /// The result of a run for one case.
-struct Case {
+struct CaseResult {
   problem::Problem problem;
-  std::vector<transform::Solution> solutions;  ///< by increasing trust
-  std::vector<compare::PairDistances> pairs;   ///< distances of all pairs of solutions
-  std::vector<compare::BudgetRow> budget;      ///< error budgets of the closures
+  std::vector<transform::Solution> solutions;   ///< by increasing trust
+  std::vector<compare::PairDistances> pairs;    ///< distances of all pairs of solutions
+  std::vector<compare::ErrorBudgetRow> budget;  ///< error budgets of the closures
   /// A sentence on the largest error of each closure; empty without an error budget.
   std::string limits;
   std::vector<Curve> curves;         ///< marginal densities over the comparison bins
@@ -75,7 +75,8 @@ struct Case {
   /// Moment error estimates, in the order of the solutions. Some solutions have no estimate.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<ErrorSource> error_sources = {};  ///< sources of the errors of E[y^2] and E[y'^2]
-  std::optional<compare::Bounds> bounds = {};   ///< guaranteed bounds; empty if not computed
+  std::optional<compare::GuaranteedBounds> bounds =
+      {};  ///< guaranteed bounds; empty if not computed
 
   const std::string& name() const { return problem.name; }
   /// The solution with this id; null if there is none.
@@ -90,10 +91,10 @@ struct Case {
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
   /// The sources of the error of a moment of a solution; null if there are none.
   const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
-  /// The L1 distance between two solutions of this case, as compare::l1_between.
+  /// The L1 distance between two solutions of this case, as compare::l1_distance_between.
   std::optional<double> l1(std::string_view one, std::string_view other,
                            transform::Variable variable) const {
-    return compare::l1_between(pairs, one, other, variable);
+    return compare::l1_distance_between(pairs, one, other, variable);
   }
 };
 
@@ -115,7 +116,7 @@ struct FileChecksum {
 /// The result of a run for all its cases.
 struct Run {
   Program program;
-  std::vector<Case> cases;
+  std::vector<CaseResult> cases;
   /// A sentence on the interruption of the run and its missing parts; empty for a complete run.
   std::string stopped = {};
   /// Checksums of the files from which the run was read. Empty for a computed run, and for a run
@@ -125,7 +126,7 @@ struct Run {
 
 /// Compares the solutions of a case and returns the result for the case.
 /// @param solutions by increasing trust
-Case make_case(const problem::Problem& problem, const compare::ComparisonAxes& axes,
-               std::vector<transform::Solution> solutions);
+CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+                            std::vector<transform::Solution> solutions);
 
 }  // namespace fpkcheck::results

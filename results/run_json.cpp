@@ -16,9 +16,9 @@
 namespace fpkcheck::results {
 namespace {
 
-using compare::BudgetPart;
-using compare::BudgetRow;
 using compare::Distances;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 using compare::PairDistances;
 using transform::Variable;
 
@@ -41,9 +41,11 @@ Json pair_json(const PairDistances& pair) {
   return json;
 }
 
-Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+Json number_or_null_json(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
 
-Json part_json(const BudgetPart& part) {
+Json budget_part_json(const ErrorBudgetPart& part) {
   Json json{{"name", part.name()},
             {"from", part.from},
             {"to", part.to},
@@ -51,17 +53,17 @@ Json part_json(const BudgetPart& part) {
             {"tail", part.tail}};
   if (part.expected) {
     json["expected"] = *part.expected;
-    json["in_99"] = or_null(part.quantile_99);
+    json["in_99"] = number_or_null_json(part.quantile_99);
   } else {
-    json["uncertainty"] = or_null(part.uncertainty);
+    json["uncertainty"] = number_or_null_json(part.uncertainty);
   }
   if (part.standard_error) json["standard_error"] = *part.standard_error;
   return json;
 }
 
-Json row_json(const BudgetRow& row) {
+Json budget_row_json(const ErrorBudgetRow& row) {
   Json parts = Json::array();
-  for (const auto& part : row.parts) parts.push_back(part_json(part));
+  for (const auto& part : row.parts) parts.push_back(budget_part_json(part));
   return {{"solution", row.solution},
           {"variable", name(row.variable)},
           {"reference", row.reference},
@@ -71,21 +73,21 @@ Json row_json(const BudgetRow& row) {
           {"parts", parts}};
 }
 
-Json bound_json(const compare::Bound& bound) {
+Json bound_json(const compare::GuaranteedBound& bound) {
   return {{"functional", bound.functional}, {"lower", bound.lower}, {"upper", bound.upper}};
 }
 
 template <class Element>
-Json list_of(const std::vector<Element>& elements, Json (*json_of)(const Element&)) {
+Json json_list(const std::vector<Element>& elements, Json (*json_of)(const Element&)) {
   Json list = Json::array();
   for (const auto& element : elements) list.push_back(json_of(element));
   return list;
 }
 
-Json bounds_json(const compare::Bounds& bounds) {
+Json bounds_json(const compare::GuaranteedBounds& bounds) {
   return {{"reason", bounds.reason},
           {"seconds", bounds.seconds},
-          {"each", list_of(bounds.each, bound_json)}};
+          {"each", json_list(bounds.each, bound_json)}};
 }
 
 Json moment_error_estimate_json(const MomentErrorEstimate& own) {
@@ -94,21 +96,21 @@ Json moment_error_estimate_json(const MomentErrorEstimate& own) {
           {"error", moments_json(own.error)}};
 }
 
-Json case_json(const Case& case_result) {
+Json case_json(const CaseResult& case_result) {
   Json json = problem_json(case_result.problem);
-  json["solutions"] = list_of(case_result.solutions, solution_json);
-  json["comparisons"] = list_of(case_result.pairs, pair_json);
-  json["budget"] = list_of(case_result.budget, row_json);
+  json["solutions"] = json_list(case_result.solutions, solution_json);
+  json["comparisons"] = json_list(case_result.pairs, pair_json);
+  json["budget"] = json_list(case_result.budget, budget_row_json);
   json["limits"] = case_result.limits;
   if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
   if (!case_result.moment_error_estimates.empty())
-    json["own_errors"] = list_of(case_result.moment_error_estimates, moment_error_estimate_json);
-  const auto* reference = compare::reference(case_result.solutions);
+    json["own_errors"] = json_list(case_result.moment_error_estimates, moment_error_estimate_json);
+  const auto* reference = compare::select_reference(case_result.solutions);
   json["reference"] = reference == nullptr ? Json() : Json(reference->id());
   return json;
 }
 
-Variable variable_in(const Json& object) {
+Variable variable_from_json(const Json& object) {
   const auto text = object.at("variable").get<std::string>();
   const auto variable = base::enum_from_name<Variable>(text);
   if (!variable)
@@ -122,10 +124,10 @@ double number_or_default(double default_value, const Json& value) {
   return value.is_null() ? default_value : value.get<double>();
 }
 
-PairDistances pair_in(const Json& json) {
+PairDistances pair_from_json(const Json& json) {
   PairDistances pair{json.at("a"),
                      json.at("b"),
-                     variable_in(json),
+                     variable_from_json(json),
                      {},
                      optional_number_in(json, "l1_standard_error")};
   Distances& d = pair.distances;
@@ -146,34 +148,36 @@ PairDistances pair_in(const Json& json) {
   return pair;
 }
 
-BudgetRow budget_row_in(const Json& json) {
+ErrorBudgetRow budget_row_from_json(const Json& json) {
   const Json& tail = json.at("tail");
-  BudgetRow row{.solution = json.at("solution"),
-                .variable = variable_in(json),
-                .reference = json.at("reference"),
-                .total = number_or_default(kNotANumber, json.at("total")),
-                .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
-                .tail_from = tail.at("from"),
-                .tail_to = tail.at("to"),
-                .tail_bins = integer_in(tail, "bins"),
-                .parts = {}};
+  ErrorBudgetRow row{.solution = json.at("solution"),
+                     .variable = variable_from_json(json),
+                     .reference = json.at("reference"),
+                     .total = number_or_default(kNotANumber, json.at("total")),
+                     .total_tail = number_or_default(kNotANumber, json.at("total_tail")),
+                     .tail_from = tail.at("from"),
+                     .tail_to = tail.at("to"),
+                     .tail_bins = integer_in(tail, "bins"),
+                     .parts = {}};
   for (const auto& part : json.at("parts")) {
-    row.parts.push_back({.links = compare::parse_links(part.at("name").get<std::string>()),
-                         .from = part.at("from"),
-                         .to = part.at("to"),
-                         .l1 = number_or_default(kNotANumber, part.at("l1")),
-                         .tail = number_or_default(kNotANumber, part.at("tail")),
-                         .uncertainty = optional_number_in(part, "uncertainty"),
-                         .expected = optional_number_in(part, "expected"),
-                         .quantile_99 = optional_number_in(part, "in_99"),
-                         .standard_error = optional_number_in(part, "standard_error")});
+    row.parts.push_back(
+        {.approximations = compare::parse_approximations(part.at("name").get<std::string>()),
+         .from = part.at("from"),
+         .to = part.at("to"),
+         .l1 = number_or_default(kNotANumber, part.at("l1")),
+         .tail = number_or_default(kNotANumber, part.at("tail")),
+         .uncertainty = optional_number_in(part, "uncertainty"),
+         .expected = optional_number_in(part, "expected"),
+         .quantile_99 = optional_number_in(part, "in_99"),
+         .standard_error = optional_number_in(part, "standard_error")});
   }
   if (row.parts.empty()) throw InputError("a row of \"budget\" has no parts; run again");
   return row;
 }
 
-compare::Bounds bounds_in(const Json& json) {
-  compare::Bounds bounds{.reason = json.at("reason"), .seconds = json.at("seconds"), .each = {}};
+compare::GuaranteedBounds bounds_from_json(const Json& json) {
+  compare::GuaranteedBounds bounds{
+      .reason = json.at("reason"), .seconds = json.at("seconds"), .each = {}};
   for (const auto& bound : json.at("each")) {
     bounds.each.push_back({bound.at("functional"), number_or_default(-kInfinity, bound.at("lower")),
                            number_or_default(kInfinity, bound.at("upper"))});
@@ -181,31 +185,33 @@ compare::Bounds bounds_in(const Json& json) {
   return bounds;
 }
 
-Case case_in(const Json& json) {
-  Case case_result{.problem = problem_in(json),
-                   .solutions = {},
-                   .pairs = {},
-                   .budget = {},
-                   .limits = json.value("limits", std::string()),
-                   .curves = {},
-                   .joints = {}};
+CaseResult case_from_json(const Json& json) {
+  CaseResult case_result{.problem = problem_from_json(json),
+                         .solutions = {},
+                         .pairs = {},
+                         .budget = {},
+                         .limits = json.value("limits", std::string()),
+                         .curves = {},
+                         .joints = {}};
   std::set<std::string> ids;
   for (const auto& solution : json.at("solutions")) {
-    case_result.solutions.push_back(solution_in(solution));
+    case_result.solutions.push_back(solution_from_json(solution));
     if (!ids.insert(case_result.solutions.back().id()).second) {
       throw InputError(base::sanitise(case_result.solutions.back().id()) +
                        " occurs twice; run again");
     }
   }
-  for (const auto& pair : json.at("comparisons")) case_result.pairs.push_back(pair_in(pair));
+  for (const auto& pair : json.at("comparisons")) case_result.pairs.push_back(pair_from_json(pair));
   if (json.contains("budget")) {
-    for (const auto& row : json.at("budget")) case_result.budget.push_back(budget_row_in(row));
+    for (const auto& row : json.at("budget"))
+      case_result.budget.push_back(budget_row_from_json(row));
   }
-  if (json.contains("bounds")) case_result.bounds = bounds_in(json.at("bounds"));
+  if (json.contains("bounds")) case_result.bounds = bounds_from_json(json.at("bounds"));
   if (json.contains("own_errors")) {
     for (const auto& own : json.at("own_errors")) {
-      case_result.moment_error_estimates.push_back(
-          {own.at("solution"), moments_in(own.at("corrected")), moments_in(own.at("error"))});
+      case_result.moment_error_estimates.push_back({own.at("solution"),
+                                                    moments_from_json(own.at("corrected")),
+                                                    moments_from_json(own.at("error"))});
     }
   }
   return case_result;
@@ -226,9 +232,9 @@ void require_summary(const Json& json, const std::string& where) {
 std::string summary_text(const Run& run, std::span<const FileChecksum> files) {
   Json json{{"schema", kSummarySchema}, {"program", program_json(run.program)}};
   if (!run.stopped.empty()) json["stopped"] = run.stopped;
-  json["cases"] = list_of(run.cases, case_json);
+  json["cases"] = json_list(run.cases, case_json);
   for (const auto& [file, crc32] : files) json["files"][file] = crc32;
-  return text_of(with_null_for_non_finite(std::move(json)));
+  return json_text(with_null_for_non_finite(std::move(json)));
 }
 
 Run read_summary(std::istream& in, const std::string& where) {
@@ -246,7 +252,7 @@ Run read_summary(std::istream& in, const std::string& where) {
         throw InputError(base::sanitise(name) + " occurs twice; run again");
       }
       try {
-        run.cases.push_back(case_in(case_result));
+        run.cases.push_back(case_from_json(case_result));
       } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", base::sanitise(name), error.what()));
       }

@@ -17,8 +17,8 @@ inline constexpr int kSummarySchema = 1;
 std::string summary_text(const Run& run, std::span<const FileChecksum> files = {});
 
 /// Reads a summary.json, the text of summary_text(). The solutions of the result have no densities.
-/// The kind of each metric follows from its JSON type (metrics_in). A run of an older version
-/// has solutions without an identity; the `family` of these solutions is empty.
+/// The kind of each metric follows from its JSON type (metrics_from_json). A run of an older
+/// version has solutions without an identity; the `family` of these solutions is empty.
 /// @param where name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not JSON, is not a summary, has
 ///         another schema, or has a missing or invalid field

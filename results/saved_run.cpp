@@ -27,7 +27,7 @@ using base::sanitise;
 // Largest size of a file of a run: sufficient for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
 
-std::istringstream open_saved(const fs::path& file) {
+std::istringstream open_saved_file(const fs::path& file) {
   auto text = base::read_input_file(file, kMaxTextBytes);
   if (!text) {
     if (!file.has_parent_path()) {
@@ -48,8 +48,8 @@ std::istringstream open_saved(const fs::path& file) {
       sanitise(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
-Case* find_case(Run& run, const std::string& name) {
-  const auto found = std::ranges::find(run.cases, name, &Case::name);
+CaseResult* find_case(Run& run, const std::string& name) {
+  const auto found = std::ranges::find(run.cases, name, &CaseResult::name);
   return found == run.cases.end() ? nullptr : &*found;
 }
 
@@ -59,19 +59,19 @@ void require_same_run(const fs::path& file, std::string_view contents, const Run
   if (recorded != run.files.end() && recorded->crc32 != crc32(contents)) refuse_other_run(file);
 }
 
-void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curves) {
-  auto csv = open_saved(file);
+void read_curves(const fs::path& file, Run& run, std::vector<Curve> CaseResult::*curves) {
+  auto csv = open_saved_file(file);
   require_same_run(file, csv.view(), run);
   // Trajectories of a simulation may exceed the range of numbers. The simulation then has the
   // status `failed`, and its density may not be finite. The density of an `ok` solution is finite
   // everywhere.
   const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
-    const Case* case_result = find_case(run, case_name);
+    const CaseResult* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     return found != nullptr && !found->is_ok();
   };
   for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), allows_non_finite)) {
-    Case* case_result = find_case(run, case_name);
+    CaseResult* case_result = find_case(run, case_name);
     if (case_result == nullptr || case_result->find(curve.solution) == nullptr)
       refuse_other_run(file);
     (case_result->*curves).push_back(std::move(curve));
@@ -79,7 +79,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<Curve> Case::*curve
 }
 
 // Whether exactly the solutions with a density have curves.
-bool has_matching_curves(const Case& case_result) {
+bool has_matching_curves(const CaseResult& case_result) {
   std::set<std::string> with_curves, with_density;
   for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);
   for (const auto& solution : case_result.solutions) {
@@ -89,9 +89,9 @@ bool has_matching_curves(const Case& case_result) {
 }
 
 template <class Element>
-bool has_any(const Run& run, std::vector<Element> Case::*list) {
-  return std::ranges::any_of(run.cases,
-                             [&](const Case& case_result) { return !(case_result.*list).empty(); });
+bool has_any_element(const Run& run, std::vector<Element> CaseResult::*list) {
+  return std::ranges::any_of(
+      run.cases, [&](const CaseResult& case_result) { return !(case_result.*list).empty(); });
 }
 
 // Adds files to the pending files of a run and stores their checksums.
@@ -115,21 +115,21 @@ class SavedFiles {
   std::vector<FileChecksum> checksums_;
 };
 
-void add_curves(SavedFiles& saved, const Run& run) {
+void add_curve_files(SavedFiles& saved, const Run& run) {
   std::ostringstream csv, smooth;
   write_marginals_csv(csv, run.cases);
   saved.add(kMarginalsFile, csv.str());
-  if (has_any(run, &Case::smooth)) {
-    write_marginals_csv(smooth, run.cases, &Case::smooth);
-    saved.add(kSmoothFile, smooth.str());
+  if (has_any_element(run, &CaseResult::smooth)) {
+    write_marginals_csv(smooth, run.cases, &CaseResult::smooth);
+    saved.add(kSmoothMarginalsFile, smooth.str());
   } else {
-    saved.remove(kSmoothFile);
+    saved.remove(kSmoothMarginalsFile);
   }
 }
 
-void load_joints(const fs::path& file, Run& run) {
-  const auto owner = [&](const std::string& case_name, const std::string& solution) -> Case& {
-    Case* case_result = find_case(run, case_name);
+void load_joint_densities(const fs::path& file, Run& run) {
+  const auto owner = [&](const std::string& case_name, const std::string& solution) -> CaseResult& {
+    CaseResult* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
     if (found == nullptr || !found->has_density()) refuse_other_run(file);
     return *case_result;
@@ -137,11 +137,11 @@ void load_joints(const fs::path& file, Run& run) {
   auto [joints, sources] =
       read_joint_netcdf(file, [&](std::string_view bytes) { require_same_run(file, bytes, run); });
   for (auto& [case_name, joint] : joints) {
-    Case& case_result = owner(case_name, joint.solution);
+    CaseResult& case_result = owner(case_name, joint.solution);
     case_result.joints.push_back(std::move(joint));
   }
   for (auto& [case_name, source] : sources) {
-    Case& case_result = owner(case_name, source.solution);
+    CaseResult& case_result = owner(case_name, source.solution);
     const auto& cells = source.density;
     if (case_result.joints.empty() || case_result.joints.front().density.y_edges != cells.y_edges ||
         case_result.joints.front().density.v_edges != cells.v_edges) {
@@ -155,14 +155,14 @@ void load_joints(const fs::path& file, Run& run) {
 
 void add_summary_and_curves(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
-  add_curves(saved, run);
+  add_curve_files(saved, run);
   saved.add_summary(run);
 }
 
-void add_run(base::PendingFiles& files, const fs::path& directory, const Run& run) {
+void add_run_files(base::PendingFiles& files, const fs::path& directory, const Run& run) {
   SavedFiles saved(files, directory);
-  add_curves(saved, run);
-  if (has_any(run, &Case::joints)) {
+  add_curve_files(saved, run);
+  if (has_any_element(run, &CaseResult::joints)) {
     saved.add(kJointFile, joint_netcdf(run));
   } else {
     saved.remove(kJointFile);
@@ -172,22 +172,25 @@ void add_run(base::PendingFiles& files, const fs::path& directory, const Run& ru
 
 Run load_summary(const fs::path& file) {
   base::complete_interrupted_commit(file.parent_path());
-  auto in = open_saved(file);
+  auto in = open_saved_file(file);
   return read_summary(in, sanitise(file.string()));
 }
 
-void load_smooth(const fs::path& file, Run& run) { read_curves(file, run, &Case::smooth); }
+void load_smooth_curves(const fs::path& file, Run& run) {
+  read_curves(file, run, &CaseResult::smooth);
+}
 
 void load_curves(const fs::path& file, Run& run) {
-  read_curves(file, run, &Case::curves);
+  read_curves(file, run, &CaseResult::curves);
   if (!std::ranges::all_of(run.cases, has_matching_curves)) refuse_other_run(file);
 }
 
 Run load_run(const fs::path& directory) {
   Run run = load_summary(directory / kSummaryFile);
   load_curves(directory / kMarginalsFile, run);
-  if (fs::exists(directory / kSmoothFile)) load_smooth(directory / kSmoothFile, run);
-  if (fs::exists(directory / kJointFile)) load_joints(directory / kJointFile, run);
+  if (fs::exists(directory / kSmoothMarginalsFile))
+    load_smooth_curves(directory / kSmoothMarginalsFile, run);
+  if (fs::exists(directory / kJointFile)) load_joint_densities(directory / kJointFile, run);
   return run;
 }
 

@@ -11,7 +11,7 @@ namespace fpkcheck::results {
 /// Names of the files of a saved run.
 inline constexpr const char* kSummaryFile = "summary.json";
 inline constexpr const char* kMarginalsFile = "marginals.csv";
-inline constexpr const char* kSmoothFile = "smooth.csv";
+inline constexpr const char* kSmoothMarginalsFile = "smooth.csv";
 inline constexpr const char* kJointFile = "joint.nc";
 
 /// Adds the files of a run to `files`, which replace the files of an earlier run in the directory.
@@ -19,9 +19,10 @@ inline constexpr const char* kJointFile = "joint.nc";
 /// solution has a joint density), and summary.json with the checksums of the other files. If this
 /// run has no smooth.csv or no joint.nc, that file of an earlier run is removed.
 /// @throws std::runtime_error when a file cannot be written
-void add_run(base::PendingFiles& files, const std::filesystem::path& directory, const Run& run);
+void add_run_files(base::PendingFiles& files, const std::filesystem::path& directory,
+                   const Run& run);
 
-/// Adds the files of a run as add_run() does, but without joint.nc.
+/// Adds the files of a run as add_run_files() does, but without joint.nc.
 void add_summary_and_curves(base::PendingFiles& files, const std::filesystem::path& directory,
                             const Run& run);
 
@@ -39,9 +40,9 @@ void load_curves(const std::filesystem::path& file, Run& run);
 
 /// Reads the curves of a smooth.csv into the cases of a run, as load_curves(). Some solutions may
 /// have no curves over smooth bins.
-void load_smooth(const std::filesystem::path& file, Run& run);
+void load_smooth_curves(const std::filesystem::path& file, Run& run);
 
-/// Reads the files of a run that add_run() wrote. A run of an older version has no joint
+/// Reads the files of a run that add_run_files() wrote. A run of an older version has no joint
 /// densities and no curves over smooth bins.
 /// @throws InputError with a message of one line, if the directory contains no run, a file is
 ///         invalid or has another schema, or the marginals or joint densities are those of another

@@ -17,9 +17,9 @@ namespace {
 
 using problem::Equation;
 using problem::Impact;
-using transform::Identity;
 using transform::Moments;
 using transform::Solution;
+using transform::SolutionIdentity;
 
 // The texts that represent the unknown equation and impact condition of an external density.
 constexpr const char* kUnknownEquation = "given";
@@ -52,7 +52,7 @@ bool is_one_of(const std::array<std::string_view, N>& keys, std::string_view key
   return std::ranges::find(keys, key) != keys.end();
 }
 
-Json identity_json(const Identity& identity) {
+Json identity_json(const SolutionIdentity& identity) {
   const auto& plot_style = identity.plot_style;
   return {{"role", name(identity.role)},
           {"family", identity.family},
@@ -69,8 +69,9 @@ Json identity_json(const Identity& identity) {
             {"symbol", plot_style.symbol}}}};
 }
 
-void read_identity(const Json& json, Identity& identity) {
-  const auto role = base::enum_from_name<transform::Role>(json.at("role").get<std::string>());
+void read_identity(const Json& json, SolutionIdentity& identity) {
+  const auto role =
+      base::enum_from_name<transform::SolutionRole>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
         fmt::format("unknown role {}; run again", base::sanitise(json.at("role").dump())));
@@ -99,7 +100,7 @@ Json atoms_json(const std::vector<transform::RestAtom>& atoms) {
   return json;
 }
 
-std::vector<transform::RestAtom> atoms_in(const Json& json) {
+std::vector<transform::RestAtom> atoms_from_json(const Json& json) {
   std::vector<transform::RestAtom> atoms;
   for (const Json& atom : json) {
     atoms.push_back({.y = number_in(atom, "y"),
@@ -122,7 +123,8 @@ Json sampling_json(const transform::SamplingError& sampling) {
   return json;
 }
 
-std::optional<transform::SamplingError> sampling_in(const Json& json, const char* key) {
+std::optional<transform::SamplingError> sampling_error_from_json(const Json& json,
+                                                                 const char* key) {
   const auto sampling = json.find(key);
   if (sampling == json.end()) return std::nullopt;
   return transform::SamplingError{.y = optional_number_in(*sampling, "y"),
@@ -132,7 +134,8 @@ std::optional<transform::SamplingError> sampling_in(const Json& json, const char
 }
 
 template <class Enum>
-std::optional<Enum> enum_in(const Json& json, const char* key, std::string_view unknown) {
+std::optional<Enum> enumerator_from_json(const Json& json, const char* key,
+                                         std::string_view unknown) {
   const auto text = json.at(key).get<std::string>();
   if (text == unknown) return std::nullopt;
   const auto value = base::enum_from_name<Enum>(text);
@@ -141,28 +144,28 @@ std::optional<Enum> enum_in(const Json& json, const char* key, std::string_view 
   return value;
 }
 
-void read_numbers(const Json& json, Solution& s) {
+void read_solution_numbers(const Json& json, Solution& s) {
   s.had_density = !json.at("mass").is_null();
   if (s.had_density) {
-    s.moments = moments_in(json.at("moments"));
+    s.moments = moments_from_json(json.at("moments"));
     s.mass = number_in(json, "mass");
-    if (json.contains("atoms")) s.atoms = atoms_in(json.at("atoms"));
+    if (json.contains("atoms")) s.atoms = atoms_from_json(json.at("atoms"));
     s.min_density = number_in(json, "min_density");
     s.energy_residual = number_in(json, "energy_residual");
   }
   if (const auto errors = json.find("standard_errors"); errors != json.end()) {
-    s.standard_errors = {moments_in(*errors), number_in(*errors, "energy_residual")};
+    s.standard_errors = {moments_from_json(*errors), number_in(*errors, "energy_residual")};
   }
-  s.sampling = sampling_in(json, "sampling_l1");
-  s.smooth_sampling = sampling_in(json, "smooth_sampling_l1");
+  s.sampling = sampling_error_from_json(json, "sampling_l1");
+  s.smooth_sampling = sampling_error_from_json(json, "smooth_sampling_l1");
   if (const auto error = json.find("error"); error != json.end() && error->is_object()) {
     s.error = {number_in(*error, "y_l1"), number_in(*error, "ydot_l1"),
-               moments_in(error->at("moments"))};
+               moments_from_json(error->at("moments"))};
   }
 }
 
 // A copy of the JSON object of a solution with the metrics of the solver only.
-Json metrics_part(const Json& json) {
+Json solver_metrics_part(const Json& json) {
   Json rest = Json::object();
   for (const auto& [key, value] : json.items()) {
     if (is_one_of(kCommonKeys, key)) continue;
@@ -180,7 +183,7 @@ Json metrics_part(const Json& json) {
 }  // namespace
 
 Json solution_json(const Solution& s) {
-  const Identity& identity = s.identity;
+  const SolutionIdentity& identity = s.identity;
   Json json{{"id", identity.id},
             {"method", identity.method},
             {"equation", identity.equation ? name(*identity.equation) : kUnknownEquation},
@@ -222,22 +225,22 @@ Json solution_json(const Solution& s) {
   return json;
 }
 
-Solution solution_in(const Json& json) {
+Solution solution_from_json(const Json& json) {
   Solution s;
-  Identity& identity = s.identity;
+  SolutionIdentity& identity = s.identity;
   identity.id = json.at("id");
   identity.method = json.at("method");
-  identity.equation = enum_in<Equation>(json, "equation", kUnknownEquation);
-  identity.impact = enum_in<Impact>(json, "impact", kUnknownImpact);
+  identity.equation = enumerator_from_json<Equation>(json, "equation", kUnknownEquation);
+  identity.impact = enumerator_from_json<Impact>(json, "impact", kUnknownImpact);
   if (json.contains("identity")) read_identity(json.at("identity"), identity);
-  s.options = values_in(json.at("options"));
-  const auto status = enum_in<transform::Status>(json, "status", "");
+  s.options = values_from_json(json.at("options"));
+  const auto status = enumerator_from_json<transform::Status>(json, "status", "");
   if (!status) throw InputError("the status is empty; run again");
   s.status = *status;
   s.reason = json.at("reason");
   s.seconds = number_in(json, "seconds");
-  read_numbers(json, s);
-  s.metrics = metrics_in(metrics_part(json));
+  read_solution_numbers(json, s);
+  s.metrics = metrics_from_json(solver_metrics_part(json));
   return s;
 }
 

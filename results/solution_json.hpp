@@ -14,6 +14,6 @@ Json solution_json(const transform::Solution& solution);
 
 /// Converts the result of solution_json() back to a solution. The solution has no density.
 /// @throws nlohmann::json::exception, InputError
-transform::Solution solution_in(const Json& json);
+transform::Solution solution_from_json(const Json& json);
 
 }  // namespace fpkcheck::results

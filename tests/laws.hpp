@@ -9,7 +9,7 @@ namespace fpkcheck::tests {
 
 /// Names of the laws without a table.
 inline std::vector<std::string> law_names_without_table() {
-  std::vector<std::string> names = problem::ImpulseLaw::known_names();
+  std::vector<std::string> names = problem::ImpulseLaw::law_names();
   std::erase(names, problem::TabulatedLaw::kName);
   return names;
 }

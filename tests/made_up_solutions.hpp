@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "paper_cases.hpp"
 #include "results/run.hpp"
 #include "transform/panel_marginals.hpp"
@@ -30,14 +30,14 @@ inline transform::SmoothDensity smooth_density(const Shape& s, double y_max, dou
 }
 
 /// The identity of a synthetic solution, with a plot style as of the built-in methods.
-inline transform::Identity identity(const std::string& id, const std::string& method,
-                                    problem::Equation equation, problem::Impact impact) {
-  using transform::Role;
-  transform::Identity solution_identity{
+inline transform::SolutionIdentity identity(const std::string& id, const std::string& method,
+                                            problem::Equation equation, problem::Impact impact) {
+  using transform::SolutionRole;
+  transform::SolutionIdentity solution_identity{
       .id = id, .method = method, .equation = equation, .impact = impact};
-  solution_identity.role = method == "epc"  ? Role::closure
-                           : method == "fd" ? Role::equation
-                                            : Role::simulation;
+  solution_identity.role = method == "epc"  ? SolutionRole::closure
+                           : method == "fd" ? SolutionRole::equation
+                                            : SolutionRole::simulation;
   solution_identity.family = method;
   solution_identity.meaning = "What " + method + " makes.";
   solution_identity.plot_style = {.colour = method == "fd" ? "#56B4E9" : "#000000",
@@ -49,7 +49,7 @@ inline transform::Identity identity(const std::string& id, const std::string& me
   return solution_identity;
 }
 
-inline transform::Identity closure_identity(const std::string& formulation, int order) {
+inline transform::SolutionIdentity closure_identity(const std::string& formulation, int order) {
   auto solution_identity = identity("epc-" + formulation + "-n" + std::to_string(order), "epc",
                                     problem::Equation::km4, problem::Impact::delta);
   solution_identity.formulation = formulation;
@@ -61,7 +61,7 @@ inline transform::Identity closure_identity(const std::string& formulation, int 
   return solution_identity;
 }
 
-inline transform::Solution solution(const transform::Identity& solution_identity,
+inline transform::Solution solution(const transform::SolutionIdentity& solution_identity,
                                     const transform::SmoothDensity& density) {
   transform::Solution s{.identity = solution_identity};
   s.status = transform::Status::ok;
@@ -80,7 +80,7 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   s.density.reset();
   std::mt19937_64 random(1);
   for (const auto variable : transform::kVariables) {
-    auto m = transform::marginal(density, variable, compare::edges(axes, variable));
+    auto m = transform::marginal(density, variable, compare::bin_edges(axes, variable));
     for (std::size_t k = 0; k < m.size(); ++k) {
       const double weight = samples * m.width(k);
       std::poisson_distribution<long> count(weight * m.density[k]);
@@ -93,13 +93,15 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   }
   s.sampling = {.y = 0.0011, .ydot = 0.0015};
   s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
-  s.metrics =
-      transform::MetricBuilder().work("samples", samples).work("streams", std::int64_t{128}).take();
+  s.metrics = transform::MetricBuilder()
+                  .add_work("samples", samples)
+                  .add_work("streams", std::int64_t{128})
+                  .take_metrics();
   return s;
 }
 
-inline transform::Solution solution_without_density(const transform::Identity& solution_identity,
-                                                    transform::Status status) {
+inline transform::Solution solution_without_density(
+    const transform::SolutionIdentity& solution_identity, transform::Status status) {
   transform::Solution s{.identity = solution_identity};
   s.status = status;
   s.reason =
@@ -136,11 +138,11 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
 }
 
 /// Case 1 of the paper with the synthetic solutions, under a given name.
-inline results::Case made_up_case(const std::string& name = "case1") {
+inline results::CaseResult made_up_case(const std::string& name = "case1") {
   auto problem = paper_case(1);
   problem.name = name;
   const auto axes = compare::comparison_axes(problem);
-  return results::make_case(problem, axes, made_up_solutions(axes));
+  return results::make_case_result(problem, axes, made_up_solutions(axes));
 }
 
 /// Adds the estimates with control variates to a simulation: averages of a density over smooth
@@ -149,10 +151,10 @@ inline void add_smooth_estimates(transform::Solution& simulation,
                                  const compare::ComparisonAxes& axes,
                                  const transform::SmoothDensity& density, double error) {
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::edges(axes, variable);
+    const auto& edges = compare::bin_edges(axes, variable);
     const bool of_y = variable == transform::Variable::y;
     const double spacing = edges.back() / (of_y ? 46 : 23);
-    transform::SmoothEstimate e{
+    transform::SmoothBinEstimate e{
         .bins =
             of_y ? transform::SmoothBins{.first = -spacing,
                                          .spacing = spacing,
@@ -161,7 +163,8 @@ inline void add_smooth_estimates(transform::Solution& simulation,
                  : transform::SmoothBins{.first = -21 * spacing, .spacing = spacing, .count = 43},
         .averages = {},
         .covariance = {}};
-    e.averages = transform::smooth_averages(transform::marginal(density, variable, edges), e.bins);
+    e.averages =
+        transform::average_over_smooth_bins(transform::marginal(density, variable, edges), e.bins);
     const auto n = e.averages.size();
     e.covariance.assign(n * n, 0.0);
     for (std::size_t b = 0; b < n; ++b) {
@@ -176,14 +179,14 @@ inline void add_smooth_estimates(transform::Solution& simulation,
 }
 
 /// made_up_case() with estimates by control variates in the simulation.
-inline results::Case made_up_case_with_control_variates(double error = 1e-6) {
+inline results::CaseResult made_up_case_with_control_variates(double error = 1e-6) {
   const auto problem = made_up_case().problem;
   const auto axes = compare::comparison_axes(problem);
   auto solutions = made_up_solutions(axes);
   add_smooth_estimates(
       solutions.back(), axes,
       smooth_density({2.34, 0.06, 2.4, -0.025}, axes.y_edges.back(), axes.v_edges.back()), error);
-  return results::make_case(problem, axes, std::move(solutions));
+  return results::make_case_result(problem, axes, std::move(solutions));
 }
 
 }  // namespace fpkcheck::tests

@@ -5,8 +5,8 @@
 
 namespace fpkcheck::transform {
 
-void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
-                 const BalanceResiduals& standard_errors) {
+void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+                         const BalanceResiduals& standard_errors) {
   constexpr std::pair<const char*, std::optional<double> BalanceResiduals::*> kIdentities[] = {
       {"balances.virial", &BalanceResiduals::virial},
       {"balances.momentum", &BalanceResiduals::momentum}};
@@ -14,10 +14,10 @@ void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
     const auto& error = standard_errors.*identity;
     const std::string error_path = std::string(path) + "_error";
     builder.add({.path = path,
-                 .value = optional_value(residuals.*identity),
-                 .kind = Kind::work,
+                 .value = value_from_optional(residuals.*identity),
+                 .kind = MetricKind::work,
                  .standard_error_path = error ? error_path : ""});
-    if (error) builder.error(error_path, *error);
+    if (error) builder.add_error(error_path, *error);
   }
 }
 

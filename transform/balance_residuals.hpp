@@ -19,7 +19,7 @@ struct BalanceResiduals {
 /// empty). Standard errors that are present are added as "balances.virial_error" and
 /// "balances.momentum_error". All these metrics are diagnostics, so that a repeated run need not
 /// reproduce their values; a repeated run must reproduce the moments.
-void add_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
-                 const BalanceResiduals& standard_errors = {});
+void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+                         const BalanceResiduals& standard_errors = {});
 
 }  // namespace fpkcheck::transform

@@ -28,9 +28,10 @@ GridDensity transformed(const problem::Frame& frame, GridDensity grid, const Edg
 }
 
 SmoothDensity transformed(const problem::Frame& frame, SmoothDensity smooth, const Edges&) {
-  const double from = frame.y(smooth.y_min), to = frame.y(smooth.y_max);
+  const double from = frame.physical_y(smooth.y_min), to = frame.physical_y(smooth.y_max);
   return {.value = [frame, value = std::move(smooth.value)](
-                       double y, double v) { return value(frame.x(y), frame.v(v)); },
+                       double y,
+                       double v) { return value(frame.wall_x(y), frame.physical_velocity(v)); },
           .y_max = std::max(from, to),
           .v_max = smooth.v_max,
           .y_min = std::min(from, to)};
@@ -51,16 +52,16 @@ Marginal transformed(const problem::Frame& frame, Variable variable, Marginal ma
 }  // namespace
 
 std::vector<double> to_y_edges(const problem::Frame& frame, const std::vector<double>& x_edges) {
-  return transformed(x_edges, frame.mirrored, [&](double x) { return frame.y(x); });
+  return transformed(x_edges, frame.mirrored, [&](double x) { return frame.physical_y(x); });
 }
 
 std::vector<double> to_x_edges(const problem::Frame& frame, const std::vector<double>& y_edges) {
-  return transformed(y_edges, frame.mirrored, [&](double y) { return frame.x(y); });
+  return transformed(y_edges, frame.mirrored, [&](double y) { return frame.wall_x(y); });
 }
 
 std::vector<double> transform_v_edges(const problem::Frame& frame,
                                       const std::vector<double>& edges) {
-  return transformed(edges, frame.mirrored, [&](double v) { return frame.v(v); });
+  return transformed(edges, frame.mirrored, [&](double v) { return frame.physical_velocity(v); });
 }
 
 Density to_physical_coordinates(const problem::Frame& frame, Density density,
@@ -87,7 +88,7 @@ Solution to_physical_coordinates(const problem::Frame& frame, Solution solution,
   for (auto& [variable, marginal] : solution.estimated_marginals) {
     marginal = transformed(frame, variable, std::move(marginal), y_edges);
   }
-  for (RestAtom& atom : solution.atoms) atom.y = frame.y(atom.y);
+  for (RestAtom& atom : solution.atoms) atom.y = frame.physical_y(atom.y);
   return solution;
 }
 

@@ -18,7 +18,8 @@ constexpr double kOvershootTolerance = 1e-6;
 
 // Lagrange interpolation of the cumulative distribution, written in terms of the masses of the
 // bins. The masses before the bin of x are subtracted.
-ConservativeRemap::Edge ConservativeRemap::locate_edge(std::span<const double> edges, double x) {
+ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const double> edges,
+                                                               double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
   const auto k = above - edges.begin();
@@ -43,8 +44,8 @@ ConservativeRemap::Edge ConservativeRemap::locate_edge(std::span<const double> e
   }
   // The cumulative distribution at edge a contains all bins before a; the bins before k are
   // subtracted.
-  Edge result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
-              std::vector<double>(static_cast<std::size_t>(points - 1))};
+  EdgeStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
+                     std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;
   for (auto a = points - 1; a > 0; --a) {
     sum += lagrange[a];
@@ -55,7 +56,7 @@ ConservativeRemap::Edge ConservativeRemap::locate_edge(std::span<const double> e
 
 ConservativeRemap::ConservativeRemap(std::span<const double> source,
                                      std::span<const double> target) {
-  for (const double edge : target) edges_.push_back(locate_edge(source, edge));
+  for (const double edge : target) edges_.push_back(edge_stencil(source, edge));
 }
 
 std::vector<double> ConservativeRemap::operator()(std::span<const double> masses) const {
@@ -65,9 +66,9 @@ std::vector<double> ConservativeRemap::operator()(std::span<const double> masses
     overshoot_tolerance = std::numeric_limits<double>::infinity();
   }
   std::vector<double> result;
-  const Edge* before = nullptr;
+  const EdgeStencil* before = nullptr;
   double within_before = 0;  // mass below the previous edge, within the source bin of that edge
-  for (const Edge& edge : edges_) {
+  for (const EdgeStencil& edge : edges_) {
     const bool same_bin = before != nullptr && before->bin == edge.bin;
     double within = 0;
     if (!edge.weights.empty()) {

@@ -32,14 +32,14 @@ class ConservativeRemap {
   /// The stencil of the cumulative distribution at a target edge. The distribution is the sum of
   /// the masses of all source bins before `bin`, plus the sum over k of weights[k] times the mass
   /// of source bin first + k. The second sum is 0 if `weights` is empty.
-  struct Edge {
+  struct EdgeStencil {
     std::size_t bin;
     std::size_t first;
     std::vector<double> weights;
   };
-  static Edge locate_edge(std::span<const double> source, double x);
+  static EdgeStencil edge_stencil(std::span<const double> source, double x);
 
-  std::vector<Edge> edges_;
+  std::vector<EdgeStencil> edges_;
 };
 
 }  // namespace fpkcheck::transform

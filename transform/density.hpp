@@ -18,7 +18,7 @@ struct GridDensity {
 
   std::size_t ny() const { return y_edges.size() - 1; }
   std::size_t nv() const { return v_edges.size() - 1; }
-  double average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
+  double cell_average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
 };
 
 /// A density given by a function of (y, v). The density is zero outside [y_min, y_max] x [-v_max,

@@ -14,7 +14,7 @@ GridDensity average_over_cells(const GridDensity& density, std::span<const doubl
   for (std::size_t i = 0; i < density.ny(); ++i) {
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
     for (std::size_t j = 0; j < density.nv(); ++j) {
-      row[j] = density.average(i, j) * dy * (density.v_edges[j + 1] - density.v_edges[j]);
+      row[j] = density.cell_average(i, j) * dy * (density.v_edges[j + 1] - density.v_edges[j]);
     }
     const auto moved = along_v(row);
     for (std::size_t j = 0; j < grid.nv(); ++j) columns[j][i] = moved[j];
@@ -35,7 +35,7 @@ double mass(const GridDensity& density) {
   for (std::size_t i = 0; i < density.ny(); ++i) {
     double row = 0;
     for (std::size_t j = 0; j < density.nv(); ++j) {
-      row += density.average(i, j) * (density.v_edges[j + 1] - density.v_edges[j]);
+      row += density.cell_average(i, j) * (density.v_edges[j + 1] - density.v_edges[j]);
     }
     sum += row * (density.y_edges[i + 1] - density.y_edges[i]);
   }

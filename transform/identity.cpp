@@ -4,22 +4,22 @@
 
 namespace fpkcheck::transform {
 
-bool is_external(const Identity& identity) {
+bool is_external(const SolutionIdentity& identity) {
   return identity.method == kExternalFile || identity.method == kExternalFunction;
 }
 
-bool is_distinguished_by_order(const Identity& identity) {
+bool is_distinguished_by_order(const SolutionIdentity& identity) {
   if (!identity.order) return false;
   return is_external(identity) ? identity.family != identity.method
-                               : identity.role == Role::closure;
+                               : identity.role == SolutionRole::closure;
 }
 
-std::string equation_and_impact_text(const Identity& identity) {
+std::string equation_and_impact_text(const SolutionIdentity& identity) {
   return fmt::format("{}/{}", identity.equation ? name(*identity.equation) : "given",
                      identity.impact ? name(*identity.impact) : "-");
 }
 
-std::string short_name(const Identity& identity) {
+std::string short_name(const SolutionIdentity& identity) {
   if (identity.order) return fmt::format("n{}", *identity.order);
   const std::string prefix = identity.method + "-";
   return identity.id.starts_with(prefix) ? identity.id.substr(prefix.size()) : identity.id;

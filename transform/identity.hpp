@@ -11,18 +11,21 @@
 namespace fpkcheck::transform {
 
 /// Type of a solution in a comparison. The enumerators are ordered by increasing trust.
-enum class Role {
+enum class SolutionRole {
   external,    ///< an external density of unknown origin
   closure,     ///< a density of assumed form
   equation,    ///< a discretised density equation
   simulation,  ///< simulated trajectories
 };
-inline constexpr base::EnumEntry<Role> kRoleNames[] = {{Role::external, "given"},
-                                                       {Role::closure, "closure"},
-                                                       {Role::equation, "equation"},
-                                                       {Role::simulation, "simulation"}};
-constexpr std::span<const base::EnumEntry<Role>> names(Role) { return kRoleNames; }
-constexpr std::string_view name(Role role) { return base::name_of(role); }
+inline constexpr base::EnumEntry<SolutionRole> kSolutionRoleNames[] = {
+    {SolutionRole::external, "given"},
+    {SolutionRole::closure, "closure"},
+    {SolutionRole::equation, "equation"},
+    {SolutionRole::simulation, "simulation"}};
+constexpr std::span<const base::EnumEntry<SolutionRole>> enumerator_names(SolutionRole) {
+  return kSolutionRoleNames;
+}
+constexpr std::string_view name(SolutionRole role) { return base::name_of(role); }
 
 /// Colour, line and marker of a solution, the same in all plots and on the report page.
 struct PlotStyle {
@@ -38,7 +41,7 @@ struct PlotStyle {
 
 /// Identification of a solution. The solver sets the method, the density equation and the impact
 /// condition; the registry of methods adds family, meaning, trust and plot style.
-struct Identity {
+struct SolutionIdentity {
   std::string id;      ///< id of the solution: "epc-gaussian-n6", "fd-kf", "mcs"
   std::string method;  ///< method of the solver: "epc", "fd", "mcs", or "file"
   /// Formulation and variant of a closure: "gaussian", "moment-white". Empty for other methods.
@@ -49,13 +52,13 @@ struct Identity {
   std::optional<problem::Equation> equation = {};
   std::optional<problem::Impact> impact = {};
 
-  Role role = Role::external;
+  SolutionRole role = SolutionRole::external;
   std::string family = {};   ///< group of solutions in lists: "epc-gaussian", "fd"
   std::string meaning = {};  ///< meaning of the method, one sentence for glossaries
   int trust = 0;             ///< rank within the role, by increasing trust
   PlotStyle plot_style = {};
 
-  bool operator==(const Identity&) const = default;
+  bool operator==(const SolutionIdentity&) const = default;
 };
 
 /// Method names of external densities: "file" for a density from a file, "given" for a density from
@@ -63,18 +66,18 @@ struct Identity {
 inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "given";
 
 /// Whether the solution is an external density, of any role.
-bool is_external(const Identity& identity);
+bool is_external(const SolutionIdentity& identity);
 
 /// Whether the solutions of the same family differ in their closure order. This is the case for a
 /// closure, and for an external density that belongs to a family of external densities
 /// (methods/external/families.hpp).
-bool is_distinguished_by_order(const Identity& identity);
+bool is_distinguished_by_order(const SolutionIdentity& identity);
 
 /// The names in files of the density equation and the impact condition that were solved:
 /// "km4/delta".
-std::string equation_and_impact_text(const Identity& identity);
+std::string equation_and_impact_text(const SolutionIdentity& identity);
 
 /// The short name of a solution within its family: "n6", "kf". The id if there is no shorter name.
-std::string short_name(const Identity& identity);
+std::string short_name(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

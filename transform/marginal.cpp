@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "transform/conservative_remap.hpp"
 
 namespace fpkcheck::transform {
@@ -16,7 +16,7 @@ std::vector<double> masses_along(const GridDensity& density, Variable variable) 
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
     for (std::size_t j = 0; j < density.nv(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
-      masses[is_y ? i : j] += density.average(i, j) * dy * dv;
+      masses[is_y ? i : j] += density.cell_average(i, j) * dy * dv;
     }
   }
   return masses;
@@ -37,16 +37,16 @@ std::vector<double> bin_averages(const SmoothDensity& density, Variable variable
   const auto at = [&](double x) {
     if (variable == Variable::y) {
       const auto p = [&](double v) { return density.value(x, v); };
-      return numerics::integrate_panels(p, -density.v_max, 0.0, kPanelsPerMarginal) +
-             numerics::integrate_panels(p, 0.0, density.v_max, kPanelsPerMarginal);
+      return numerics::integrate_by_composite_gauss(p, -density.v_max, 0.0, kPanelsPerMarginal) +
+             numerics::integrate_by_composite_gauss(p, 0.0, density.v_max, kPanelsPerMarginal);
     }
-    return numerics::integrate_panels(
+    return numerics::integrate_by_composite_gauss(
         [&](double y) { return density.value(y, x); }, density.y_min, density.y_max,
         density.y_min < 0 ? 2 * kPanelsPerMarginal : kPanelsPerMarginal);
   };
   std::vector<double> averages;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    averages.push_back(numerics::average(at, edges[b], edges[b + 1]));
+    averages.push_back(numerics::gauss_average(at, edges[b], edges[b + 1]));
   }
   return averages;
 }

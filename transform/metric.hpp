@@ -13,7 +13,7 @@ namespace fpkcheck::transform {
 
 /// Type of a metric. The type determines how closely a repeated run must reproduce the value of the
 /// metric.
-enum class Kind {
+enum class MetricKind {
   result,       ///< part of the solution; a repeated run must reproduce the value
   coefficient,  ///< coefficient of a closed form; the last digits of coefficients are not determined
   error,        ///< statistical error, estimated by the method
@@ -27,7 +27,7 @@ enum class Kind {
 struct Metric {
   std::string path;
   base::Value value;  ///< value; null if the quantity is absent
-  Kind kind = Kind::result;
+  MetricKind kind = MetricKind::result;
   /// Path of another metric, the standard error of this value. Empty for a deterministic value.
   std::string standard_error_path = {};
   /// Lower limit of the scale of relative changes of a result; the scale is max(|value|,
@@ -43,24 +43,24 @@ struct Metric {
 using Metrics = std::vector<Metric>;
 
 /// The metric with this path; null if there is none.
-const Metric* find(const Metrics& metrics, std::string_view path);
+const Metric* find_metric(const Metrics& metrics, std::string_view path);
 /// The numerical value of the metric with this path; empty if there is none.
-std::optional<double> number(const Metrics& metrics, std::string_view path);
+std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
 /// The text value of the metric with this path; empty if there is none.
-std::optional<std::string> word(const Metrics& metrics, std::string_view path);
+std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
 /// Builder of a list of metrics.
 class MetricBuilder {
  public:
-  MetricBuilder& result(const std::string& path, base::Value value);
-  MetricBuilder& work(const std::string& path, base::Value value);
-  MetricBuilder& text(const std::string& path, base::Value value);
-  MetricBuilder& error(const std::string& path, base::Value value);
-  MetricBuilder& add(Metric observation);
+  MetricBuilder& add_result(const std::string& path, base::Value value);
+  MetricBuilder& add_work(const std::string& path, base::Value value);
+  MetricBuilder& add_text(const std::string& path, base::Value value);
+  MetricBuilder& add_error(const std::string& path, base::Value value);
+  MetricBuilder& add(Metric metric);
   /// Adds an empty list of values with this path.
-  MetricBuilder& add_empty_list(const std::string& path, Kind kind = Kind::result);
+  MetricBuilder& add_empty_list(const std::string& path, MetricKind kind = MetricKind::result);
 
-  Metrics take() { return std::move(metrics_); }
+  Metrics take_metrics() { return std::move(metrics_); }
 
  private:
   Metrics metrics_;
@@ -68,12 +68,12 @@ class MetricBuilder {
 
 /// Converts a count to a value of type integer.
 template <class Integer>
-base::Value count_value(Integer count) {
+base::Value value_from_count(Integer count) {
   return static_cast<std::int64_t>(count);
 }
 
 /// Converts an optional number to a value; an empty number becomes null.
-inline base::Value optional_value(const std::optional<double>& number) {
+inline base::Value value_from_optional(const std::optional<double>& number) {
   return number ? base::Value(*number) : base::Value();
 }
 

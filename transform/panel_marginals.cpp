@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 
 namespace fpkcheck::transform {
 namespace {
@@ -14,7 +14,8 @@ std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing
   // For a Gaussian density whose support is the domain, each panel is about one standard deviation
   // wide.
   constexpr int kUniformPanels = 8;
-  if (panels == PanelSpacing::uniform) return numerics::panel_points(0.0, end, kUniformPanels);
+  if (panels == PanelSpacing::uniform)
+    return numerics::composite_gauss_points(0.0, end, kUniformPanels);
   constexpr int kGradedPanels = 12;
   constexpr double kGradingExponent =
       1.5;  // exponent of the grading; the last panel is then about as wide as a uniform panel
@@ -30,7 +31,7 @@ std::vector<numerics::QuadraturePoint> half_line_points(double end, PanelSpacing
   for (int k = 1; k <= kGradedPanels; ++k) edges.push_back(edge(k));
   std::vector<numerics::QuadraturePoint> points;
   for (std::size_t k = 1; k < edges.size(); ++k) {
-    const auto panel = numerics::panel_points(edges[k - 1], edges[k], 1);
+    const auto panel = numerics::composite_gauss_points(edges[k - 1], edges[k], 1);
     points.insert(points.end(), panel.begin(), panel.end());
   }
   return points;
@@ -47,9 +48,9 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, double v_max,
                                PanelSpacing panels) {
-  const auto y_points = density.y_min == 0
-                            ? half_line_points(y_max, panels)
-                            : numerics::panel_points(density.y_min, y_max, kPanelsBetweenOpenEnds);
+  const auto y_points = density.y_min == 0 ? half_line_points(y_max, panels)
+                                           : numerics::composite_gauss_points(
+                                                 density.y_min, y_max, kPanelsBetweenOpenEnds);
   auto v_points = half_line_points(v_max, panels);
   for (std::size_t j = 0, half = v_points.size(); j < half; ++j) {
     v_points.push_back({-v_points[j].at, v_points[j].weight});
@@ -83,7 +84,8 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
   return result;
 }
 
-double displacement_mean(const PanelMarginals& marginals, const numerics::Polynomial& g) {
+double mean_of_displacement_polynomial(const PanelMarginals& marginals,
+                                       const numerics::Polynomial& g) {
   double sum = 0;
   for (std::size_t i = 0; i < marginals.y.size(); ++i) {
     sum += marginals.weight_y[i] * marginals.p_y[i] * g(marginals.y[i]);

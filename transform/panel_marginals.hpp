@@ -35,7 +35,8 @@ PanelMarginals panel_marginals(const SmoothDensity& density, double y_max, doubl
                                PanelSpacing panels = PanelSpacing::uniform);
 
 /// The expectation E[g(y)] of a polynomial g of the displacement.
-double displacement_mean(const PanelMarginals& marginals, const numerics::Polynomial& g);
+double mean_of_displacement_polynomial(const PanelMarginals& marginals,
+                                       const numerics::Polynomial& g);
 
 /// The distance of two densities: the L1 distance of the marginals p(y) plus the L1 distance of the
 /// marginals p(y').

@@ -20,7 +20,7 @@ double difference_error(double before, double last, double reduction_ratio, doub
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
 }
 
-Marginal limit(const Marginal& middle, const Marginal& fine, double factor) {
+Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double factor) {
   Marginal limit = fine;
   for (std::size_t k = 0; k < limit.size(); ++k) {
     limit.density[k] += factor * (fine.density[k] - middle.density[k]);
@@ -30,8 +30,8 @@ Marginal limit(const Marginal& middle, const Marginal& fine, double factor) {
 
 }  // namespace
 
-GridLevel level(const Solution& solution, std::span<const double> y_edges,
-                std::span<const double> ydot_edges) {
+GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
+                     std::span<const double> ydot_edges) {
   GridLevel level{marginal(solution, Variable::y, y_edges),
                   marginal(solution, Variable::ydot, ydot_edges), solution.moments};
   for (const RestAtom& atom : solution.atoms) level.rest_probabilities.push_back(atom.probability);
@@ -60,8 +60,8 @@ LevelDifference level_difference(const GridLevel& coarser, const GridLevel& fine
   return level_difference;
 }
 
-ObservedOrders observed_orders(const LevelDifference& before, const LevelDifference& last,
-                               double ratio) {
+ObservedConvergenceOrders observed_convergence_orders(const LevelDifference& before,
+                                                      const LevelDifference& last, double ratio) {
   const auto of = [&](double Moments::*moment) {
     return order(std::abs(before.moments.*moment), std::abs(last.moments.*moment), ratio);
   };
@@ -70,26 +70,27 @@ ObservedOrders observed_orders(const LevelDifference& before, const LevelDiffere
           .v2 = of(&Moments::v2)};
 }
 
-double credible_order(double observed, int scheme_order) {
+double credible_convergence_order(double observed, int scheme_order) {
   const double above = std::max(0.0, observed - scheme_order - kMaxOrderExcess);
   return std::clamp(std::min(observed, scheme_order - above), 1.0,
                     std::max(1.0, 1.0 * scheme_order));
 }
 
-bool has_limit(double observed, int order_of_scheme) {
+bool has_richardson_limit(double observed, int order_of_scheme) {
   return observed >= kMinOrderForLimit && observed <= order_of_scheme + kMaxOrderExcess;
 }
 
-Richardson richardson_estimate(const LevelDifference& before, const LevelDifference& last,
-                               double ratio, int order) {
-  const ObservedOrders orders = observed_orders(before, last, ratio);
+RichardsonEstimate richardson_estimate(const LevelDifference& before, const LevelDifference& last,
+                                       double ratio, int order) {
+  const ObservedConvergenceOrders orders = observed_convergence_orders(before, last, ratio);
   const double observed = l1_of_both_marginals(before) / l1_of_both_marginals(last);
   const double reduction_ratio = std::clamp(observed, ratio, std::pow(ratio, order));
-  const double credible = 1 / (std::pow(ratio, credible_order(orders.l1, order)) - 1);
-  Richardson result{.orders = orders,
-                    .reduction_ratio = reduction_ratio,
-                    .factor = 1 / (reduction_ratio - 1),
-                    .error = {.y_l1 = last.y_l1 * credible, .ydot_l1 = last.ydot_l1 * credible}};
+  const double credible = 1 / (std::pow(ratio, credible_convergence_order(orders.l1, order)) - 1);
+  RichardsonEstimate result{
+      .orders = orders,
+      .reduction_ratio = reduction_ratio,
+      .factor = 1 / (reduction_ratio - 1),
+      .error = {.y_l1 = last.y_l1 * credible, .ydot_l1 = last.ydot_l1 * credible}};
   for (const auto& [name, symbol, moment, size] : kMoments) {
     result.error.moments.*moment =
         difference_error(before.moments.*moment, last.moments.*moment, reduction_ratio, credible);
@@ -105,7 +106,7 @@ Richardson richardson_estimate(const LevelDifference& before, const LevelDiffere
   return result;
 }
 
-Moments limit(const Moments& fine, const LevelDifference& last, double factor) {
+Moments richardson_limit(const Moments& fine, const LevelDifference& last, double factor) {
   Moments limit = fine;
   for (const auto& [name, symbol, moment, size] : kMoments) {
     limit.*moment += factor * last.moments.*moment;
@@ -113,9 +114,10 @@ Moments limit(const Moments& fine, const LevelDifference& last, double factor) {
   return limit;
 }
 
-GridLevel limit(const GridLevel& middle, const GridLevel& fine, double factor) {
-  return {limit(middle.y, fine.y, factor), limit(middle.ydot, fine.ydot, factor),
-          limit(fine.moments, level_difference(middle, fine), factor)};
+GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor) {
+  return {richardson_limit(middle.y, fine.y, factor),
+          richardson_limit(middle.ydot, fine.ydot, factor),
+          richardson_limit(fine.moments, level_difference(middle, fine), factor)};
 }
 
 }  // namespace fpkcheck::transform

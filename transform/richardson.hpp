@@ -16,8 +16,8 @@
 /// order 1) and q^p, where p is the convergence order of the scheme, so that accidental agreement
 /// of two levels does not reduce the error estimate. If the differences decrease faster than the
 /// scheme allows, the coarsest grid did not resolve the solution. The ratio R then gives no
-/// information on the error of the finest grid (credible_order()). The result is an estimate, not a
-/// bound, since the observed order changes from grid to grid.
+/// information on the error of the finest grid (credible_convergence_order()). The result is an
+/// estimate, not a bound, since the observed order changes from grid to grid.
 namespace fpkcheck::transform {
 
 /// Default ratio of the cell widths of consecutive grid levels.
@@ -34,10 +34,10 @@ inline constexpr double kMaxOrderExcess = 1.6;
 /// The convergence order to use in an error estimate: the observed order, but at most the order of
 /// the scheme. If the observed order exceeds the order of the scheme by kMaxOrderExcess + d, d > 0,
 /// the result is the order of the scheme minus d. The result is at least 1.
-double credible_order(double observed, int scheme_order);
+double credible_convergence_order(double observed, int scheme_order);
 
 /// Whether the observed convergence order is credible enough for a Richardson limit.
-bool has_limit(double observed, int order_of_scheme);
+bool has_richardson_limit(double observed, int order_of_scheme);
 
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the rest atoms, and impact rate.
@@ -50,8 +50,8 @@ struct GridLevel {
 };
 /// The quantities of a solution on its grid level, with marginals over the bins between the edges.
 /// @throws std::logic_error if the solution has no density
-GridLevel level(const Solution& solution, std::span<const double> y_edges,
-                std::span<const double> ydot_edges);
+GridLevel grid_level(const Solution& solution, std::span<const double> y_edges,
+                     std::span<const double> ydot_edges);
 
 /// The difference of two consecutive grid levels.
 struct LevelDifference {
@@ -68,16 +68,16 @@ LevelDifference level_difference(const GridLevel& coarser, const GridLevel& fine
 
 /// The observed convergence orders log(|u_1 - u_0| / |u_2 - u_1|) / log(q) of different quantities
 /// u.
-struct ObservedOrders {
+struct ObservedConvergenceOrders {
   double l1;  ///< order of the sum of the L1 differences of both marginals
   double y2;  ///< order of E[y^2]
   double v2;  ///< order of E[y'^2]
 };
-ObservedOrders observed_orders(const LevelDifference& before, const LevelDifference& last,
-                               double ratio);
+ObservedConvergenceOrders observed_convergence_orders(const LevelDifference& before,
+                                                      const LevelDifference& last, double ratio);
 
-struct Richardson {
-  ObservedOrders orders;
+struct RichardsonEstimate {
+  ObservedConvergenceOrders orders;
   double reduction_ratio;  ///< clamped ratio R of consecutive differences
   double factor;           ///< 1 / (R - 1): ratio of the error of u_2 to the last difference
   /// Error estimate of u_2 by the credible order. If the difference of a moment changes its sign
@@ -95,12 +95,12 @@ struct Richardson {
 /// @param last the difference u_2 - u_1; its bins may differ from the bins of `before`
 /// @param ratio ratio q > 1 of the cell widths of consecutive levels
 /// @param order convergence order of the scheme
-Richardson richardson_estimate(const LevelDifference& before, const LevelDifference& last,
-                               double ratio, int order);
+RichardsonEstimate richardson_estimate(const LevelDifference& before, const LevelDifference& last,
+                                       double ratio, int order);
 
 /// The Richardson limits of moments and of all quantities of a grid level. Averages of the
 /// marginals near 0 may become negative.
-Moments limit(const Moments& fine, const LevelDifference& last, double factor);
-GridLevel limit(const GridLevel& middle, const GridLevel& fine, double factor);
+Moments richardson_limit(const Moments& fine, const LevelDifference& last, double factor);
+GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor);
 
 }  // namespace fpkcheck::transform

@@ -44,7 +44,7 @@ std::vector<double> segment_ends(const SmoothBins& bins, const std::vector<doubl
 
 }  // namespace
 
-double cubic_spline(double t) {
+double cardinal_cubic_spline(double t) {
   const double u = std::abs(t), outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
   return (outer * outer * outer - 4 * inner * inner * inner) / 6;
 }
@@ -63,7 +63,7 @@ Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> average
   return {.edges = std::move(edges), .density = std::move(averages), .lower = {}, .upper = {}};
 }
 
-Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins) {
+Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins) {
   std::vector<double> masses;
   for (std::size_t k = 0; k < sharp.size(); ++k) {
     masses.push_back(sharp.density[k] * sharp.width(k));

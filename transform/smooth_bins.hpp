@@ -24,7 +24,7 @@ struct SmoothBins {
 };
 
 /// The value M(t) of the cubic cardinal B-spline.
-double cubic_spline(double t);
+double cardinal_cubic_spline(double t);
 /// The weight of bin b: the integral of M((x - first)/spacing - b) over x > from.
 double bin_weight(const SmoothBins& bins, int bin);
 
@@ -38,6 +38,6 @@ Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> average
 /// ConservativeRemap interpolates the cumulative distribution F of p between the edges, and Boole's
 /// rule computes int M p dx = -int M' F dx. The density is 0 beyond the edges.
 /// @param sharp density on sharp bins, which must be narrower than the smooth bins
-Marginal smooth_averages(const Marginal& sharp, const SmoothBins& bins);
+Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins);
 
 }  // namespace fpkcheck::transform

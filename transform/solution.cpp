@@ -16,7 +16,7 @@ bool has_error_estimate(const Solution& solution) {
     // A marginal that does not exist needs no error estimate.
     if (!solution.density && !solution.had_density && !estimated) return true;
     if (solution.error && std::isfinite(l1(*solution.error, variable))) return true;
-    return sampling && std::isfinite(expected(*sampling, variable).value_or(HUGE_VAL));
+    return sampling && std::isfinite(expected_l1_error(*sampling, variable).value_or(HUGE_VAL));
   });
 }
 
@@ -47,8 +47,8 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
   return marginal(*solution.density, variable, edges);
 }
 
-Marginal limit_marginal(const Solution& solution, Variable variable,
-                        std::span<const double> edges) {
+Marginal richardson_limit_marginal(const Solution& solution, Variable variable,
+                                   std::span<const double> edges) {
   if (!solution.density || !solution.extrapolation) {
     throw std::logic_error("solution " + solution.id() + ": no grids to extrapolate from");
   }
@@ -65,18 +65,18 @@ const std::optional<SamplingError>& best_sampling_error(const Solution& solution
   return solution.smooth_sampling ? solution.smooth_sampling : solution.sampling;
 }
 
-const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable) {
+const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, Variable variable) {
   for (const auto& [estimated, estimate] : solution.smooth_estimates) {
     if (estimated == variable) return &estimate;
   }
   return nullptr;
 }
 
-std::optional<double> expected(const SamplingError& sampling, Variable variable) {
+std::optional<double> expected_l1_error(const SamplingError& sampling, Variable variable) {
   return variable == Variable::y ? sampling.y : sampling.ydot;
 }
 
-std::optional<double> quantile_99(const SamplingError& sampling, Variable variable) {
+std::optional<double> l1_error_quantile_99(const SamplingError& sampling, Variable variable) {
   return variable == Variable::y ? sampling.y_99 : sampling.ydot_99;
 }
 

@@ -37,12 +37,12 @@ inline constexpr base::EnumEntry<Status> kStatusNames[] = {
      "the equations are satisfied, but the solution is no probability density"},
     {Status::failed, "failed", "the solver failed"},
     {Status::not_offered, "not_offered", "the solver does not support the problem"}};
-constexpr std::span<const base::EnumEntry<Status>> names(Status) { return kStatusNames; }
+constexpr std::span<const base::EnumEntry<Status>> enumerator_names(Status) { return kStatusNames; }
 constexpr std::string_view name(Status status) { return base::name_of(status); }
 
 /// Richardson extrapolation from the last two grids: limit = fine + factor (fine - coarser), where
 /// `fine` is the density of the solution.
-struct Extrapolation {
+struct RichardsonExtrapolation {
   Density coarser;
   double factor;  ///< 1/(R - 1); R is the ratio of consecutive differences between grids
 };
@@ -60,7 +60,7 @@ struct SamplingError {
 };
 
 /// A marginal over smooth bins, estimated by a simulation with control variates.
-struct SmoothEstimate {
+struct SmoothBinEstimate {
   SmoothBins bins;
   Marginal averages;               ///< averages with 95 % confidence intervals
   std::vector<double> covariance;  ///< covariance matrix of the averages, row-major
@@ -88,7 +88,7 @@ struct RestAtom {
 
 /// The result of a solver, or a result that was read from a saved run.
 struct Solution {
-  Identity identity;
+  SolutionIdentity identity;
   base::Values options = {};  ///< options of the solver, as requested
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
@@ -102,10 +102,10 @@ struct Solution {
   /// Marginals over smooth bins from a simulation with control variates, far more accurate than
   /// marginals over sharp bins. Empty for other solvers, and in a solution that was read from a
   /// saved run.
-  std::vector<std::pair<Variable, SmoothEstimate>> smooth_estimates = {};
+  std::vector<std::pair<Variable, SmoothBinEstimate>> smooth_estimates = {};
   /// Richardson extrapolation. Present if the solver estimated its discretisation error from a
   /// coarser grid.
-  std::optional<Extrapolation> extrapolation = {};
+  std::optional<RichardsonExtrapolation> extrapolation = {};
 
   /// Moments of the density. Not set if there is no density.
   Moments moments = {};
@@ -152,18 +152,19 @@ Marginal marginal(const Solution& solution, Variable variable, std::span<const d
 /// The marginal of the Richardson limit of the densities on the grids of a solution. Averages near
 /// 0 may become negative by extrapolation.
 /// @throws std::logic_error if the solution has no density or no extrapolation
-Marginal limit_marginal(const Solution& solution, Variable variable, std::span<const double> edges);
+Marginal richardson_limit_marginal(const Solution& solution, Variable variable,
+                                   std::span<const double> edges);
 
 /// Sampling error of the most accurate marginals of a solution: of the marginals over smooth bins
 /// if the solution has such marginals, otherwise of the marginals over sharp bins.
 const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
 /// The marginal of one variable over smooth bins; null if there is none.
-const SmoothEstimate* smooth_estimate(const Solution& solution, Variable variable);
+const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, Variable variable);
 
 /// The expected L1 error, the 99 % quantile of the L1 error, and the L1 error estimate of the
 /// marginal of one variable.
-std::optional<double> expected(const SamplingError& sampling, Variable variable);
-std::optional<double> quantile_99(const SamplingError& sampling, Variable variable);
+std::optional<double> expected_l1_error(const SamplingError& sampling, Variable variable);
+std::optional<double> l1_error_quantile_99(const SamplingError& sampling, Variable variable);
 double l1(const ErrorEstimate& error, Variable variable);
 
 }  // namespace fpkcheck::transform

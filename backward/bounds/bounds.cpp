@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "backward/bounds/grid_bounds.hpp"
+#include "backward/bounds/bounds_from_grid.hpp"
 #include "backward/generator/normal_equations.hpp"
 #include "base/input_error.hpp"
 #include "base/process/processors.hpp"
@@ -23,9 +23,11 @@ namespace {
 constexpr int kWeightPower = 12;
 
 // Number of threads: the requested number, or one per processor.
-int threads_of(const Options& options) { return options.threads.value_or(base::processors()); }
+int threads_of(const Options& options) {
+  return options.threads.value_or(base::available_processors());
+}
 
-bool is_narrow_enough(const Bound& bound, const Options& options) {
+bool is_narrow_enough(const FunctionalBounds& bound, const Options& options) {
   const double requested_half_width =
       std::max(options.half_width, options.relative_half_width * std::abs(bound.value.middle()));
   return requested_half_width > 0 && bound.value.half_width() <= requested_half_width;
@@ -39,7 +41,7 @@ struct StopReason {
 };
 
 struct Refinement {
-  Bounds bounds;
+  GuaranteedBounds bounds;
   std::vector<StopReason> ends;  ///< reason for each functional
 };
 
@@ -57,10 +59,10 @@ std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& option
                                         Refinement& refinement) {
   std::vector<GridGroup> groups;
   for (std::size_t i = 0; i < refinement.bounds.each.size(); ++i) {
-    const Bound& bound = refinement.bounds.each[i];
+    const FunctionalBounds& bound = refinement.bounds.each[i];
     StopReason& end = refinement.ends[i];
     if (end.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
-    const auto grids = grid_sequence(width_limit(bound.functional));
+    const auto grids = grid_sequence(width_limiting_feature(bound.functional));
     if (level >= grids.size()) {
       end.cause = StopReason::Cause::grids;
       continue;
@@ -101,7 +103,7 @@ bool is_odd(const Functional& functional) {
 // The functionals that the system supports: the impact momentum needs exactly one wall.
 std::vector<Functional> supported_functionals(const problem::System& system,
                                               std::vector<Functional> functionals) {
-  if (system.left().has_value() == system.right().has_value()) {
+  if (system.left_wall().has_value() == system.right_wall().has_value()) {
     std::erase_if(functionals,
                   [](const auto& f) { return std::holds_alternative<ImpactMomentum>(f); });
   }
@@ -110,7 +112,7 @@ std::vector<Functional> supported_functionals(const problem::System& system,
 
 Refinement refinement(const problem::Problem& problem, const Options& options) {
   using Clock = std::chrono::steady_clock;
-  const Weight tau = weight(problem, kWeightPower);
+  const ResidualWeight tau = residual_weight(problem, kWeightPower);
   Refinement result;
   for (const Functional& f : options.functionals) {
     result.bounds.each.push_back({f, {-HUGE_VAL, HUGE_VAL}});
@@ -138,11 +140,11 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
       std::vector<Functional> functionals;
       for (const std::size_t i : indices) functionals.push_back(options.functionals[i]);
       const double start = elapsed();
-      GridBoundsReport report;
-      GridRecord record{grid, 0, 0, indices, {}};
+      SplineGridReport report;
+      SplineGridBounds record{grid, 0, 0, indices, {}};
       try {
         record.values =
-            bounds_on_grid(problem, tau, grid, functionals, threads_of(options), &report);
+            bounds_from_grid(problem, tau, grid, functionals, threads_of(options), &report);
       } catch (const FitFailure& broken) {
         end_all({StopReason::Cause::fit, 0, broken.what()});  // finer grids would fail too
         continue;
@@ -174,11 +176,11 @@ Refinement mirrored_refinement(const problem::Problem& problem, const Options& o
   const auto turn = [](const Functional& f, numerics::Enclosure& value) {
     if (is_odd(f)) value = {-value.upper, -value.lower};
   };
-  for (Bound& bound : result.bounds.each) {
+  for (FunctionalBounds& bound : result.bounds.each) {
     turn(bound.functional, bound.value);
     bound.functional = mirrored(bound.functional);
   }
-  for (GridRecord& record : result.bounds.grids) {
+  for (SplineGridBounds& record : result.bounds.grids) {
     for (std::size_t n = 0; n < record.each.size(); ++n) {
       turn(result.bounds.each[record.each[n]].functional, record.values[n]);
     }
@@ -232,9 +234,9 @@ std::string width_reason(const Refinement& refinement, const Options& options) {
 
 }  // namespace
 
-Bounds bounds(const problem::Problem& problem, const Options& requested) {
+GuaranteedBounds compute_bounds(const problem::Problem& problem, const Options& requested) {
   validate(requested);
-  Bounds refusal;
+  GuaranteedBounds refusal;
   refusal.reason = bounds_unsupported_reason(problem);
   if (!refusal.reason.empty()) {
     refusal.status = BoundsStatus::not_offered;
@@ -242,12 +244,12 @@ Bounds bounds(const problem::Problem& problem, const Options& requested) {
   }
   Options options = requested;
   options.functionals = supported_functionals(problem.system, requested.functionals);
-  const bool by_mirror = problem.system.right() && !problem.system.left();
+  const bool by_mirror = problem.system.right_wall() && !problem.system.left_wall();
   Refinement found =
       by_mirror ? mirrored_refinement(problem, options) : refinement(problem, options);
-  Bounds& result = found.bounds;
+  GuaranteedBounds& result = found.bounds;
   for (std::size_t i = 0; i < result.each.size(); ++i) {
-    const Bound& b = result.each[i];
+    const FunctionalBounds& b = result.each[i];
     if (std::isfinite(b.value.half_width())) continue;
     result.status = BoundsStatus::failed;
     result.reason = found.ends[i].cause == StopReason::Cause::fit
@@ -257,7 +259,7 @@ Bounds bounds(const problem::Problem& problem, const Options& requested) {
   }
   const bool is_width_requested = options.half_width > 0 || options.relative_half_width > 0;
   const bool is_width_met = std::ranges::all_of(
-      result.each, [&](const Bound& bound) { return is_narrow_enough(bound, options); });
+      result.each, [&](const FunctionalBounds& bound) { return is_narrow_enough(bound, options); });
   if (is_width_requested && !is_width_met) {
     result.status = BoundsStatus::width_not_met;
     result.reason = width_reason(found, options);

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "backward/bounds/functional.hpp"
-#include "backward/bounds/grid.hpp"
 #include "backward/bounds/options.hpp"
+#include "backward/bounds/spline_grid.hpp"
 #include "base/options/enum_names.hpp"
 #include "numerics/interval/enclosure.hpp"
 
@@ -22,19 +22,19 @@ inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::width_not_met, "width_not_met", "guaranteed, but wider than requested"},
     {BoundsStatus::failed, "failed", "not bounded"},
     {BoundsStatus::not_offered, "not_offered", "not supported"}};
-constexpr std::span<const base::EnumEntry<BoundsStatus>> names(BoundsStatus) {
+constexpr std::span<const base::EnumEntry<BoundsStatus>> enumerator_names(BoundsStatus) {
   return kBoundsStatusNames;
 }
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
 
 /// Guaranteed bounds: value.lower <= E[functional] <= value.upper.
-struct Bound {
+struct FunctionalBounds {
   Functional functional;
   numerics::Enclosure value;
 };
 
 /// Computing time of a grid of splines and bounds from this grid alone.
-struct GridRecord {
+struct SplineGridBounds {
   SplineGrid grid;
   int unknowns;
   double seconds;                 ///< wall-clock time
@@ -43,11 +43,11 @@ struct GridRecord {
   std::vector<numerics::Enclosure> values;
 };
 
-struct Bounds {
+struct GuaranteedBounds {
   BoundsStatus status = BoundsStatus::ok;
-  std::string reason;       ///< cause of a status other than ok, in one line; empty for ok
-  std::vector<Bound> each;  ///< bounds in the order of the options; w1 only if supported
-  std::vector<GridRecord> grids;
+  std::string reason;  ///< cause of a status other than ok, in one line; empty for ok
+  std::vector<FunctionalBounds> each;  ///< bounds in the order of the options; w1 only if supported
+  std::vector<SplineGridBounds> grids;
 };
 
 /// Guaranteed bounds of stationary expectations of the oscillator with the exact impact and
@@ -58,6 +58,6 @@ struct Bounds {
 /// @param problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
 /// processor cannot be set; std::logic_error when bounds from two grids are disjoint
-Bounds bounds(const problem::Problem& problem, const Options& options = {});
+GuaranteedBounds compute_bounds(const problem::Problem& problem, const Options& options = {});
 
 }  // namespace fpkcheck::backward

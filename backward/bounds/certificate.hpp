@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 #include "backward/bounds/functional.hpp"
-#include "backward/bounds/grid.hpp"
-#include "backward/bounds/weight.hpp"
+#include "backward/bounds/residual_weight.hpp"
+#include "backward/bounds/spline_grid.hpp"
 #include "backward/generator/displacement_operators.hpp"
 #include "backward/generator/velocity_operators.hpp"
 
@@ -19,13 +19,13 @@ struct Certificate {
 
 /// What the checks of a certificate need besides the certificate: the problem, the spline bases,
 /// the enclosed factors of the generator, the weight tau and the kinds of the ends of the box.
-struct CertificateContext {
+struct CertificateCheckInputs {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement;
   const ImpactBasis& velocity;
   const DisplacementOperators& y;
   const VelocityOperators& v;
-  const Weight& weight;
+  const ResidualWeight& weight;
   BoxEnds ends = {};
 };
 

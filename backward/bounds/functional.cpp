@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "numerics/splines/basis.hpp"
+#include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -22,19 +22,20 @@ const char* symbol(Axis axis) { return axis == Axis::displacement ? "y" : "y'"; 
 double bin_value(const SmoothBin& bin, double x) {
   if (x <= bin.knots.front() || x >= bin.knots.back()) return 0;
   const numerics::SplineBasis basis({bin.knots.begin(), bin.knots.end()}, 3);
-  const int span = basis.span_of(x);
-  return basis.at(x, span, 0)(0, 3 - span);  // the function on all five knots has index 3
+  const int span = basis.span_containing(x);
+  return basis.basis_derivatives(x, span, 0)(
+      0, 3 - span);  // the function on all five knots has index 3
 }
 
 }  // namespace
 
-SmoothBin SmoothBin::cardinal(Axis axis, double centre, double spacing) {
+SmoothBin SmoothBin::with_equidistant_knots(Axis axis, double centre, double spacing) {
   SmoothBin bin{axis, {}};
   for (int i = 0; i < 5; ++i) bin.knots[i] = centre + (i - 2) * spacing;
   return bin;
 }
 
-std::vector<Functional> standard_functionals() {
+std::vector<Functional> default_functionals() {
   return {PowerMoment{Axis::displacement, 1}, PowerMoment{Axis::displacement, 2},
           PowerMoment{Axis::velocity, 2},     PowerMoment{Axis::displacement, 4},
           PowerMoment{Axis::velocity, 4},     ImpactMomentum{}};
@@ -55,17 +56,17 @@ std::string name(const Functional& functional) {
 
 double integrand(const Functional& functional, const problem::Problem& problem, double y,
                  double v) {
-  return std::visit(Overloaded{[&](const PowerMoment& m) {
-                                 return std::pow(m.axis == Axis::displacement ? y : v, m.power);
-                               },
-                               [&](const SmoothBin& b) {
-                                 return bin_value(b, b.axis == Axis::displacement ? y : v);
-                               },
-                               [&](const ImpactMomentum&) { return problem.system.force()(y); }},
-                    functional);
+  return std::visit(
+      Overloaded{
+          [&](const PowerMoment& m) {
+            return std::pow(m.axis == Axis::displacement ? y : v, m.power);
+          },
+          [&](const SmoothBin& b) { return bin_value(b, b.axis == Axis::displacement ? y : v); },
+          [&](const ImpactMomentum&) { return problem.system.restoring_force()(y); }},
+      functional);
 }
 
-std::vector<double> breaks(const Functional& functional) {
+std::vector<double> non_smooth_points(const Functional& functional) {
   const SmoothBin* const bin = std::get_if<SmoothBin>(&functional);
   return bin == nullptr ? std::vector<double>{}
                         : std::vector<double>(bin->knots.begin(), bin->knots.end());

@@ -24,7 +24,7 @@ struct SmoothBin {
   std::array<double, 5> knots;
 
   /// The bin with equidistant knots `spacing` apart and its peak at `centre`.
-  static SmoothBin cardinal(Axis axis, double centre, double spacing);
+  static SmoothBin with_equidistant_knots(Axis axis, double centre, double spacing);
 };
 
 /// The impact momentum w1 = int u^2 p(a, -u) du at a left wall, y = a. From E[L y'] = 0,
@@ -36,7 +36,7 @@ struct ImpactMomentum {};
 using Functional = std::variant<PowerMoment, SmoothBin, ImpactMomentum>;
 
 /// The default functionals: E[y], E[y^2], E[y'^2], E[y^4], E[y'^4] and w1.
-std::vector<Functional> standard_functionals();
+std::vector<Functional> default_functionals();
 
 /// Name of a functional in tables and messages: "E[y^2]", "w1", "p(y) near 0.5".
 std::string name(const Functional& functional);
@@ -47,7 +47,7 @@ std::string name(const Functional& functional);
 double integrand(const Functional& functional, const problem::Problem& problem, double y, double v);
 
 /// Points at which the integrand is not smooth; empty for polynomials.
-std::vector<double> breaks(const Functional& functional);
+std::vector<double> non_smooth_points(const Functional& functional);
 Axis axis_of(const Functional& functional);
 
 /// @throws InputError when the power or the knots violate the conditions above

@@ -20,17 +20,17 @@ numerics::BernsteinCoefficients bin_enclosure(const SmoothBin& bin, const numeri
   } else if (middle >= bin.knots.back()) {
     overhang = (bin.knots.back() - from).upper();
   } else {
-    const int span = basis.span_of(middle);
+    const int span = basis.span_containing(middle);
     const auto rows = numerics::bezier_extraction<numerics::Interval>(basis, span, from, to);
     const numerics::BernsteinCoefficients bin_function(rows.row(3 - span).begin(),
                                                        rows.row(3 - span).end());
     b = elevate_degree(bin_function, degree);
     overhang = std::max((bin.knots[span] - from).upper(), (to - bin.knots[span + 1]).upper());
-    for (const numerics::Interval& d : derivative(bin_function))
+    for (const numerics::Interval& d : bernstein_derivative(bin_function))
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  if (overhang > 0) {  // bound of piece_functions(): |f'| <= 3 / shortest knot interval
+  if (overhang > 0) {  // bound of basis_functions_on_piece(): |f'| <= 3 / shortest knot interval
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);
   }
@@ -57,8 +57,10 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
   return elevate_degree(bernstein_on_segment(powers, numerics::Interval(0), from, to), degree);
 }
 
-numerics::Interval integrand_bound(const Functional& functional, const numerics::Interval& y,
-                                   const numerics::Interval& v, const numerics::Interval& force) {
+numerics::Interval integrand_magnitude_bound(const Functional& functional,
+                                             const numerics::Interval& y,
+                                             const numerics::Interval& v,
+                                             const numerics::Interval& force) {
   if (std::holds_alternative<SmoothBin>(functional)) return 1;
   if (const PowerMoment* const mean = std::get_if<PowerMoment>(&functional)) {
     return power(mean->axis == Axis::displacement ? y : v, mean->power);
@@ -69,7 +71,7 @@ numerics::Interval integrand_bound(const Functional& functional, const numerics:
 numerics::Enclosure enclose_functional(const Functional& functional,
                                        const problem::Problem& problem,
                                        const numerics::Enclosure& mean) {
-  numerics::Interval value = interval(mean);
+  numerics::Interval value = interval_from_enclosure(mean);
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     value *= 4.0 / (numerics::Interval(bin->knots.back()) - bin->knots.front());
   } else if (std::holds_alternative<ImpactMomentum>(functional)) {
@@ -77,7 +79,7 @@ numerics::Enclosure enclose_functional(const Functional& functional,
     value = (value - rate * moment_enclosure(problem.impulses.law(), 1)) /
             (1.0 + numerics::Interval(problem.system.restitution()));
   }
-  return enclosure(value);
+  return enclosure_from_interval(value);
 }
 
 }  // namespace fpkcheck::backward

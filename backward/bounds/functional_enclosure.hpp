@@ -14,8 +14,10 @@ numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional
 
 /// An upper bound of |f| for 0 <= y <= `y`, |v| <= `v` and k y + mu y^3 <= `force`. The bound is a
 /// polynomial of degree <= 4 in these arguments with nonnegative coefficients.
-numerics::Interval integrand_bound(const Functional& functional, const numerics::Interval& y,
-                                   const numerics::Interval& v, const numerics::Interval& force);
+numerics::Interval integrand_magnitude_bound(const Functional& functional,
+                                             const numerics::Interval& y,
+                                             const numerics::Interval& v,
+                                             const numerics::Interval& force);
 
 /// Enclosure of the functional, computed from an enclosure of the mean of its integrand.
 numerics::Enclosure enclose_functional(const Functional& functional,

@@ -10,7 +10,7 @@ namespace fpkcheck::backward {
 
 /// Options of the bounds: functionals, requested widths, time limit and number of threads.
 struct Options {
-  std::vector<Functional> functionals = standard_functionals();  ///< not a command-line option
+  std::vector<Functional> functionals = default_functionals();  ///< not a command-line option
   /// Requested half-widths of the bounds. Grids are refined until every half-width is below the
   /// larger of `half_width` and `relative_half_width` times the value. If both are 0, only the time
   /// limit ends the refinement.

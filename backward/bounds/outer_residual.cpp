@@ -17,19 +17,19 @@ struct Region {
 
 class OuterResidual {
  public:
-  OuterResidual(const CertificateContext& context, const Functional& functional,
+  OuterResidual(const CertificateCheckInputs& context, const Functional& functional,
                 const Certificate& certificate)
       : s_(context), functional_(functional), certificate_(certificate) {}
 
   double bound() const {
     double largest = 0;
-    for (int span = 0; span < s_.displacement.spans(); ++span) {
+    for (int span = 0; span < s_.displacement.span_count(); ++span) {
       largest =
           std::max({largest, region_bound(region_above(span)), region_bound(region_below(span))});
     }
     for (const bool at_right : {true, false}) {
       if (!(at_right ? s_.ends.right_open : s_.ends.left_open)) continue;
-      for (int span = 0; span < s_.velocity.speeds().spans(); ++span) {
+      for (int span = 0; span < s_.velocity.speeds().span_count(); ++span) {
         largest = std::max({largest, region_bound(region_past_end(at_right, span, true)),
                             region_bound(region_past_end(at_right, span, false))});
       }
@@ -128,7 +128,8 @@ class OuterResidual {
         outgoing == at_right ? least_outgoing_energy(speed, y) : least_incoming_energy(speed, y);
     const int row = at_right ? last_row() : 0;
     const double in_speed = max_slope(velocity.speeds(), span, [&](int h) {
-      return certificate_.coefficients(row, outgoing ? velocity.outgoing(h) : velocity.incoming(h));
+      return certificate_.coefficients(
+          row, outgoing ? velocity.outgoing_index(h) : velocity.incoming_index(h));
     });
     const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
     return {energy, 0, slope, oscillation(row)};
@@ -149,7 +150,7 @@ class OuterResidual {
     const numerics::Interval y = root / omega, v = root * (1.0 + c() / (2.0 * omega));
     const numerics::Interval force = k() * y + cubic() * power(y, 3);
     const numerics::Interval numerator =
-        integrand_bound(functional_, y, v, force) + std::abs(certificate_.mean) +
+        integrand_magnitude_bound(functional_, y, v, force) + std::abs(certificate_.mean) +
         v * region.y_slope + (c() * v + force) * region.v_slope +
         numerics::Interval(s_.problem.impulses.arrival_rate()) * region.oscillation;
     const double bound =
@@ -157,14 +158,14 @@ class OuterResidual {
     return std::isnan(bound) ? HUGE_VAL : bound;  // std::max would ignore NaN
   }
 
-  const CertificateContext& s_;
+  const CertificateCheckInputs& s_;
   const Functional& functional_;
   const Certificate& certificate_;
 };
 
 }  // namespace
 
-double outer_residual_bound(const CertificateContext& context, const Functional& functional,
+double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
                             const Certificate& certificate) {
   return OuterResidual(context, functional, certificate).bound();
 }

@@ -6,8 +6,8 @@ namespace fpkcheck::backward {
 
 /// An upper bound of |f + L V - U| / tau outside the box of the splines. Beyond the ends of an axis
 /// V is constant along this axis (docs/bounds.md, "Outside the box").
-/// @pre inside with_upward_rounding
-double outer_residual_bound(const CertificateContext& context, const Functional& functional,
+/// @pre inside call_with_upward_rounding
+double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
                             const Certificate& certificate);
 
 }  // namespace fpkcheck::backward

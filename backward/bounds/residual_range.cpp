@@ -22,7 +22,7 @@ struct ContractedFactors {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };
 
-ContractedFactors contract_factors(const CertificateContext& s, const Eigen::MatrixXd& c) {
+ContractedFactors contract_factors(const CertificateCheckInputs& s, const Eigen::MatrixXd& c) {
   const int rows = static_cast<int>(c.rows()), order = s.v.order();
   ContractedFactors result;
   for (auto& f : result.factors) {
@@ -61,13 +61,13 @@ ContractedFactors contract_factors(const CertificateContext& s, const Eigen::Mat
 
 class RangeSearch {
  public:
-  RangeSearch(const CertificateContext& context, std::pair<double, double> expected,
+  RangeSearch(const CertificateCheckInputs& context, std::pair<double, double> expected_range,
               double tolerance, int rows, int columns)
       : s_(context),
         rows_(rows),
         columns_(columns),
         tolerance_(tolerance),
-        attained_(expected),
+        attained_(expected_range),
         stiffness_(numerics::Interval(context.weight.stiffness) -
                    square(numerics::Interval(context.weight.damping)) / 4.0) {}
 
@@ -174,7 +174,7 @@ class RangeSearch {
     process(std::move(second));
   }
 
-  const CertificateContext& s_;
+  const CertificateCheckInputs& s_;
   int rows_, columns_;
   double tolerance_;
   std::pair<double, double> attained_;
@@ -184,15 +184,15 @@ class RangeSearch {
 
 }  // namespace
 
-ResidualRange residual_range(const CertificateContext& s, const Functional& functional,
-                             const Certificate& certificate, std::pair<double, double> expected,
-                             double tolerance) {
+ResidualRange residual_range(const CertificateCheckInputs& s, const Functional& functional,
+                             const Certificate& certificate,
+                             std::pair<double, double> expected_range, double tolerance) {
   const Eigen::MatrixXd& c = certificate.coefficients;
   // Condition (1) of docs/bounds.md is checked here, since the fit does not guarantee the
   // condition.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < s.velocity.size(); ++b) {
-      if (c(row, b) != c(row, s.velocity.mirrored(b))) return false;
+      if (c(row, b) != c(row, s.velocity.mirrored_index(b))) return false;
     }
     return true;
   };
@@ -211,7 +211,7 @@ ResidualRange residual_range(const CertificateContext& s, const Functional& func
           integrand_enclosure(functional, s.problem, piece.from, piece.to, columns - 1));
     }
   }
-  RangeSearch search(s, expected, tolerance, rows, columns);
+  RangeSearch search(s, expected_range, tolerance, rows, columns);
   for (std::size_t i = 0; i < s.y.pieces.size(); ++i) {
     const auto& [span, y_from, y_to] = s.y.pieces[i];
     const numerics::BernsteinCoefficients f_of_y =

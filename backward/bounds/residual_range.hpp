@@ -17,11 +17,11 @@ struct ResidualRange {
 /// piece and a v piece the range is bounded by the Bernstein coefficients of the residual, divided
 /// by the least tau. The bisection stops when the bounds of the range differ from attained values
 /// by less than the relative tolerance.
-/// @param expected (least, largest) values that are probably attained. Good values reduce the
+/// @param expected_range (least, largest) values that are probably attained. Good values reduce the
 /// number of bisections; wrong values do not make the range invalid
-/// @pre inside with_upward_rounding
-ResidualRange residual_range(const CertificateContext& context, const Functional& functional,
-                             const Certificate& certificate, std::pair<double, double> expected,
-                             double tolerance);
+/// @pre inside call_with_upward_rounding
+ResidualRange residual_range(const CertificateCheckInputs& context, const Functional& functional,
+                             const Certificate& certificate,
+                             std::pair<double, double> expected_range, double tolerance);
 
 }  // namespace fpkcheck::backward

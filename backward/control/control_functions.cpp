@@ -46,14 +46,15 @@ Eigen::VectorXd values_at_points(const std::vector<double>& points,
 
 /// Gram matrix int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u), mirrored at a
 /// right wall.
-Eigen::MatrixXd wall_gram(const ControlFit& p, const ImpactWall& wall) {
-  numerics::QuadratureRule q = numerics::gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
+Eigen::MatrixXd wall_gram(const ControlFitProblem& p, const ImpactWall& wall) {
+  numerics::QuadratureRule q =
+      numerics::composite_gauss_rule<kPoints>(impact_jump_breaks(p.v, wall));
   apply_weight(q, [&](double u) { return u * p.weight_v(u); });
   const Eigen::MatrixXd jump = impact_jumps(p.v, wall, q.points);
   return p.weight_y(wall.position) * (jump.transpose() * (q.weights.asDiagonal() * jump));
 }
 
-numerics::BlockBandedMatrix normal_matrix(const ControlFit& p, const GramMatrices& in_y,
+numerics::BlockBandedMatrix normal_matrix(const ControlFitProblem& p, const GramMatrices& in_y,
                                           const GramMatrices& in_v) {
   const Eigen::Index n = p.v.size();
   numerics::BlockBandedMatrix matrix(
@@ -76,10 +77,10 @@ numerics::BlockBandedMatrix normal_matrix(const ControlFit& p, const GramMatrice
 
 }  // namespace
 
-ControlFunctions fit_control_functions(const ControlFit& problem,
+ControlFunctions fit_control_functions(const ControlFitProblem& problem,
                                        const std::vector<SeparableFunction>& functions) {
-  numerics::QuadratureRule in_y = numerics::gauss_rule<kPoints>(problem.y.breaks()),
-                           in_v = numerics::gauss_rule<kPoints>(problem.v.breaks());
+  numerics::QuadratureRule in_y = numerics::composite_gauss_rule<kPoints>(problem.y.breaks()),
+                           in_v = numerics::composite_gauss_rule<kPoints>(problem.v.breaks());
   apply_weight(in_y, problem.weight_y);
   apply_weight(in_v, problem.weight_v);
   const GeneratorFactors y = displacement_factors(problem.problem.system, problem.y, in_y.points);

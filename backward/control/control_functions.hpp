@@ -15,7 +15,7 @@ struct SeparableFunction {
 };
 
 /// Splines and weights of the least-squares fit of the control functions.
-struct ControlFit {
+struct ControlFitProblem {
   const problem::Problem& problem;
   /// Splines from wall to wall, or over the range of the motion
   const numerics::QuinticBSplines& y;
@@ -43,7 +43,7 @@ struct ControlFunctions {
 /// of v and a Gram matrix of y, and is block banded. The residuals e_f of f and e_1 of 1 give U =
 /// <e_1, e_f> / <e_1, e_1>.
 /// @throws FitFailure (backward/generator/normal_equations.hpp)
-ControlFunctions fit_control_functions(const ControlFit& problem,
+ControlFunctions fit_control_functions(const ControlFitProblem& problem,
                                        const std::vector<SeparableFunction>& functions);
 
 }  // namespace fpkcheck::backward

@@ -12,7 +12,7 @@ SplineValues spline_values(const numerics::QuinticBSplines& splines,
   SplineValues all{Eigen::MatrixXd::Zero(rows, splines.size()),
                    Eigen::MatrixXd::Zero(rows, splines.size())};
   for (Eigen::Index n = 0; n < rows; ++n) {
-    const auto at = splines.at(points[static_cast<std::size_t>(n)]);
+    const auto at = splines.values_and_slopes(points[static_cast<std::size_t>(n)]);
     for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
       all.value(n, at.first + l) = at.value[l];
       all.slope(n, at.first + l) = at.slope[l];
@@ -23,8 +23,10 @@ SplineValues spline_values(const numerics::QuinticBSplines& splines,
 
 std::vector<ImpactWall> impact_walls(const problem::System& system) {
   std::vector<ImpactWall> walls;
-  if (system.left()) walls.push_back({system.left()->position, system.left()->restitution, 1});
-  if (system.right()) walls.push_back({system.right()->position, system.right()->restitution, -1});
+  if (system.left_wall())
+    walls.push_back({system.left_wall()->position, system.left_wall()->restitution, 1});
+  if (system.right_wall())
+    walls.push_back({system.right_wall()->position, system.right_wall()->restitution, -1});
   return walls;
 }
 
@@ -59,7 +61,7 @@ GeneratorFactors displacement_factors(const problem::System& system,
   Eigen::VectorXd force(a.value.rows()), damping_change(a.value.rows());
   for (Eigen::Index n = 0; n < force.size(); ++n) {
     const double y = points[static_cast<std::size_t>(n)];
-    force(n) = system.force()(y);
+    force(n) = system.restoring_force()(y);
     damping_change(n) = damping(y) - damping.coefficient(0);
   }
   GeneratorFactors factors{a.slope, a.value, force.asDiagonal() * a.value};
@@ -78,14 +80,15 @@ GeneratorFactors velocity_factors(const problem::Problem& problem,
     velocity_terms = problem.impulses.arrival_rate() * (means - b.value) -
                      system.damping() * (v.asDiagonal() * b.slope);
   }
-  if (system.rayleigh() != 0) {
-    velocity_terms -= system.rayleigh() * (v.array().cube().matrix().asDiagonal() * b.slope);
+  if (system.rayleigh_coefficient() != 0) {
+    velocity_terms -=
+        system.rayleigh_coefficient() * (v.array().cube().matrix().asDiagonal() * b.slope);
   }
   if (problem.noise.is_present()) {
     const double diffusion = problem.noise.diffusion();
     for (Eigen::Index n = 0; n < v.size(); ++n) {
       const double at = points[static_cast<std::size_t>(n)];
-      const int first = splines.at(at).first;
+      const int first = splines.values_and_slopes(at).first;
       const auto second_derivatives = splines.second_derivatives(at);
       for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
         velocity_terms(n, first + l) += diffusion * second_derivatives[l];

@@ -13,7 +13,7 @@ constexpr unsigned kPointsPerPart = 8;
 
 void add(const numerics::QuinticBSplines& splines, double at, double probability,
          Eigen::Ref<Eigen::RowVectorXd> row) {
-  const auto functions = splines.at(at);
+  const auto functions = splines.values_and_slopes(at);
   for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
     row(functions.first + l) += probability * functions.value[l];
   }
@@ -50,7 +50,7 @@ Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
     for (const auto& atom : atoms) add(splines, v[i] + atom.amplitude, atom.probability, row);
     for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
       const auto ends = part_ends(splines, v[i] + pieces[k], v[i] + pieces[k + 1], law.deviation());
-      const auto [points, weights] = numerics::gauss_rule<kPointsPerPart>(ends);
+      const auto [points, weights] = numerics::composite_gauss_rule<kPointsPerPart>(ends);
       for (std::size_t n = 0; n < points.size(); ++n) {
         const double z = points[n];
         add(splines, z, weights(static_cast<Eigen::Index>(n)) * law.density(z - v[i]), row);

@@ -13,14 +13,14 @@ std::vector<double> chebyshev_points(int count) {
   return points;
 }
 
-DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int per_cell) {
+DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell) {
   DisplacementSamples samples;
-  for (int s = 0; s < basis.spans(); ++s) {
+  for (int s = 0; s < basis.span_count(); ++s) {
     const double begin = basis.breaks()[s], width = basis.breaks()[s + 1] - begin;
-    for (const double t : chebyshev_points(per_cell)) {
+    for (const double t : chebyshev_points(points_per_cell)) {
       samples.y.push_back(begin + t * width);
       samples.span.push_back(s);
-      samples.values.push_back(basis.at(samples.y.back(), s, 1));
+      samples.values.push_back(basis.basis_derivatives(samples.y.back(), s, 1));
     }
   }
   return samples;

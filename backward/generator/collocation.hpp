@@ -28,6 +28,6 @@ struct DisplacementSamples {
 /// The zeros of the Chebyshev polynomial of degree `count`, shifted to (0, 1), in increasing order.
 std::vector<double> chebyshev_points(int count);
 
-DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int per_cell);
+DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell);
 
 }  // namespace fpkcheck::backward

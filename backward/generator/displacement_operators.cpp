@@ -1,6 +1,6 @@
 #include "backward/generator/displacement_operators.hpp"
 
-#include "backward/generator/difference_slopes.hpp"
+#include "backward/generator/partial_sum_slopes.hpp"
 #include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::backward {
@@ -11,7 +11,7 @@ DisplacementOperators displacement_operators(const problem::Problem& problem,
   const problem::SystemCoefficients& c = problem.system.coefficients();
   const int degree = basis.degree() + 3;
   DisplacementOperators operators;
-  for (int span = 0; span < basis.spans(); ++span) {
+  for (int span = 0; span < basis.span_count(); ++span) {
     std::vector<double> points{basis.breaks()[span]};
     for (const double cut : cuts) {
       if (cut > points.back() && cut < basis.breaks()[span + 1]) points.push_back(cut);
@@ -27,10 +27,10 @@ DisplacementOperators displacement_operators(const problem::Problem& problem,
       for (int l = 0; l < rows.rows(); ++l) {
         const numerics::BernsteinCoefficients value(rows.row(l).begin(), rows.row(l).end());
         factors[0].push_back(elevate_degree(value, degree));
-        factors[2].push_back(product(force, value));
+        factors[2].push_back(bernstein_product(force, value));
       }
       for (const numerics::BernsteinCoefficients& slope :
-           difference_slopes(basis, span, from, to)) {
+           partial_sum_slopes(basis, span, from, to)) {
         factors[1].push_back(elevate_degree(slope, degree));
       }
     }

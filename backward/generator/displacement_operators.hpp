@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numerics/interval/bernstein.hpp"
-#include "numerics/splines/basis.hpp"
+#include "numerics/splines/spline_basis.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
@@ -18,8 +18,8 @@ struct DisplacementOperators {
     double from, to;
   };
   std::vector<Piece> pieces;
-  /// The three factors A, S' (difference_slopes.hpp) and (k y + mu y^3) A for the functions of each
-  /// piece. The shape is (pieces, 3, degree + 1); S' has `degree` functions only.
+  /// The three factors A, S' (partial_sum_slopes.hpp) and (k y + mu y^3) A for the functions of
+  /// each piece. The shape is (pieces, 3, degree + 1); S' has `degree` functions only.
   std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
 };
 

@@ -36,7 +36,7 @@ numerics::BernsteinCoefficients enclose_series(numerics::BernsteinCoefficients p
                                                const numerics::Interval& ratio) {
   const numerics::Interval growth = 1.0 / exponential(-ratio);
   const double rest = (magnitude(next) * growth).upper();
-  numerics::BernsteinCoefficients b = bernstein_from_powers(powers);
+  numerics::BernsteinCoefficients b = bernstein_from_power_coefficients(powers);
   for (numerics::Interval& c : b) c += numerics::symmetric_interval(rest);
   return b;
 }
@@ -60,7 +60,7 @@ OneSidedSolution solve_one_sided(const std::vector<numerics::BernsteinCoefficien
   };
   solution.decay = series({}, numerics::Interval(1));
   for (const numerics::BernsteinCoefficients& b : functions) {
-    solution.forced.push_back(series(powers_from_bernstein(b), numerics::Interval(0)));
+    solution.forced.push_back(series(power_coefficients_from_bernstein(b), numerics::Interval(0)));
   }
   return solution;
 }
@@ -80,13 +80,13 @@ ShiftedAxis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPie
       if (p.to.upper() <= from.lower() || p.from.lower() >= to.upper()) continue;
       const numerics::Interval a = p.from.lower() < from.lower() ? from : p.from;
       const numerics::Interval b = p.to.upper() > to.upper() ? to : p.to;
-      axis.pieces.push_back(locate_piece(basis, a, b));
+      axis.pieces.push_back(velocity_piece_of_segment(basis, a, b));
     }
   };
   if (shift.lower() > 0) add_between(pieces.front().from, begin);
   axis.first = axis.pieces.size();
   for (const VelocityPiece& p : pieces) {
-    axis.pieces.push_back(locate_piece(basis, p.from + shift, p.to + shift));
+    axis.pieces.push_back(velocity_piece_of_segment(basis, p.from + shift, p.to + shift));
   }
   if (shift.upper() < 0) add_between(end, pieces.back().to);
   return axis;
@@ -99,7 +99,7 @@ struct TailWeights {
 
 ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const TailWeights& weights,
                              const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces) {
-  ImpulseTable table = empty_table(basis, pieces, kOneSidedOrder);
+  ImpulseTable table = zero_impulse_table(basis, pieces, kOneSidedOrder);
   double longest = 0, overhang = 0;
   for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
   const ShiftedAxis axis = shifted_axis(basis, pieces, shift, longest);
@@ -115,7 +115,7 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
     for (int step = 0; step < count; ++step) {
       const int i = forward ? step : count - 1 - step;
       const VelocityPiece& piece = axis.pieces[i];
-      PieceFunctions functions = piece_functions(basis, piece);
+      BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
       overhang = std::max(overhang, functions.overhang_error);
       if (!forward) {
         for (numerics::BernsteinCoefficients& b : functions.value) std::reverse(b.begin(), b.end());
@@ -152,13 +152,13 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
 
 }  // namespace
 
-ImpulseTable law_table(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces) {
+ImpulseTable impulse_table_of_law(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces) {
   return make_tail_table(law.mean, law.scale, {0.5, 0.5}, basis, pieces);
 }
 
-ImpulseTable law_table(const problem::ExponentialLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces) {
+ImpulseTable impulse_table_of_law(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces) {
   const numerics::Interval start = numerics::Interval(law.mean) - law.scale;
   return make_tail_table(start, std::abs(law.scale),
                          law.scale > 0 ? TailWeights{0, 1} : TailWeights{1, 0}, basis, pieces);

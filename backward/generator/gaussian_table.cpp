@@ -35,7 +35,7 @@ numerics::Interval factorial(int n) {
 numerics::BernsteinCoefficients centred_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
-  for (int i = 0; i < q; ++i) b = product(b, x);
+  for (int i = 0; i < q; ++i) b = bernstein_product(b, x);
   return elevate_degree(b, n);
 }
 
@@ -52,7 +52,7 @@ std::vector<numerics::BernsteinCoefficients> power_integrals(int p) {
       numerics::Interval sum = 0;
       for (const numerics::Interval& c : b) sum += c;
       integrals[j][k] = sum / static_cast<double>(b.size());
-      b = product(b, x);
+      b = bernstein_product(b, x);
     }
   }
   return integrals;
@@ -69,7 +69,7 @@ struct Source {
 Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double s,
                    const std::vector<numerics::BernsteinCoefficients>& integrals) {
   const numerics::Interval half = piece.length() / 2.0;
-  const PieceFunctions functions = piece_functions(basis, piece);
+  const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
   Source source{centre_of(piece), half.upper(), functions.index, {}};
   for (const numerics::BernsteinCoefficients& b : functions.value) {
     numerics::BernsteinCoefficients moments(kSourceMoments);
@@ -94,10 +94,10 @@ numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
 
 }  // namespace
 
-ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces) {
+ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces) {
   const double s = law.deviation;
-  ImpulseTable table = empty_table(basis, pieces, kOrder);
+  ImpulseTable table = zero_impulse_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
   // Source pieces beyond the ends, where the first or the last function is 1.
@@ -121,7 +121,7 @@ ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis
   double overhang = 0;
   for (const VelocityPiece& piece : source_pieces) {
     sources.push_back(make_source(basis, piece, s, integrals));
-    overhang = std::max(overhang, piece_functions(basis, piece).overhang_error);
+    overhang = std::max(overhang, basis_functions_on_piece(basis, piece).overhang_error);
   }
 
   std::vector<numerics::BernsteinCoefficients> bernstein;

@@ -66,7 +66,7 @@ numerics::Interval central_moment(const UniformLaw& law, int n) {
 template <class Law>
 concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
   central_moment(law, 0);
-  law_table(law, basis, {});
+  impulse_table_of_law(law, basis, {});
 };
 
 [[noreturn]] void throw_unsupported(std::string_view law) {
@@ -75,12 +75,13 @@ concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
 
 }  // namespace
 
-bool has_enclosures(const problem::ImpulseLaw& law) {
+bool has_interval_enclosures(const problem::ImpulseLaw& law) {
   return std::visit([]<class Law>(const Law&) { return Enclosed<Law>; }, law.kind());
 }
 
-ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& law) {
-  ImpulseKinks kinks;
+VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
+                                                    const problem::ImpulseLaw& law) {
+  VelocityPieceConstraints kinks;
   const auto offsets = std::visit(
       [&]<class Law>(const Law& kind) -> std::vector<double> {
         if constexpr (Enclosed<Law>) {
@@ -103,7 +104,7 @@ ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityP
   return std::visit(
       [&]<class Law>(const Law& kind) -> ImpulseTable {
         if constexpr (Enclosed<Law>) {
-          return law_table(kind, basis, pieces);
+          return impulse_table_of_law(kind, basis, pieces);
         } else {
           throw_unsupported(Law::kName);
         }
@@ -113,12 +114,12 @@ ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityP
 
 numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
   return std::visit(
-      [n, symmetric = law.symmetric()]<class Law>(const Law& kind) -> numerics::Interval {
+      [n, symmetric = law.is_symmetric()]<class Law>(const Law& kind) -> numerics::Interval {
         if constexpr (Enclosed<Law>) {
           numerics::Interval sum = 0;
           for (int i = 0; i <= n; i += symmetric ? 2 : 1) {
-            sum += numerics::binomial(n, i) * power(numerics::Interval(kind.mean), n - i) *
-                   central_moment(kind, i);
+            sum += numerics::binomial_coefficient(n, i) *
+                   power(numerics::Interval(kind.mean), n - i) * central_moment(kind, i);
           }
           return sum;
         } else {
@@ -128,8 +129,8 @@ numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n) {
       law.kind());
 }
 
-ImpulseTable empty_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
-                         int order) {
+ImpulseTable zero_impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                                int order) {
   ImpulseTable table{basis.size(), order, {}, 0};
   table.coefficients.assign(pieces.size() * static_cast<std::size_t>(basis.size() * order),
                             numerics::Interval(0));

@@ -28,16 +28,17 @@ struct ImpulseTable {
 
 /// Whether the impulse table and the moments of a law have interval enclosures. The functions below
 /// require a law with enclosures.
-bool has_enclosures(const problem::ImpulseLaw& law);
+bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
 /// Constraints on the velocity pieces for the table of a law.
-struct ImpulseKinks {
+struct VelocityPieceConstraints {
   double longest;            ///< largest permitted length of a piece
   std::vector<double> cuts;  ///< points besides the breaks of the basis where K B is not smooth
 };
-ImpulseKinks impulse_kinks(const ImpactBasis& basis, const problem::ImpulseLaw& law);
+VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
+                                                    const problem::ImpulseLaw& law);
 
-/// The impulse table of a law on pieces that satisfy impulse_kinks().
+/// The impulse table of a law on pieces that satisfy velocity_piece_constraints().
 ImpulseTable impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
                            const problem::ImpulseLaw& law);
 
@@ -46,19 +47,19 @@ numerics::Interval moment_enclosure(const problem::ImpulseLaw& law, int n);
 
 // The impulse table of each law (formulas in the sources). For a law without a table no bounds can
 // be computed.
-ImpulseTable law_table(const problem::ExponentialLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces);
-ImpulseTable law_table(const problem::GaussianLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces);
-ImpulseTable law_table(const problem::LaplaceLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces);
-ImpulseTable law_table(const problem::TwoPointLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces);
-ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces);
+ImpulseTable impulse_table_of_law(const problem::ExponentialLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces);
+ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces);
+ImpulseTable impulse_table_of_law(const problem::LaplaceLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces);
+ImpulseTable impulse_table_of_law(const problem::TwoPointLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces);
+ImpulseTable impulse_table_of_law(const problem::UniformLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces);
 
-/// An impulse table of zeros, to be filled by law_table().
-ImpulseTable empty_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
-                         int order);
+/// An impulse table of zeros, to be filled by impulse_table_of_law().
+ImpulseTable zero_impulse_table(const ImpactBasis& basis, const std::vector<VelocityPiece>& pieces,
+                                int order);
 
 }  // namespace fpkcheck::backward

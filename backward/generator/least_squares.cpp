@@ -20,7 +20,7 @@ class FitRows {
   explicit FitRows(const LeastSquaresProblem& p)
       : p_(p),
         functions_(p.velocity.size()),
-        constrained_size_(p.velocity.centre() + 1),
+        constrained_size_(p.velocity.centre_index() + 1),
         per_span_(p.displacement.degree() + 1),
         weights_(static_cast<Eigen::Index>(p.v.v.size()), static_cast<Eigen::Index>(p.y.y.size())) {
     for (std::size_t i = 0; i < p.y.y.size(); ++i) {
@@ -32,7 +32,7 @@ class FitRows {
 
   int y_points() const { return static_cast<int>(p_.y.y.size()); }
   int v_points() const { return static_cast<int>(p_.v.v.size()); }
-  double force(int i) const { return p_.problem.system.force()(p_.y.y[i]); }
+  double force(int i) const { return p_.problem.system.restoring_force()(p_.y.y[i]); }
 
   /// Numbers of unknowns. At a wall the two functions of a mirrored pair share one unknown.
   std::vector<Eigen::Index> block_sizes() const {
@@ -111,7 +111,7 @@ class FitRows {
 
   /// Spline coefficients, computed from the unknowns.
   Eigen::MatrixXd coefficients_of_unknowns(const Eigen::VectorXd& x) const {
-    const int rows = p_.displacement.size(), centre = p_.velocity.centre();
+    const int rows = p_.displacement.size(), centre = p_.velocity.centre_index();
     Eigen::MatrixXd c(rows, functions_);
     Eigen::Index first = 0;
     for (int a = 0; a < rows; ++a) {
@@ -215,7 +215,7 @@ void minimise(const FitRows& rows, const NormalEquations& equations,
 
 }  // namespace
 
-BackwardSolutions solve_backward(
+BackwardSolutions solve_backward_equations(
     const LeastSquaresProblem& problem,
     const std::vector<std::function<double(double, double)>>& functions) {
   const FitRows rows(problem);

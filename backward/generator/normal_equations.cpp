@@ -12,7 +12,7 @@ constexpr double kRidge = 1e-13;
 NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name)
     : matrix_(std::move(matrix)),
       scale_(matrix_.diagonal().array().max(1e-300).sqrt().inverse().matrix()) {
-  matrix_.scale(scale_);
+  matrix_.scale_symmetrically(scale_);
   matrix_.add_to_diagonal(kRidge);
   if (!matrix_.factorise()) {
     throw FitFailure("the normal equations of " + fit_name + " are not positive definite");

@@ -4,16 +4,16 @@
 
 namespace fpkcheck::backward {
 
-ImpulseTable law_table(const problem::TwoPointLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces) {
+ImpulseTable impulse_table_of_law(const problem::TwoPointLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces) {
   const int order = basis.speeds().degree() + 2;  // order of the term v V_y of the generator
-  ImpulseTable table = empty_table(basis, pieces, order);
+  ImpulseTable table = zero_impulse_table(basis, pieces, order);
   double overhang = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.deviation;
-      const PieceFunctions there =
-          piece_functions(basis, locate_piece(basis, pieces[i].from + shift, pieces[i].to + shift));
+      const BasisFunctionsOnPiece there = basis_functions_on_piece(
+          basis, velocity_piece_of_segment(basis, pieces[i].from + shift, pieces[i].to + shift));
       overhang = std::max(overhang, there.overhang_error);
       for (std::size_t l = 0; l < there.index.size(); ++l) {
         const numerics::BernsteinCoefficients b = elevate_degree(there.value[l], order - 1);

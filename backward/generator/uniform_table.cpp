@@ -14,7 +14,7 @@ class Antiderivative {
     spans_ = velocity_pieces(basis, {}, 4 * (basis.end() - basis.begin()));
     for (const VelocityPiece& span : spans_) {
       at_begin_.push_back(sum);
-      const PieceFunctions functions = piece_functions(basis, span);
+      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, span);
       for (std::size_t l = 0; l < functions.index.size(); ++l) {
         sum[functions.index[l]] += span.length() * mean(functions.value[l]);
       }
@@ -26,7 +26,7 @@ class Antiderivative {
   /// @return an upper bound of |I - polynomial|
   double add(const VelocityPiece& piece, const numerics::Interval& factor,
              std::span<numerics::Interval> coefficients, int order) const {
-    const PieceFunctions functions = piece_functions(basis_, piece);
+    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis_, piece);
     const int span_index = span_number(piece);
     const bool below = piece.side == VelocitySide::below;
     for (int b = 0; b < basis_.size(); ++b) {
@@ -38,7 +38,7 @@ class Antiderivative {
     const numerics::Interval begin =
         span_index < static_cast<int>(spans_.size()) ? spans_[span_index].from : spans_.back().to;
     const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
-    const PieceFunctions across = piece_functions(basis_, gap);
+    const BasisFunctionsOnPiece across = basis_functions_on_piece(basis_, gap);
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
       numerics::BernsteinCoefficients integral(functions.value[l].size() + 1);
       integral[0] = below ? piece.from - begin : gap.length() * mean(across.value[l]);
@@ -62,7 +62,7 @@ class Antiderivative {
     return sum / static_cast<double>(b.size());
   }
   int span_number(const VelocityPiece& piece) const {
-    const int count = basis_.speeds().spans();
+    const int count = basis_.speeds().span_count();
     switch (piece.side) {
       case VelocitySide::below:
         return 0;
@@ -83,10 +83,10 @@ class Antiderivative {
 
 }  // namespace
 
-ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
-                       const std::vector<VelocityPiece>& pieces) {
+ImpulseTable impulse_table_of_law(const problem::UniformLaw& law, const ImpactBasis& basis,
+                                  const std::vector<VelocityPiece>& pieces) {
   const int order = basis.speeds().degree() + 2;
-  ImpulseTable table = empty_table(basis, pieces, order);
+  ImpulseTable table = zero_impulse_table(basis, pieces, order);
   const Antiderivative antiderivative(basis);
   numerics::Interval error = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -94,7 +94,8 @@ ImpulseTable law_table(const problem::UniformLaw& law, const ImpactBasis& basis,
                                             static_cast<std::size_t>(basis.size() * order));
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.half_width;
-      const VelocityPiece there = locate_piece(basis, pieces[i].from + shift, pieces[i].to + shift);
+      const VelocityPiece there =
+          velocity_piece_of_segment(basis, pieces[i].from + shift, pieces[i].to + shift);
       const numerics::Interval factor = sign / (2.0 * numerics::Interval(law.half_width));
       const double piece_error = antiderivative.add(there, factor, out, order);
       error =

@@ -7,7 +7,7 @@ namespace fpkcheck::backward {
 VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
                                      std::span<const double> cuts) {
   const problem::ImpulseLaw& law = problem.impulses.law();
-  ImpulseKinks kinks = impulse_kinks(basis, law);
+  VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
   kinks.cuts.insert(kinks.cuts.end(), cuts.begin(), cuts.end());
   std::sort(kinks.cuts.begin(), kinks.cuts.end());
 
@@ -22,7 +22,7 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
   jump.remainder = (rate * jump.remainder).upper();
   for (std::size_t i = 0; i < operators.pieces.size(); ++i) {
     const VelocityPiece& piece = operators.pieces[i];
-    const PieceFunctions functions = piece_functions(basis, piece);
+    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
     const numerics::BernsteinCoefficients v{piece.from, piece.to};
     const numerics::Interval length = piece.length();
     operators.index.push_back(functions.index);
@@ -30,16 +30,17 @@ VelocityOperators velocity_operators(const problem::Problem& problem, const Impa
     operators.force.emplace_back();
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
       const numerics::BernsteinCoefficients& b = functions.value[l];
-      numerics::BernsteinCoefficients slope = derivative(b);
+      numerics::BernsteinCoefficients slope = bernstein_derivative(b);
       for (numerics::Interval& s : slope) s /= length;
       const numerics::BernsteinCoefficients value = elevate_degree(b, degree);
-      const numerics::BernsteinCoefficients damped = elevate_degree(product(v, slope), degree);
+      const numerics::BernsteinCoefficients damped =
+          elevate_degree(bernstein_product(v, slope), degree);
       const std::span<numerics::Interval> out =
           jump.coefficients_of(static_cast<int>(i), functions.index[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
-      operators.drift.back().push_back(elevate_degree(product(v, b), degree));
+      operators.drift.back().push_back(elevate_degree(bernstein_product(v, b), degree));
     }
-    for (const numerics::BernsteinCoefficients& slope : difference_slopes(basis, piece)) {
+    for (const numerics::BernsteinCoefficients& slope : partial_sum_slopes(basis, piece)) {
       numerics::BernsteinCoefficients force = elevate_degree(slope, degree);
       for (numerics::Interval& s : force) s = -s;
       operators.force.back().push_back(std::move(force));

@@ -30,7 +30,7 @@ struct VelocityOperators {
 };
 
 /// @param cuts additional ends of pieces, increasing
-/// @pre inside with_upward_rounding
+/// @pre inside call_with_upward_rounding
 VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
                                      std::span<const double> cuts);
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "backward/generator/difference_slopes.hpp"
+#include "backward/generator/partial_sum_slopes.hpp"
 #include "numerics/splines/bezier_extraction.hpp"
 
 namespace fpkcheck::backward {
@@ -30,8 +30,8 @@ double max_slope(const ImpactBasis& basis) {
 
 }  // namespace
 
-VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
-                           const numerics::Interval& to) {
+VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics::Interval& from,
+                                        const numerics::Interval& to) {
   const double v = middle(from, to), r = basis.restitution();
   VelocityPiece piece{VelocitySide::below, 0, from, to, 0};
   if (v < basis.begin()) {
@@ -41,16 +41,17 @@ VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& f
     piece.overhang = std::max(0.0, (numerics::Interval(r) * basis.speeds().end() - from).upper());
   } else {
     piece.side = v < 0 ? VelocitySide::incoming : VelocitySide::outgoing;
-    piece.span = basis.speeds().span_of(v < 0 ? -v : v / r);
+    piece.span = basis.speeds().span_containing(v < 0 ? -v : v / r);
     const auto [begin, end] = span_ends(basis, piece.side, piece.span);
     piece.overhang = std::max({0.0, (begin - from).upper(), (to - end).upper()});
   }
   return piece;
 }
 
-PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece) {
+BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
+                                               const VelocityPiece& piece) {
   const int p = basis.speeds().degree();
-  PieceFunctions functions;
+  BasisFunctionsOnPiece functions;
   double slope = 0;
   if (piece.side == VelocitySide::below || piece.side == VelocitySide::above) {
     functions.index = {piece.side == VelocitySide::below ? 0 : basis.size() - 1};
@@ -62,8 +63,8 @@ PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& pi
         basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
         in ? numerics::Interval(-piece.to) : piece.to / r);
     for (int l = 0; l <= p; ++l) {
-      functions.index.push_back(in ? basis.incoming(piece.span + l)
-                                   : basis.outgoing(piece.span + l));
+      functions.index.push_back(in ? basis.incoming_index(piece.span + l)
+                                   : basis.outgoing_index(piece.span + l));
       functions.value.emplace_back(rows.row(l).begin(), rows.row(l).end());
       for (int j = 0; j < p; ++j) {
         slope = std::max(slope, magnitude(rows(l, j + 1) - rows(l, j)));
@@ -82,12 +83,12 @@ PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& pi
   return functions;
 }
 
-std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
-                                                               const VelocityPiece& piece) {
+std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
+                                                                const VelocityPiece& piece) {
   const bool in = piece.side == VelocitySide::incoming;
   const numerics::Interval r = basis.restitution(),
                            sign_and_scale = in ? numerics::Interval(-1) : 1.0 / r;
-  std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(
+  std::vector<numerics::BernsteinCoefficients> slopes = partial_sum_slopes(
       basis.speeds(), piece.span, in ? numerics::Interval(-piece.from) : piece.from / r,
       in ? numerics::Interval(-piece.to) : piece.to / r);
   for (numerics::BernsteinCoefficients& slope : slopes) {
@@ -105,7 +106,7 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 }
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
-                                           double longest) {
+                                           double largest_length) {
   // Cuts closer than this distance to a break are omitted; the overhang of the pieces covers such
   // cuts.
   const double negligible = 4e-16 * basis.speeds().end();
@@ -121,7 +122,7 @@ std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<c
     points.push_back(end);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const double length = points[i + 1].upper() - points[i].lower();
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      const int parts = std::max(1, static_cast<int>(std::ceil(length / largest_length)));
       numerics::Interval from = points[i];
       for (int part = 1; part <= parts; ++part) {
         const numerics::Interval to =
@@ -132,8 +133,8 @@ std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<c
       }
     }
   };
-  for (int s = basis.speeds().spans(); s-- > 0;) add_span(VelocitySide::incoming, s);
-  for (int s = 0; s < basis.speeds().spans(); ++s) add_span(VelocitySide::outgoing, s);
+  for (int s = basis.speeds().span_count(); s-- > 0;) add_span(VelocitySide::incoming, s);
+  for (int s = 0; s < basis.speeds().span_count(); ++s) add_span(VelocitySide::outgoing, s);
   return pieces;
 }
 

@@ -30,7 +30,7 @@ struct VelocityPiece {
 };
 
 /// The functions of a basis on a segment, as polynomials of t = (v - from)/(to - from).
-struct PieceFunctions {
+struct BasisFunctionsOnPiece {
   /// functions that do not vanish on the segment
   std::vector<int> index;
   std::vector<numerics::BernsteinCoefficients> value;  ///< Bernstein coefficients of each function
@@ -40,20 +40,21 @@ struct PieceFunctions {
 };
 
 /// The velocity piece of a segment, assigned to the span that contains the midpoint of the segment.
-VelocityPiece locate_piece(const ImpactBasis& basis, const numerics::Interval& from,
-                           const numerics::Interval& to);
-PieceFunctions piece_functions(const ImpactBasis& basis, const VelocityPiece& piece);
+VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics::Interval& from,
+                                        const numerics::Interval& to);
+BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
+                                               const VelocityPiece& piece);
 
 /// Enclosures of dS_l/dv on a piece for l = 1 .. degree. S_l = B_l + B_{l+1} + .. is a sum over the
-/// functions of the piece in the order of piece_functions(). Each derivative is p B_{p-1} / (a knot
-/// distance), a single B-spline of degree p - 1.
-std::vector<numerics::BernsteinCoefficients> difference_slopes(const ImpactBasis& basis,
-                                                               const VelocityPiece& piece);
+/// functions of the piece in the order of basis_functions_on_piece(). Each derivative is p B_{p-1}
+/// / (a knot distance), a single B-spline of degree p - 1.
+std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
+                                                                const VelocityPiece& piece);
 
 /// Pieces of the range of the basis: divided at the ends of all spans and at `cuts`, and so that no
-/// piece is longer than `longest`.
+/// piece is longer than `largest_length`.
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
-                                           double longest);
+                                           double largest_length);
 /// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.
 std::vector<double> velocity_breaks(const ImpactBasis& basis);
 

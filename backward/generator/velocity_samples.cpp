@@ -3,7 +3,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-double middle(const numerics::Interval& x) { return enclosure(x).middle(); }
+double middle(const numerics::Interval& x) { return enclosure_from_interval(x).middle(); }
 
 // Values at t of all Bernstein polynomials of degree n.
 std::vector<double> bernstein_basis(int n, double t) {
@@ -25,14 +25,14 @@ double sum(std::span<const numerics::Interval> coefficients, const std::vector<d
 }  // namespace
 
 VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
-                                 int per_cell) {
+                                 int points_per_cell) {
   VelocitySamples samples;
   std::vector<Eigen::Triplet<double>> drift, force;
   const std::vector<double> breaks = velocity_breaks(basis);
   std::vector<std::pair<std::size_t, double>> places;  // piece and coordinate t of each point
   std::size_t piece = 0;
   for (std::size_t cell = 0; cell + 1 < breaks.size(); ++cell) {
-    for (const double t : chebyshev_points(per_cell)) {
+    for (const double t : chebyshev_points(points_per_cell)) {
       const double v = breaks[cell] + t * (breaks[cell + 1] - breaks[cell]);
       while (piece + 1 < operators.pieces.size() && middle(operators.pieces[piece].to) < v) ++piece;
       const double from = middle(operators.pieces[piece].from);

@@ -5,9 +5,9 @@
 
 namespace fpkcheck::backward {
 
-/// Values of the velocity factors of the generator at `per_cell` Chebyshev points of every cell of
-/// v.
+/// Values of the velocity factors of the generator at `points_per_cell` Chebyshev points of every
+/// cell of v.
 VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
-                                 int per_cell);
+                                 int points_per_cell);
 
 }  // namespace fpkcheck::backward

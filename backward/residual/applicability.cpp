@@ -5,7 +5,7 @@
 namespace fpkcheck::backward {
 
 std::string residuals_unsupported_reason(const problem::Problem& problem) {
-  const problem::Features features = problem::features(problem);
+  const problem::ProblemFeatures features = problem::features(problem);
   if (features.rests_in_contact) {
     return "the mass comes to rest at a wall: residuals of a density do not contain the atom";
   }

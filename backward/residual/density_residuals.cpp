@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "backward/control/general_fit.hpp"
+#include "backward/control/control_fit_any_oscillator.hpp"
 #include "backward/residual/spline_fractions.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
@@ -15,21 +15,22 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Weight of the jumps at the wall (ControlFit::wall_weight), as for four samples per radian of the
-// undamped motion. The corrected moments hardly depend on this weight.
+// Weight of the jumps at the wall (ControlFitProblem::wall_weight), as for four samples per radian
+// of the undamped motion. The corrected moments hardly depend on this weight.
 constexpr double kWallWeight = 4;
 
 WeakResiduals make_weak_residuals(const problem::Problem& problem, ControlSplines splines) {
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlFit control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  const auto control = problem::is_paper_oscillator(problem) ? paper_class_fit : general_fit;
+ControlFitProblem control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
+  const auto control =
+      problem::is_paper_oscillator(problem) ? control_fit_paper_class : control_fit_any_oscillator;
   const double wall_weight = kWallWeight * problem::scales(problem).frequency;
   return control(problem, residuals.y(), residuals.v(), wall_weight);
 }
 
-const ControlCells& cells_for(const problem::Features& features) {
+const ControlCells& cells_for(const problem::ProblemFeatures& features) {
   if (features.wells < 2) return DensityResiduals::kCells;
   return features.noise ? DensityResiduals::kWellCells : DensityResiduals::kSharpWellCells;
 }
@@ -69,7 +70,7 @@ std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const auto moment = transform::kMoments[k].moment;
     result.moments.*moment =
-        std::abs(error.*moment) + share * unresolved[k] + most / 2 * contrasts[k];
+        std::abs(error.*moment) + share * unresolved[k] + most / 2 * well_contrasts[k];
   }
   return result;
 }
@@ -83,47 +84,47 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem, const Contro
       h_(fit_control_functions(control_fit(problem, residuals_), functions_.all)),
       unresolved_(control_fit(problem, residuals_), functions_.all, h_) {}
 
-Eigen::MatrixXd DensityResiduals::coefficients(Eigen::Index function) const {
-  return h_.coefficients.col(function).reshaped<Eigen::RowMajor>(y().size(), v().size());
+Eigen::MatrixXd DensityResiduals::backward_solution(Eigen::Index goal_function) const {
+  return h_.coefficients.col(goal_function).reshaped<Eigen::RowMajor>(y().size(), v().size());
 }
 
 DensityErrors DensityResiduals::estimate_errors(const transform::Density& density) const {
-  const WeakForm weak = residuals_(density);
+  const DensityIntegrals weak = residuals_(density);
   DensityErrors result{.mass = weak.mass,
                        .corrected = weak.moments,
                        .error = {},
                        .contributions = {},
                        .unresolved = {},
-                       .contrasts = {},
+                       .well_contrasts = {},
                        .y_l1 = {},
                        .ydot_l1 = {}};
   const Eigen::VectorXd errors =
       -(h_.coefficients.transpose() * weak.residuals.reshaped<Eigen::RowMajor>().eval());
   const Eigen::VectorXd unresolved = unresolved_.mean_residuals(weak);
-  const Eigen::VectorXd& contrasts = unresolved_.contrasts();
+  const Eigen::VectorXd& well_contrasts = unresolved_.well_contrasts();
   for (std::size_t k = 0; k < kMomentCount; ++k) {
-    const Eigen::MatrixXd h = coefficients(static_cast<Eigen::Index>(k));
+    const Eigen::MatrixXd h = backward_solution(static_cast<Eigen::Index>(k));
     const double mean = h.cwiseProduct(weak.means).sum();
     result.contributions[k] = -((h.array() - mean) * weak.residuals.array()).matrix();
     const auto moment = transform::kMoments[k].moment;
     result.error.*moment = result.contributions[k].sum();
     result.corrected.*moment -= result.error.*moment;
     result.unresolved[k] = unresolved(static_cast<Eigen::Index>(k));
-    result.contrasts[k] = contrasts(static_cast<Eigen::Index>(k));
+    result.well_contrasts[k] = well_contrasts(static_cast<Eigen::Index>(k));
   }
   const auto in_bins = [&](int first, int count) {
     return ErrorComponents{errors.segment(first, count).cwiseAbs().sum(),
                            unresolved.segment(first, count).sum(),
-                           contrasts.segment(first, count).sum() / 2};
+                           well_contrasts.segment(first, count).sum() / 2};
   };
   result.y_l1 = in_bins(functions_.moments, functions_.y_bins);
   result.ydot_l1 = in_bins(functions_.moments + functions_.y_bins, functions_.v_bins);
   return result;
 }
 
-Eigen::MatrixXd DensityResiduals::spread_contributions(const Eigen::MatrixXd& contributions,
-                                                       std::span<const double> y_edges,
-                                                       std::span<const double> v_edges) const {
+Eigen::MatrixXd DensityResiduals::contributions_per_cell(const Eigen::MatrixXd& contributions,
+                                                         std::span<const double> y_edges,
+                                                         std::span<const double> v_edges) const {
   const auto inverse_widths = [](std::span<const double> edges) {
     Eigen::VectorXd inverse(std::ssize(edges) - 1);
     for (Eigen::Index k = 0; k < inverse.size(); ++k) {

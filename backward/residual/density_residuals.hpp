@@ -21,8 +21,9 @@ struct ErrorComponents {
   double found = 0;  ///< error found by the dual-weighted residuals
   /// Mean residuals (UnresolvedResidual) of the functions h that weight the density's residuals
   double unresolved = 0;
-  /// Half the sum of UnresolvedResidual::contrasts(). The value is 0 if the residuals determine the
-  /// probabilities of the wells, and 1 if the residuals do not depend on these probabilities.
+  /// Half the sum of UnresolvedResidual::well_contrasts(). The value is 0 if the residuals
+  /// determine the probabilities of the wells, and 1 if the residuals do not depend on these
+  /// probabilities.
   double contrast = 0;
 };
 
@@ -37,7 +38,8 @@ struct DensityErrors {
   std::array<Eigen::MatrixXd, kMomentCount> contributions;
 
   std::array<double, kMomentCount> unresolved;  ///< unresolved residuals of the moments
-  std::array<double, kMomentCount> contrasts;   ///< UnresolvedResidual::contrasts() of the moments
+  std::array<double, kMomentCount>
+      well_contrasts;  ///< UnresolvedResidual::well_contrasts() of the moments
   /// L1 errors of p(y) and of p(y'), over the bins of goal_functions().
   ErrorComponents y_l1, ydot_l1;
 
@@ -99,16 +101,16 @@ class DensityResiduals {
   /// @param y_edges, v_edges increasing
   /// @return shape (cells of y, cells of v)
   /// @throws InputError when edges do not increase
-  Eigen::MatrixXd spread_contributions(const Eigen::MatrixXd& contributions,
-                                       std::span<const double> y_edges,
-                                       std::span<const double> v_edges) const;
+  Eigen::MatrixXd contributions_per_cell(const Eigen::MatrixXd& contributions,
+                                         std::span<const double> y_edges,
+                                         std::span<const double> v_edges) const;
 
   const numerics::QuinticBSplines& y() const { return residuals_.y(); }
   const numerics::QuinticBSplines& v() const { return residuals_.v(); }
 
  private:
   /// The coefficients h_ij of the solution h for one goal function.
-  Eigen::MatrixXd coefficients(Eigen::Index function) const;
+  Eigen::MatrixXd backward_solution(Eigen::Index goal_function) const;
 
   WeakResiduals residuals_;
   GoalFunctions functions_;

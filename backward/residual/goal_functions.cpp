@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "backward/control/general_fit.hpp"
+#include "backward/control/control_fit_any_oscillator.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 
@@ -31,7 +31,7 @@ std::vector<std::function<double(double)>> bin_functions(const numerics::Quintic
   std::vector<std::function<double(double)>> functions;
   for (int b = 0; b < bins->size(); ++b) {
     functions.push_back([bins, b](double x) {
-      const auto at = bins->at(x);
+      const auto at = bins->values_and_slopes(x);
       const int place = b - at.first;
       return 0 <= place && place <= numerics::QuinticBSplines::kDegree ? at.value[place] : 0;
     });
@@ -42,20 +42,21 @@ std::vector<std::function<double(double)>> bin_functions(const numerics::Quintic
 }  // namespace
 
 ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells) {
-  if (!problem::is_paper_oscillator(problem)) return general_splines(problem, cells);
+  if (!problem::is_paper_oscillator(problem)) return control_splines_any_oscillator(problem, cells);
   const double deviation = problem::equivalent_linearisation(problem).displacement_deviation;
   const bool is_off_wall = problem::static_deflection(problem) > kOffWallDeflection * deviation;
-  return paper_class_splines(problem, cells, is_off_wall ? 0 : kGradedCells);
+  return control_splines_paper_class(problem, cells, is_off_wall ? 0 : kGradedCells);
 }
 
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
                              const problem::Frame& frame) {
   GoalFunctions goal;
   for (const int n : {1, 2, 4}) {
-    goal.all.push_back({[=](double x) { return std::pow(frame.y(x), n); }, constant_one});
+    goal.all.push_back({[=](double x) { return std::pow(frame.physical_y(x), n); }, constant_one});
   }
   for (const int n : {1, 2, 4}) {
-    goal.all.push_back({constant_one, [=](double x) { return std::pow(frame.v(x), n); }});
+    goal.all.push_back(
+        {constant_one, [=](double x) { return std::pow(frame.physical_velocity(x), n); }});
   }
   goal.moments = static_cast<int>(goal.all.size());
   for (auto& bin : bin_functions(y)) goal.all.push_back({std::move(bin), constant_one});

@@ -28,7 +28,8 @@ std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
 
 }  // namespace
 
-SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const double> points) {
+RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
+                                           std::span<const double> points) {
   const auto zero = std::ranges::lower_bound(edges, 0.0) - edges.begin();
   const bool has_edge_at_zero =
       zero < std::ssize(edges) && edges[static_cast<std::size_t>(zero)] == 0;
@@ -56,7 +57,7 @@ SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const 
                            sum * (chosen[at] - chosen[at - 1]));
     }
   }
-  SparseRows rows(static_cast<Eigen::Index>(points.size()), std::ssize(edges) - 1);
+  RowMajorSparseMatrix rows(static_cast<Eigen::Index>(points.size()), std::ssize(edges) - 1);
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::backward {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using RowMajorSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Matrix that maps cell averages to values at points. The values are the slope of the cumulative
 /// distribution, which polynomials of degree 7 interpolate between the edges (as in
@@ -15,6 +15,7 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// cell. Values beyond the ends are 0.
 /// @param edges n + 1 cell edges, increasing
 /// @return shape (points, n)
-SparseRows reconstruction_matrix(std::span<const double> edges, std::span<const double> points);
+RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
+                                           std::span<const double> points);
 
 }  // namespace fpkcheck::backward

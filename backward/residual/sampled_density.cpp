@@ -27,20 +27,20 @@ numerics::QuadratureRule composite_rule(double begin, double end, std::span<cons
   }
   std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  return numerics::gauss_rule<kGaussPoints>(cuts);
+  return numerics::composite_gauss_rule<kGaussPoints>(cuts);
 }
 
 /// Quadrature rule of an axis whose samples are averages over cells.
-SampledAxis axis_from_averages(const numerics::QuadratureRule& rule,
-                               std::span<const double> edges) {
-  SparseRows rows = reconstruction_matrix(edges, rule.points);
+AxisQuadrature axis_from_averages(const numerics::QuadratureRule& rule,
+                                  std::span<const double> edges) {
+  RowMajorSparseMatrix rows = reconstruction_matrix(edges, rule.points);
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.row(n) *= rule.weights(n);
   return {rule.points, std::move(rows)};
 }
 
 /// Quadrature rule of an axis whose samples are values at the points.
-SampledAxis axis_from_values(const numerics::QuadratureRule& rule) {
-  SparseRows rows(rule.weights.size(), rule.weights.size());
+AxisQuadrature axis_from_values(const numerics::QuadratureRule& rule) {
+  RowMajorSparseMatrix rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
   for (Eigen::Index n = 0; n < rows.rows(); ++n) rows.coeffRef(n, n) = rule.weights(n);
   return {rule.points, std::move(rows)};
@@ -139,7 +139,7 @@ SampledDensity sample_form(const transform::SmoothDensity& density, const Integr
     }
   }
   for (const ImpactBreaks& wall : breaks.walls) {
-    SampledAxis speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
+    AxisQuadrature speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
     // Clamped: the density may be 0 at a wall position with a rounding error.
     const double at = std::clamp(wall.position, density.y_min, density.y_max);

@@ -11,32 +11,32 @@ namespace fpkcheck::backward {
 
 /// A quadrature rule along an axis for a density that is given by samples along this axis. The
 /// samples are values at the points, or averages over cells.
-struct SampledAxis {
+struct AxisQuadrature {
   std::vector<double> points;
   /// Matrix of shape (points, samples) that maps samples to quadrature weight times density at the
   /// points.
-  SparseRows weighted;
+  RowMajorSparseMatrix weighted;
 
   /// Integrals of each function times the density, as linear forms of the samples.
   /// @param functions values at the points, shape (points, functions)
   /// @return shape (functions, samples)
-  Eigen::MatrixXd integrals(const Eigen::MatrixXd& functions) const {
+  Eigen::MatrixXd integrals_with_density(const Eigen::MatrixXd& functions) const {
     return functions.transpose() * weighted;
   }
 };
 
 /// The density at a wall as a function of the impact speed.
-struct SampledImpacts {
-  SampledAxis speeds;  ///< impact speeds u > 0
+struct SampledWallDensity {
+  AxisQuadrature speeds;  ///< impact speeds u > 0
   Eigen::VectorXd samples;
 };
 
 /// A density p, discretised for linear functionals. The integral of a(y) b(v) p is a row vector
 /// times the matrix of samples times a column vector.
 struct SampledDensity {
-  SampledAxis y, v;
-  Eigen::MatrixXd samples;              ///< shape (samples along y, along v)
-  std::vector<SampledImpacts> impacts;  ///< density at each wall
+  AxisQuadrature y, v;
+  Eigen::MatrixXd samples;                  ///< shape (samples along y, along v)
+  std::vector<SampledWallDensity> impacts;  ///< density at each wall
 };
 
 /// Impact speeds at which integrands over impacts at a wall are not smooth.

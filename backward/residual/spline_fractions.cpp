@@ -22,11 +22,11 @@ Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
                        [&](double x) { return splines.begin() < x && x < splines.end(); });
   std::ranges::sort(cuts);
   Eigen::MatrixXd fractions = Eigen::MatrixXd::Zero(std::ssize(edges) - 1, splines.size());
-  const auto [points, weights] = numerics::gauss_rule<3>(cuts);
+  const auto [points, weights] = numerics::composite_gauss_rule<3>(cuts);
   for (std::size_t n = 0; n < points.size(); ++n) {
     const auto cell = std::ranges::upper_bound(edges, points[n]) - edges.begin() - 1;
     if (cell < 0 || cell >= fractions.rows()) continue;
-    const auto b = splines.at(points[n]);
+    const auto b = splines.values_and_slopes(points[n]);
     for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
       fractions(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
     }

@@ -67,8 +67,8 @@ Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::Q
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
   // Fraction of the integral of the fit weight below which a well is omitted. With several wells
-  // the weight of general_fit() is narrower than the density; such a well has less than 1e-4 of the
-  // mass.
+  // the weight of control_fit_any_oscillator() is narrower than the density; such a well has less
+  // than 1e-4 of the mass.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);
   const Eigen::VectorXd weights = weights_of(rule, weight);
@@ -90,13 +90,15 @@ Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::Q
 
 }  // namespace
 
-UnresolvedResidual::UnresolvedResidual(const ControlFit& fit,
+UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit,
                                        std::span<const SeparableFunction> functions,
                                        const ControlFunctions& h) {
   const problem::Problem& problem = fit.problem;
   const numerics::QuinticBSplines &ys = fit.y, &vs = fit.v;
-  const numerics::QuadratureRule in_y = numerics::gauss_rule<kGaussPointsPerCell>(ys.breaks()),
-                                 in_v = numerics::gauss_rule<kGaussPointsPerCell>(vs.breaks());
+  const numerics::QuadratureRule in_y = numerics::composite_gauss_rule<kGaussPointsPerCell>(
+                                     ys.breaks()),
+                                 in_v = numerics::composite_gauss_rule<kGaussPointsPerCell>(
+                                     vs.breaks());
   const auto &y = in_y.points, &v = in_v.points;
   const GeneratorFactors y_factor = displacement_factors(problem.system, ys, y);
   const GeneratorFactors v_factor =
@@ -108,11 +110,12 @@ UnresolvedResidual::UnresolvedResidual(const ControlFit& fit,
                      nv = std::ssize(v) / kGaussPointsPerCell;
   const auto count = static_cast<Eigen::Index>(functions.size());
   in_cells_.resize(ny * nv, count);
-  contrasts_ = Eigen::VectorXd::Zero(count);
+  well_contrasts_ = Eigen::VectorXd::Zero(count);
   const Eigen::MatrixXd in_wells = well_averages(problem, in_y, fit.weight_y);
   const Eigen::VectorXd over_v = normalised_weights(in_v, fit.weight_v);
   for (const ImpactWall& wall : walls) {
-    const auto u = numerics::gauss_rule<kGaussPointsPerCell>(impact_jump_breaks(vs, wall)).points;
+    const auto u =
+        numerics::composite_gauss_rule<kGaussPointsPerCell>(impact_jump_breaks(vs, wall)).points;
     jumps.push_back(impact_jumps(vs, wall, u));
     at_walls_.emplace_back(std::ssize(u) / kGaussPointsPerCell, count);
   }
@@ -126,7 +129,7 @@ UnresolvedResidual::UnresolvedResidual(const ControlFit& fit,
     }
     if (in_wells.rows() > 1) {
       const Eigen::VectorXd means = in_wells * (residual * over_v);
-      contrasts_(k) = means.maxCoeff() - means.minCoeff();
+      well_contrasts_(k) = means.maxCoeff() - means.minCoeff();
     }
     for (Eigen::Index i = 0; i < ny; ++i) {
       for (Eigen::Index j = 0; j < nv; ++j) {
@@ -148,7 +151,7 @@ UnresolvedResidual::UnresolvedResidual(const ControlFit& fit,
   }
 }
 
-Eigen::VectorXd UnresolvedResidual::mean_residuals(const WeakForm& density) const {
+Eigen::VectorXd UnresolvedResidual::mean_residuals(const DensityIntegrals& density) const {
   const Eigen::VectorXd masses = density.cells.reshaped<Eigen::RowMajor>().cwiseAbs();
   Eigen::VectorXd sums = in_cells_.transpose() * masses;
   for (std::size_t n = 0; n < at_walls_.size(); ++n) {

@@ -16,25 +16,25 @@ class UnresolvedResidual {
  public:
   /// @param fit the fit of h; its weight defines the averages over wells
   /// @param functions the functions f, one for each column of h
-  UnresolvedResidual(const ControlFit& fit, std::span<const SeparableFunction> functions,
+  UnresolvedResidual(const ControlFitProblem& fit, std::span<const SeparableFunction> functions,
                      const ControlFunctions& h);
 
   /// Mean residual E_p|e| + int u p(0, -u) |h(0, r u) - h(0, -u)| du for each function, with the
   /// last term for each wall; p is the density of the weak form. The error (E_p - E)[f] minus its
   /// estimate -sum h rho equals (E_p - E)[e] plus the corresponding term of the jumps at the wall.
   /// If p is disjoint from the exact density, this difference is about twice the mean residual.
-  Eigen::VectorXd mean_residuals(const WeakForm& density) const;
+  Eigen::VectorXd mean_residuals(const DensityIntegrals& density) const;
 
   /// Largest difference between the means of e over any two wells, for each function; 0 with one
   /// well. If the exchange between wells is not resolved, e is nearly constant in each well. If the
   /// probabilities of the wells of a density are wrong by d, then d times this difference
   /// contributes to (E_p - E)[e], for any value of E_p|e|. Wells of negligible mass are omitted.
-  const Eigen::VectorXd& contrasts() const { return contrasts_; }
+  const Eigen::VectorXd& well_contrasts() const { return well_contrasts_; }
 
  private:
   Eigen::MatrixXd in_cells_;               // shape (cells of y times cells of v, functions)
   std::vector<Eigen::MatrixXd> at_walls_;  // shape (cells of speeds, functions)
-  Eigen::VectorXd contrasts_;
+  Eigen::VectorXd well_contrasts_;
 };
 
 }  // namespace fpkcheck::backward

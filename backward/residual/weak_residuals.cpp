@@ -21,7 +21,7 @@ constexpr double kMinBreakDistance =
     1e-12;  // relative to the range; the distance of closer breaks is a rounding error
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
-  auto nodes = numerics::gauss_rule<kNodesPerCell>(breaks).points;
+  auto nodes = numerics::composite_gauss_rule<kNodesPerCell>(breaks).points;
   std::ranges::sort(nodes);
   return nodes;
 }
@@ -122,25 +122,26 @@ Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double
 }
 
 /// Contribution of impacts, int u p(0, -u) [B_j(r u) - B_j(-u)] du, mirrored at a right wall.
-Eigen::RowVectorXd WeakResiduals::impacts(const ImpactWall& wall,
-                                          const SampledImpacts& impacts) const {
+Eigen::RowVectorXd WeakResiduals::impact_terms(const ImpactWall& wall,
+                                               const SampledWallDensity& impacts) const {
   const auto& speeds = impacts.speeds.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
   const Eigen::MatrixXd jumps = impact_jumps(v_, wall, speeds);
-  return (impacts.speeds.integrals(u.asDiagonal() * jumps) * impacts.samples).transpose();
+  return (impacts.speeds.integrals_with_density(u.asDiagonal() * jumps) * impacts.samples)
+      .transpose();
 }
 
-WeakForm WeakResiduals::operator()(const transform::Density& density) const {
+DensityIntegrals WeakResiduals::operator()(const transform::Density& density) const {
   const SampledDensity p =
       sample_density(density, {.y = y_.breaks(), .v = v_breaks_, .walls = wall_breaks_});
 
   // Moments E_p[y^m y'^n] in physical coordinates, not yet divided by the mass.
   const problem::Frame& frame = problem_.frame;
-  const Eigen::MatrixXd along_y =
-      p.y.integrals(coordinate_powers(p.y.points, [&](double x) { return frame.y(x); })) *
-      p.samples;
-  const Eigen::MatrixXd along_v =
-      p.v.integrals(coordinate_powers(p.v.points, [&](double x) { return frame.v(x); }));
+  const Eigen::MatrixXd along_y = p.y.integrals_with_density(coordinate_powers(
+                                      p.y.points, [&](double x) { return frame.physical_y(x); })) *
+                                  p.samples;
+  const Eigen::MatrixXd along_v = p.v.integrals_with_density(
+      coordinate_powers(p.v.points, [&](double x) { return frame.physical_velocity(x); }));
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
@@ -153,25 +154,27 @@ WeakForm WeakResiduals::operator()(const transform::Density& density) const {
       velocity_factors(problem_, v_, p.v.points, interpolated_impulse_means(p.v.points));
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_.size(), v_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
-    residuals.noalias() += p.y.integrals(y[term]) * p.samples * p.v.integrals(v[term]).transpose();
+    residuals.noalias() += p.y.integrals_with_density(y[term]) * p.samples *
+                           p.v.integrals_with_density(v[term]).transpose();
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
     // At the left wall the first function of y is 1, at the right wall the last. All other
     // functions vanish there.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
-        impacts(walls_[n], p.impacts[n]);
-    const SampledAxis& speeds = p.impacts[n].speeds;
+        impact_terms(walls_[n], p.impacts[n]);
+    const AxisQuadrature& speeds = p.impacts[n].speeds;
     const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
     const Eigen::MatrixXd flux =
         u.asDiagonal() * cell_indicators(speeds.points, wall_breaks_[n].speeds);
-    of_impacts.push_back(speeds.integrals(flux) * p.impacts[n].samples / mass);
+    of_impacts.push_back(speeds.integrals_with_density(flux) * p.impacts[n].samples / mass);
   }
-  const Eigen::MatrixXd cells = p.y.integrals(cell_indicators(p.y.points, y_.breaks())) *
-                                p.samples *
-                                p.v.integrals(cell_indicators(p.v.points, v_.breaks())).transpose();
-  const Eigen::MatrixXd means = p.y.integrals(spline_values(y_, p.y.points).value) * p.samples *
-                                p.v.integrals(spline_values(v_, p.v.points).value).transpose();
+  const Eigen::MatrixXd cells =
+      p.y.integrals_with_density(cell_indicators(p.y.points, y_.breaks())) * p.samples *
+      p.v.integrals_with_density(cell_indicators(p.v.points, v_.breaks())).transpose();
+  const Eigen::MatrixXd means =
+      p.y.integrals_with_density(spline_values(y_, p.y.points).value) * p.samples *
+      p.v.integrals_with_density(spline_values(v_, p.v.points).value).transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),
                       .y2 = moment(2, 0),

@@ -13,7 +13,7 @@ namespace fpkcheck::backward {
 
 /// Weak residuals of the stationary equation for a density normalised to mass 1, and further
 /// integrals of the density.
-struct WeakForm {
+struct DensityIntegrals {
   double mass;  ///< mass before the normalisation
   transform::Moments moments;
   Eigen::MatrixXd means;  ///< E_p[A_i(y) B_j(v)]
@@ -45,14 +45,14 @@ class WeakResiduals {
                 numerics::QuinticBSplines v);
 
   /// @throws InputError as sample_density() does, and when the mass is not positive
-  WeakForm operator()(const transform::Density& density) const;
+  DensityIntegrals operator()(const transform::Density& density) const;
 
   const numerics::QuinticBSplines& y() const { return y_; }
   const numerics::QuinticBSplines& v() const { return v_; }
 
  private:
   Eigen::MatrixXd interpolated_impulse_means(std::span<const double> v) const;
-  Eigen::RowVectorXd impacts(const ImpactWall& wall, const SampledImpacts& impacts) const;
+  Eigen::RowVectorXd impact_terms(const ImpactWall& wall, const SampledWallDensity& impacts) const;
 
   problem::Problem problem_;
   numerics::QuinticBSplines y_, v_;

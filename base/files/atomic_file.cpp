@@ -92,13 +92,13 @@ bool WriterProcess::may_be_running() const {
   return kill(static_cast<pid_t>(pid), 0) == 0 || errno != ESRCH;
 }
 
-fs::path partial_path(const fs::path& target) {
+fs::path partial_file_path(const fs::path& target) {
   const auto [host, pid] = WriterProcess::current_process();
   return target.parent_path() /
          fmt::format(".{}{}{}", target.filename().string(), partial_suffix(host), pid);
 }
 
-void remove_abandoned_partials(const fs::path& directory) {
+void remove_abandoned_partial_files(const fs::path& directory) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const long pid = partial_writer_pid(entry.path().filename().string());
     if (pid == 0 || WriterProcess{WriterProcess::current_process().host, pid}.may_be_running())

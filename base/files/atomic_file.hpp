@@ -11,7 +11,7 @@ namespace fpkcheck::base {
 /// Path of the partial file beside the target: .NAME.partial-HOST-PID. The file is hidden, and its
 /// name is unique to this process, so that two runs with the same output directory do not write the
 /// same file.
-std::filesystem::path partial_path(const std::filesystem::path& target);
+std::filesystem::path partial_file_path(const std::filesystem::path& target);
 
 /// The process that writes a partial file or a journal.
 struct WriterProcess {
@@ -26,7 +26,7 @@ struct WriterProcess {
 
 /// Removes those partial files of a directory whose writing process ran on this host and has ended.
 /// The partial files of all other processes are kept.
-void remove_abandoned_partials(const std::filesystem::path& directory);
+void remove_abandoned_partial_files(const std::filesystem::path& directory);
 
 /// Permissions of a new file, before the system removes the permissions in the umask.
 inline constexpr int kFileMode = 0666;

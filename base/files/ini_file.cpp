@@ -19,7 +19,7 @@ std::string without_comment(std::string line, int line_number) {
 
 }  // namespace
 
-std::vector<IniSetting> ini_settings(std::istream& ini, const std::string& where) {
+std::vector<IniSetting> read_ini_settings(std::istream& ini, const std::string& where) {
   std::vector<IniSetting> settings;
   std::string section;
   int line_number = 0;

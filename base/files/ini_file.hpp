@@ -22,6 +22,6 @@ struct IniSetting {
 /// @param where name of the file in messages
 /// @throws InputError "WHERE:LINE: .." for a line that is neither a `[section]` nor a setting `key
 /// = value`
-std::vector<IniSetting> ini_settings(std::istream& ini, const std::string& where);
+std::vector<IniSetting> read_ini_settings(std::istream& ini, const std::string& where);
 
 }  // namespace fpkcheck::base

@@ -54,7 +54,7 @@ std::optional<Journal> parse_journal(std::istream& in) {
   while (next()) {
     if (line == "end") return journal.writer.pid > 0 ? std::optional(journal) : std::nullopt;
     if (line == kRename) {
-      Journal::Rename rename;
+      Journal::FileRename rename;
       if (!std::getline(in, rename.from) || !std::getline(in, rename.to)) return std::nullopt;
       if (!is_plain_file_name(rename.from) || !is_plain_file_name(rename.to)) return std::nullopt;
       journal.renames.push_back(std::move(rename));
@@ -88,10 +88,10 @@ bool path_exists(const fs::path& file) {
 
 }  // namespace
 
-void Journal::publish(const fs::path& directory) const {
+void Journal::write_to_directory(const fs::path& directory) const {
   // The journal is written under a temporary name and then linked to its final name. Other
   // processes therefore never see an incomplete journal.
-  const fs::path file = directory / kFileName, partial = partial_path(file);
+  const fs::path file = directory / kFileName, partial = partial_file_path(file);
   write_new_file(partial, text_of(*this));
   std::error_code error;
   // a hard link, unlike a rename, never replaces the journal of another process

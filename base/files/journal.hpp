@@ -14,12 +14,12 @@ namespace fpkcheck::base {
 /// therefore ends with either all old files or all new files.
 struct Journal {
   /// Renaming of a file within the directory.
-  struct Rename {
+  struct FileRename {
     std::string from, to;
   };
 
   WriterProcess writer = WriterProcess::current_process();
-  std::vector<Rename> renames{};
+  std::vector<FileRename> renames{};
   std::vector<std::string> removals{};  ///< names of files to remove; absent files are allowed
 
   static constexpr const char* kFileName = ".fpkcheck-commit";
@@ -28,7 +28,7 @@ struct Journal {
   /// process completes the change.
   /// @throws std::system_error, after which no new journal exists; with the code file_exists if the
   /// directory already contains a journal
-  void publish(const std::filesystem::path& directory) const;
+  void write_to_directory(const std::filesystem::path& directory) const;
   /// Performs those renames and removals that are not yet done, and removes the journal.
   /// @throws std::system_error; the journal then remains
   void apply(const std::filesystem::path& directory) const;

@@ -25,7 +25,7 @@ class LineLog {
   /// @throws std::runtime_error with a one-line message
   std::vector<std::string> read();
   /// Whether read() removed an incomplete last line.
-  bool removed_partial_line() const { return removed_partial_line_; }
+  bool has_removed_partial_line() const { return removed_partial_line_; }
 
   /// Appends a line, either completely or not at all. After the function has returned, the line
   /// remains in the file even if the process is killed.

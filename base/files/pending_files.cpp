@@ -24,7 +24,7 @@ PendingFiles::~PendingFiles() {
   for (const auto& file : pending_) fs::remove(file.temporary, ignored);
 }
 
-void PendingFiles::require_one_directory(const fs::path& target) const {
+void PendingFiles::require_same_directory(const fs::path& target) const {
   const fs::path directory = target.parent_path();
   if ((!pending_.empty() && pending_.front().target.parent_path() != directory) ||
       (!removals_.empty() && removals_.front().parent_path() != directory)) {
@@ -32,9 +32,9 @@ void PendingFiles::require_one_directory(const fs::path& target) const {
   }
 }
 
-void PendingFiles::add(const fs::path& target, const FileProducer& produce) {
-  require_one_directory(target);
-  const fs::path temporary = partial_path(target);
+void PendingFiles::add(const fs::path& target, const FileWriter& produce) {
+  require_same_directory(target);
+  const fs::path temporary = partial_file_path(target);
   // A file of this name was left by an earlier process that had the same process id.
   std::error_code ignored;
   fs::remove(temporary, ignored);
@@ -55,7 +55,7 @@ void PendingFiles::add(const fs::path& target, std::string_view bytes) {
 }
 
 void PendingFiles::remove(const fs::path& target) {
-  require_one_directory(target);
+  require_same_directory(target);
   removals_.push_back(target);
 }
 
@@ -70,10 +70,10 @@ void PendingFiles::commit() {
       throw cannot_write(target, std::make_error_code(std::errc::is_a_directory));
     }
   }
-  if (!pending_.empty()) install_files(pending_.front().target.parent_path());
+  if (!pending_.empty()) replace_targets(pending_.front().target.parent_path());
 }
 
-void PendingFiles::install_files(const fs::path& directory) {
+void PendingFiles::replace_targets(const fs::path& directory) {
   const fs::path first = pending_.front().target;
   try {
     for (const auto& file : pending_) flush(file.temporary);
@@ -87,7 +87,7 @@ void PendingFiles::install_files(const fs::path& directory) {
         journal.renames.push_back({temporary.filename().string(), target.filename().string()});
       }
       for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
-      journal.publish(directory);
+      journal.write_to_directory(directory);
       // keep the partial files on failure: this or the next process applies the journal
       pending_.clear();
       removals_.clear();
@@ -100,7 +100,7 @@ void PendingFiles::install_files(const fs::path& directory) {
   removals_.clear();
 }
 
-void replace_file(const fs::path& target, const PendingFiles::FileProducer& produce) {
+void replace_file(const fs::path& target, const PendingFiles::FileWriter& produce) {
   PendingFiles file;
   file.add(target, produce);
   file.commit();

@@ -15,7 +15,7 @@ class PendingFiles {
  public:
   /// Function that writes a file at the given temporary path, which is in the directory of the
   /// target.
-  using FileProducer = std::function<void(const std::filesystem::path& temporary)>;
+  using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
 
   PendingFiles() = default;
   PendingFiles(const PendingFiles&) = delete;
@@ -25,7 +25,7 @@ class PendingFiles {
   /// Calls `produce` to write the partial file of a target.
   /// @param target path in the same directory as all targets that were added before
   /// @throws whatever `produce` throws
-  void add(const std::filesystem::path& target, const FileProducer& produce);
+  void add(const std::filesystem::path& target, const FileWriter& produce);
   /// Writes the partial file of a target with these bytes.
   /// @throws std::runtime_error with a one-line message
   void add(const std::filesystem::path& target, std::string_view bytes);
@@ -41,8 +41,8 @@ class PendingFiles {
   struct Pending {
     std::filesystem::path temporary, target;
   };
-  void require_one_directory(const std::filesystem::path& target) const;
-  void install_files(const std::filesystem::path& directory);
+  void require_same_directory(const std::filesystem::path& target) const;
+  void replace_targets(const std::filesystem::path& directory);
 
   std::vector<Pending> pending_;
   std::vector<std::filesystem::path> removals_;
@@ -53,7 +53,7 @@ class PendingFiles {
 /// is removed.
 /// @throws any exception of `produce`; std::runtime_error with a one-line message if `produce`
 /// wrote no file
-void replace_file(const std::filesystem::path& target, const PendingFiles::FileProducer& produce);
+void replace_file(const std::filesystem::path& target, const PendingFiles::FileWriter& produce);
 
 /// Replaces a file by a new file with these bytes.
 /// @throws std::runtime_error with a one-line message

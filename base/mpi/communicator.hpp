@@ -6,8 +6,8 @@
 
 namespace fpkcheck::base {
 
-/// Communication between the MPI processes of this run. Only the thread that called join() may use
-/// the object. Rank 0 writes the files; the other ranks compute.
+/// Communication between the MPI processes of this run. Only the thread that called
+/// initialise_mpi() may use the object. Rank 0 writes the files; the other ranks compute.
 class Communicator {
  public:
   /// A message from another MPI process, with the rank of the sender.
@@ -21,13 +21,13 @@ class Communicator {
   static bool launched_by_mpi();
   /// Initialises MPI and returns the communicator of all processes.
   /// @throws InputError if the program was built without MPI
-  static std::unique_ptr<Communicator> join();
+  static std::unique_ptr<Communicator> initialise_mpi();
 
   virtual ~Communicator() = default;
 
   virtual int rank() const = 0;
   virtual int size() const = 0;
-  bool is_first() const { return rank() == 0; }
+  bool is_first_rank() const { return rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
   /// Returns the next message that has arrived, or nothing if no message has arrived. Does not

@@ -65,6 +65,8 @@ class MpiCommunicator : public Communicator {
 
 }  // namespace
 
-std::unique_ptr<Communicator> Communicator::join() { return std::make_unique<MpiCommunicator>(); }
+std::unique_ptr<Communicator> Communicator::initialise_mpi() {
+  return std::make_unique<MpiCommunicator>();
+}
 
 }  // namespace fpkcheck::base

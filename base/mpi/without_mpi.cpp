@@ -3,7 +3,7 @@
 
 namespace fpkcheck::base {
 
-std::unique_ptr<Communicator> Communicator::join() {
+std::unique_ptr<Communicator> Communicator::initialise_mpi() {
   throw InputError(
       "started by mpirun, but built without MPI: install libopenmpi-dev and build again, or start "
       "each process with --shard i/N");

@@ -35,16 +35,17 @@ Values DescriptionBase::values_of(const void* owner) const {
 Values DescriptionBase::stored_values_of(const void* owner) const {
   Values values;
   for (const auto& parameter : all_) {
-    NamedValue one{parameter.name, parameter.get(owner)};
+    NamedParameterValue one{parameter.name, parameter.get(owner)};
     if (!parameter.omit_default || one.value != parameter.default_value)
       values.push_back(std::move(one));
   }
   return values;
 }
 
-void DescriptionBase::read_into(void* owner, const Values& values, const std::string& group) const {
+void DescriptionBase::set_from_values(void* owner, const Values& values,
+                                      const std::string& group) const {
   for (const auto& parameter : all_) {
-    const auto found = std::ranges::find(values, parameter.name, &NamedValue::name);
+    const auto found = std::ranges::find(values, parameter.name, &NamedParameterValue::name);
     if (found == values.end() && !parameter.default_value) {
       throw InputError(fmt::format("{}.{} is missing: {}", group, parameter.name, kVersionHint));
     }
@@ -58,27 +59,28 @@ void DescriptionBase::read_into(void* owner, const Values& values, const std::st
   }
 }
 
-void DescriptionBase::require_ranges(const void* owner) const {
+void DescriptionBase::require_values_in_range(const void* owner) const {
   for (const auto& parameter : all_) {
     const Value value = parameter.get(owner);
     if (parameter.is_in_range(value)) continue;
-    refuse(fmt::format("{}{} =", prefix_, parameter.name), text_of(value), parameter.requirement());
+    refuse(fmt::format("{}{} =", prefix_, parameter.name), text_of(value),
+           parameter.requirement_text());
   }
 }
 
-void DescriptionBase::set_parsed(void* owner, const Parameter& parameter, std::string_view text,
-                                 const std::string& label) const {
+void DescriptionBase::parse_and_set(void* owner, const Parameter& parameter, std::string_view text,
+                                    const std::string& label) const {
   set(owner, parameter, parse_value(parameter, text, label), label);
 }
 
 void DescriptionBase::set(void* owner, const Parameter& parameter, const Value& value,
                           const std::string& label) const {
-  const auto converted_value = parameter.converted_value(value);
-  if (!converted_value) refuse(label, text_of(value), parameter.requirement());
+  const auto convert_to_parameter_type = parameter.convert_to_parameter_type(value);
+  if (!convert_to_parameter_type) refuse(label, text_of(value), parameter.requirement_text());
   try {
-    parameter.set(owner, *converted_value);
+    parameter.set(owner, *convert_to_parameter_type);
   } catch (const std::out_of_range&) {
-    refuse(label, text_of(value), parameter.requirement());
+    refuse(label, text_of(value), parameter.requirement_text());
   }
 }
 

@@ -19,73 +19,75 @@ namespace fpkcheck::base {
 /// bool, integers, double, std::string, enums with a table of names, and std::optional of each of
 /// these types.
 template <class Member>
-struct Conversion;
+struct MemberConversion;
 
 template <>
-struct Conversion<bool> {
+struct MemberConversion<bool> {
   static constexpr Type kType = Type::flag;
-  static Value get(bool member) { return member; }
-  static void set(bool& member, const Value& value) { member = std::get<bool>(value); }
+  static Value to_value(bool member) { return member; }
+  static void set_from_value(bool& member, const Value& value) { member = std::get<bool>(value); }
 };
 template <std::integral Integer>
-requires(!std::same_as<Integer, bool>) struct Conversion<Integer> {
+requires(!std::same_as<Integer, bool>) struct MemberConversion<Integer> {
   static constexpr Type kType = Type::integer;
-  static Value get(Integer member) { return static_cast<std::int64_t>(member); }
+  static Value to_value(Integer member) { return static_cast<std::int64_t>(member); }
   /// @throws std::out_of_range if the type `Integer` cannot represent the value
-  static void set(Integer& member, const Value& value) {
+  static void set_from_value(Integer& member, const Value& value) {
     const auto whole = std::get<std::int64_t>(value);
     if (!std::in_range<Integer>(whole)) throw std::out_of_range("integer");
     member = static_cast<Integer>(whole);
   }
 };
 template <>
-struct Conversion<double> {
+struct MemberConversion<double> {
   static constexpr Type kType = Type::number;
-  static Value get(double member) { return member; }
-  static void set(double& member, const Value& value) { member = std::get<double>(value); }
+  static Value to_value(double member) { return member; }
+  static void set_from_value(double& member, const Value& value) {
+    member = std::get<double>(value);
+  }
 };
 template <>
-struct Conversion<std::string> {
+struct MemberConversion<std::string> {
   static constexpr Type kType = Type::word;
-  static Value get(const std::string& member) { return member; }
-  static void set(std::string& member, const Value& value) {
+  static Value to_value(const std::string& member) { return member; }
+  static void set_from_value(std::string& member, const Value& value) {
     member = std::get<std::string>(value);
   }
 };
 template <class Enum>
 requires std::is_enum_v<Enum>
-struct Conversion<Enum> {
+struct MemberConversion<Enum> {
   static constexpr Type kType = Type::word;
-  static Value get(Enum member) { return std::string(name_of(member)); }
-  static void set(Enum& member, const Value& value) {
+  static Value to_value(Enum member) { return std::string(name_of(member)); }
+  static void set_from_value(Enum& member, const Value& value) {
     member = *enum_from_name<Enum>(std::get<std::string>(value));
   }
   static std::vector<std::string> choices() {
     std::vector<std::string> list;
-    for (const auto& entry : names(Enum{})) list.emplace_back(entry.name);
+    for (const auto& entry : enumerator_names(Enum{})) list.emplace_back(entry.name);
     return list;
   }
 };
 template <class Member>
-concept HasChoices = requires {
-  Conversion<Member>::choices();
+concept HasEnumChoices = requires {
+  MemberConversion<Member>::choices();
 };
 
 template <class Member>
-struct Conversion<std::optional<Member>> {
-  static constexpr Type kType = Conversion<Member>::kType;
-  static Value get(const std::optional<Member>& member) {
-    return member ? Conversion<Member>::get(*member) : Value();
+struct MemberConversion<std::optional<Member>> {
+  static constexpr Type kType = MemberConversion<Member>::kType;
+  static Value to_value(const std::optional<Member>& member) {
+    return member ? MemberConversion<Member>::to_value(*member) : Value();
   }
-  static void set(std::optional<Member>& member, const Value& value) {
+  static void set_from_value(std::optional<Member>& member, const Value& value) {
     if (is_unset(value)) {
       member.reset();
     } else {
-      Conversion<Member>::set(member.emplace(), value);
+      MemberConversion<Member>::set_from_value(member.emplace(), value);
     }
   }
-  static std::vector<std::string> choices() requires HasChoices<Member> {
-    return Conversion<Member>::choices();
+  static std::vector<std::string> choices() requires HasEnumChoices<Member> {
+    return MemberConversion<Member>::choices();
   }
 };
 
@@ -101,7 +103,7 @@ class DescriptionBase {
   /// @param prefix text before each parameter name in messages, e.g. "system." or "epc "
   explicit DescriptionBase(std::string prefix) : prefix_(std::move(prefix)) {}
 
-  const std::vector<Parameter>& all() const { return all_; }
+  const std::vector<Parameter>& parameters() const { return all_; }
   const std::string& prefix() const { return prefix_; }
   /// The parameter with this name; null if there is none.
   const Parameter* find(std::string_view name) const;
@@ -111,14 +113,14 @@ class DescriptionBase {
   Values stored_values_of(const void* owner) const;
   /// @throws InputError "GROUP.NAME is missing" or "GROUP.NAME is unknown", or if a value has the
   /// wrong type
-  void read_into(void* owner, const Values& values, const std::string& group) const;
+  void set_from_values(void* owner, const Values& values, const std::string& group) const;
   /// @throws InputError "PREFIXname = value (must be ..)" for the first parameter whose value is
   /// out of range
-  void require_ranges(const void* owner) const;
+  void require_values_in_range(const void* owner) const;
   /// @throws InputError "LABEL value (must be ..)" if the text is not a value of the parameter's
   /// type
-  void set_parsed(void* owner, const Parameter& parameter, std::string_view text,
-                  const std::string& label) const;
+  void parse_and_set(void* owner, const Parameter& parameter, std::string_view text,
+                     const std::string& label) const;
   void set(void* owner, const Parameter& parameter, const Value& value,
            const std::string& label) const;
 
@@ -130,13 +132,13 @@ class DescriptionBase {
 /// Parsing, JSON, tables and range checks are derived from this description.
 ///
 ///     const auto description = Description<Options>("epc ")
-///                                  .add("order", &Options::order, {"N", "degree n"}, positive());
+///                                  .add("order", &Options::order, {"N", "degree n"}, positive_numbers());
 template <class Owner>
 class Description : public DescriptionBase {
  public:
   using DescriptionBase::DescriptionBase;
 
-  struct Text {
+  struct HelpText {
     std::string placeholder;  ///< "N" in `--order N`
     std::string help;
   };
@@ -144,23 +146,23 @@ class Description : public DescriptionBase {
   /// Adds a parameter. The command-line flag of the parameter is its name with dashes in place of
   /// underscores.
   template <class Member>
-  Description&& add(const std::string& name, Member Owner::*member, Text text,
-                    std::optional<Range> range = {}) && {
-    using Held = Conversion<Member>;
+  Description&& add(const std::string& name, Member Owner::*member, HelpText text,
+                    std::optional<AdmissibleRange> range = {}) && {
+    using Held = MemberConversion<Member>;
     Parameter parameter{.name = name,
                         .help = std::move(text.help),
                         .placeholder = std::move(text.placeholder),
-                        .flag = dashed(name),
+                        .flag = with_dashes(name),
                         .type = Held::kType,
                         .can_be_automatic = Resettable<Member>,
                         .range = std::move(range)};
     parameter.get = [member](const void* owner) {
-      return Held::get(static_cast<const Owner*>(owner)->*member);
+      return Held::to_value(static_cast<const Owner*>(owner)->*member);
     };
     parameter.set = [member](void* owner, const Value& value) {
-      Held::set(static_cast<Owner*>(owner)->*member, value);
+      Held::set_from_value(static_cast<Owner*>(owner)->*member, value);
     };
-    if constexpr (HasChoices<Member>) parameter.choices = Conversion<Member>::choices();
+    if constexpr (HasEnumChoices<Member>) parameter.choices = MemberConversion<Member>::choices();
     all_.push_back(std::move(parameter));
     return std::move(*this);
   }
@@ -196,7 +198,7 @@ class Description : public DescriptionBase {
   }
   /// Sets the default value like with_default(). In addition, files and tables omit the parameter
   /// whenever its value equals the default.
-  Description&& with_omitted_default(Value default_value) && {
+  Description&& with_default_omitted_from_files(Value default_value) && {
     all_.back().omit_default = true;
     return std::move(*this).with_default(std::move(default_value));
   }
@@ -213,20 +215,20 @@ class Description : public DescriptionBase {
   /// type
   Owner read(const Values& values, const std::string& group) const {
     Owner owner{};
-    read_into(&owner, values, group);
+    set_from_values(&owner, values, group);
     return owner;
   }
 
   /// @throws InputError that states name, value and range of the first parameter that is out of
   /// range
-  void validate(const Owner& owner) const { require_ranges(&owner); }
+  void validate(const Owner& owner) const { require_values_in_range(&owner); }
 
   /// Parses a text and sets one parameter of the owner to the result.
   /// @param label name of the parameter in messages, e.g. "--order"
   /// @throws InputError if the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,
              const std::string& label) const {
-    set_parsed(&owner, parameter, text, label);
+    parse_and_set(&owner, parameter, text, label);
   }
   void assign(Owner& owner, const Parameter& parameter, const Value& value,
               const std::string& label) const {
@@ -234,7 +236,7 @@ class Description : public DescriptionBase {
   }
 
  private:
-  static std::string dashed(std::string name) {
+  static std::string with_dashes(std::string name) {
     for (char& c : name) c = c == '_' ? '-' : c;
     return name;
   }

@@ -14,15 +14,15 @@ struct EnumEntry {
   std::string_view meaning = {};
 };
 
-/// Every enum that is read or written by name has one table of names: the function `names(Enum)`,
-/// defined in the namespace of the enum.
+/// Every enum that is read or written by name has one table of names: the function
+/// `enumerator_names(Enum)`, defined in the namespace of the enum.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
-///     constexpr std::span<const EnumEntry<Stepper>> names(Stepper) { return kStepperNames; }
+///     constexpr std::span<const EnumEntry<Stepper>> enumerator_names(Stepper) { return kStepperNames; }
 ///     constexpr std::string_view name(Stepper value) { return base::name_of(value); }
 template <class Enum>
 constexpr const EnumEntry<Enum>* enum_entry(Enum value) {
-  for (const auto& entry : names(value)) {
+  for (const auto& entry : enumerator_names(value)) {
     if (entry.value == value) return &entry;
   }
   return nullptr;
@@ -43,7 +43,7 @@ constexpr std::string_view meaning_of(Enum value) {
 /// The enum value with this name; nothing if no value has the name.
 template <class Enum>
 constexpr std::optional<Enum> enum_from_name(std::string_view name) {
-  for (const auto& entry : names(Enum{})) {
+  for (const auto& entry : enumerator_names(Enum{})) {
     if (entry.name == name) return entry.value;
   }
   return std::nullopt;

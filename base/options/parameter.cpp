@@ -45,14 +45,16 @@ std::string rejection_reason(const Parameter& parameter, std::string_view text) 
     if (error == std::errc::result_out_of_range) return "out of the range of double precision";
     return parameter.type == Type::number ? "not a number" : "not an integer";
   }
-  return fmt::format("must be {}", parameter.requirement());
+  return fmt::format("must be {}", parameter.requirement_text());
 }
 
 }  // namespace
 
-std::string Parameter::requirement() const { return range ? range->requirement : type_text(*this); }
+std::string Parameter::requirement_text() const {
+  return range ? range->requirement : type_text(*this);
+}
 
-std::optional<Value> Parameter::converted_value(const Value& value) const {
+std::optional<Value> Parameter::convert_to_parameter_type(const Value& value) const {
   if (is_unset(value)) return can_be_automatic ? std::optional(value) : std::nullopt;
   switch (type) {
     case Type::flag:
@@ -83,7 +85,7 @@ std::optional<Value> Parameter::parse(std::string_view text) const {
     case Type::number:
       return parse_number<double>(text);
     case Type::word:
-      return converted_value(std::string(text));
+      return convert_to_parameter_type(std::string(text));
   }
   return std::nullopt;
 }

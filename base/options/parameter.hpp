@@ -28,7 +28,7 @@ struct Parameter {
   Type type = Type::number;
   bool can_be_automatic = false;
   std::vector<std::string> choices = {};  ///< allowed words; if empty, any word is allowed
-  std::optional<Range> range = {};
+  std::optional<AdmissibleRange> range = {};
   std::optional<Value> default_value = {};  ///< value of the parameter if a file lacks its key
   bool omit_default = false;                ///< whether files omit the parameter at its default
   /// Function that returns a short display text for a long word; may be empty.
@@ -38,11 +38,11 @@ struct Parameter {
   std::function<void(void* owner, const Value& value)> set = {};
 
   /// The text that follows "must be" in error messages: "an integer", "one of map, delta".
-  std::string requirement() const;
+  std::string requirement_text() const;
 
   /// Converts a value to the type of the parameter; an integer converts to a number. Returns
   /// nothing if the types do not match. The range is not checked.
-  std::optional<Value> converted_value(const Value& value) const;
+  std::optional<Value> convert_to_parameter_type(const Value& value) const;
 
   /// Parses the text of a value. For a parameter with can_be_automatic, "auto" gives an unset
   /// value.

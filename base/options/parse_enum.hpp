@@ -17,7 +17,7 @@ namespace fpkcheck::base {
 /// @throws InputError if no accepted value has the name `text`
 template <class Enum>
 Enum parse_enum(const std::string& label, const std::string& text,
-                std::span<const EnumEntry<Enum>> choices = names(Enum{})) {
+                std::span<const EnumEntry<Enum>> choices = enumerator_names(Enum{})) {
   std::string known;
   for (const auto& entry : choices) {
     if (entry.name == text) return entry.value;

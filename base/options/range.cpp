@@ -6,29 +6,29 @@
 
 namespace fpkcheck::base {
 
-Range finite_number() {
+AdmissibleRange finite_numbers() {
   return {[](double x) { return std::isfinite(x); }, "a finite number"};
 }
 
-Range positive() {
+AdmissibleRange positive_numbers() {
   return {[](double x) { return std::isfinite(x) && x > 0; }, "a positive number"};
 }
 
-Range non_negative() {
+AdmissibleRange non_negative_numbers() {
   return {[](double x) { return std::isfinite(x) && x >= 0; }, "zero or positive"};
 }
 
-Range between(double least, double greatest) {
+AdmissibleRange closed_interval(double least, double greatest) {
   return {[=](double x) { return x >= least && x <= greatest; },
           fmt::format("between {} and {}", least, greatest)};
 }
 
-Range strictly_between(double least, double greatest) {
+AdmissibleRange open_interval(double least, double greatest) {
   return {[=](double x) { return x > least && x < greatest; },
           fmt::format("above {} and below {}", least, greatest)};
 }
 
-Range even_between(int least, int greatest) {
+AdmissibleRange even_integers_between(int least, int greatest) {
   return {[=](double x) { return x >= least && x <= greatest && std::fmod(x, 2) == 0; },
           fmt::format("an even number from {} to {}", least, greatest)};
 }

@@ -12,16 +12,16 @@ namespace fpkcheck::base {
 /// The value of a parameter. std::monostate represents an automatic or absent value.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-struct NamedValue {
+struct NamedParameterValue {
   std::string name;
   Value value;
 
-  bool operator==(const NamedValue&) const = default;
+  bool operator==(const NamedParameterValue&) const = default;
 };
-using Values = std::vector<NamedValue>;
+using Values = std::vector<NamedParameterValue>;
 
 inline bool contains(const Values& values, std::string_view name) {
-  return std::ranges::find(values, name, &NamedValue::name) != values.end();
+  return std::ranges::find(values, name, &NamedParameterValue::name) != values.end();
 }
 
 inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }

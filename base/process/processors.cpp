@@ -39,7 +39,7 @@ int limit_from_environment(const char* variable, int otherwise) {
 
 }  // namespace
 
-int processors() {
+int available_processors() {
   const int affinity_count = std::max(1, affinity_processor_count());
   return limit_from_environment("SLURM_CPUS_PER_TASK",
                                 limit_from_environment("OMP_NUM_THREADS", affinity_count));

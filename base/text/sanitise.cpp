@@ -64,7 +64,7 @@ std::size_t characters(std::string_view text) {
 
 }  // namespace
 
-std::string escape_controls(std::string_view text) {
+std::string escape_control_characters(std::string_view text) {
   std::string result;
   while (!text.empty()) result += take_printable(text);
   return result;
@@ -76,7 +76,7 @@ std::string sanitise(std::string_view text) {
   // Only the two ends of a long text appear in the result, so only the ends are processed.
   constexpr std::size_t kBytes = 4 * kMaxColumns;
   if (text.size() <= kBytes) {
-    std::string whole = escape_controls(text);
+    std::string whole = escape_control_characters(text);
     if (characters(whole) <= kMaxColumns) return whole;
   }
   // The result keeps the end of the text, since the end of a path names the file.
@@ -84,7 +84,7 @@ std::string sanitise(std::string_view text) {
   while (!tail.empty() && (static_cast<unsigned char>(tail.front()) & 0xc0U) == 0x80) {
     tail.remove_prefix(1);
   }
-  std::string end = escape_controls(tail);
+  std::string end = escape_control_characters(tail);
   while (characters(end) > kTail) {
     const std::size_t drop = end.find_first_of('\\', 1);
     end.erase(0, drop == std::string::npos ? end.size() - kTail : drop);
@@ -97,7 +97,7 @@ std::string in_quotes(std::string_view text) { return '\'' + sanitise(text) + '\
 std::string to_single_line(std::string_view text) {
   constexpr std::size_t kMaxColumns = 380;
   if (text.size() <= kMaxColumns) {
-    std::string whole = escape_controls(text);
+    std::string whole = escape_control_characters(text);
     if (characters(whole) <= kMaxColumns) return whole;
   }
   return leading_columns(text, kMaxColumns - kEllipsis.size()) + std::string(kEllipsis);

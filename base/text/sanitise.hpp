@@ -16,7 +16,7 @@ std::string in_quotes(std::string_view text);
 
 /// Replaces control characters and bytes that are not UTF-8 by escapes, as sanitise() does, but
 /// without a limit of the length.
-std::string escape_controls(std::string_view text);
+std::string escape_control_characters(std::string_view text);
 
 /// Converts a message to one line of at most 380 characters; the end of a longer message is cut
 /// off. Used for messages of libraries, since their length and contents are unknown.

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "epc/form/acceptance_limits.hpp"
-#include "epc/half_plane/search.hpp"
+#include "epc/half_plane/root_search.hpp"
 
 namespace fpkcheck::epc::amplitude {
 
@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 using half_plane::ClosureDensity;
 using half_plane::Confinement;
 using half_plane::QuadraturePoints;
+using half_plane::QuadratureRefinement;
 using half_plane::QuadratureSize;
-using half_plane::Refinement;
 using half_plane::SearchStage;
 
 namespace {
@@ -33,17 +33,19 @@ constexpr double kFarthestDeviations = 30;
 // larger density at this level, the confinement would determine the density.
 constexpr double kLevelDensityLimit = 1e-4;
 
-double farthest(double temperature) { return kFarthestDeviations * std::sqrt(temperature); }
+double largest_scan_amplitude(double temperature) {
+  return kFarthestDeviations * std::sqrt(temperature);
+}
 
 }  // namespace
 
-double exponent_with_gaussian_tail(const Exponent& q, const ClosureDensity& closure, double rho,
-                                   double theta) {
+double exponent_with_gaussian_tail(const PolarExponent& q, const ClosureDensity& closure,
+                                   double rho, double theta) {
   const double inside = std::min(rho, closure.decay_extent);
   return q(inside, theta) - (rho * rho - inside * inside) / (2 * closure.temperature);
 }
 
-ClosureDensity ClosureFormulation::start() const {
+ClosureDensity ClosureFormulation::initial_density() const {
   ClosureDensity closure{.q = Polynomial({{2, 0, -1 / (2 * temperature_)}}),
                          .temperature = temperature_};
   closure.decay_extent = decay_extent(closure.q, temperature_);
@@ -52,9 +54,9 @@ ClosureDensity ClosureFormulation::start() const {
 
 std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity& guess,
                                                            SearchStage) const {
-  const double end = farthest(guess.temperature);
+  const double end = largest_scan_amplitude(guess.temperature);
   std::vector<double> confinement_levels;
-  const auto add = [&](double rho) { confinement_levels.push_back(energy_at(rho)); };
+  const auto add = [&](double rho) { confinement_levels.push_back(energy_of_amplitude(rho)); };
   for (const double depth : kDepths) {
     const DecayScan fall = scan_decay(polar_exponent(guess.q), depth, end);
     if (fall.crossing) add(*fall.crossing);
@@ -67,22 +69,25 @@ std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity&
 }
 
 // The number of quadrature points grows with the width of the domain.
-QuadratureSize ClosureFormulation::size(int order, double level_over_temperature,
-                                        SearchStage stage) const {
+QuadratureSize ClosureFormulation::quadrature_size(int order, double level_over_temperature,
+                                                   SearchStage stage) const {
   const int least = stage == SearchStage::rough ? 16 : 20;
   const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kLevelDeviations[0]);
   const int rho = static_cast<int>((least + 2 * order) * width);
   return {rho, least + 2 * order, rho};
 }
 
-Refinement ClosureFormulation::refinement() const { return {Refinement::Rule::solved, 1e-5}; }
+QuadratureRefinement ClosureFormulation::quadrature_refinement() const {
+  return {QuadratureRefinement::ChangeMeasure::solved, 1e-5};
+}
 
-double ClosureFormulation::exponent(const ClosureDensity& guess, double s, double t) const {
+double ClosureFormulation::exponent_of_guess(const ClosureDensity& guess, double s,
+                                             double t) const {
   return exponent_with_gaussian_tail(polar_exponent(guess.q), guess, s, phase(s, t));
 }
 
 double ClosureFormulation::decay_extent(const Polynomial& q, double temperature) const {
-  return scan_decay(polar_exponent(q), kDepths.back(), farthest(temperature)).extent;
+  return scan_decay(polar_exponent(q), kDepths.back(), largest_scan_amplitude(temperature)).extent;
 }
 
 // The weights of the fit are proportional to a power of the density. A power below 1 gives weight
@@ -91,7 +96,7 @@ VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double sup
                                          const QuadraturePoints& points, const VectorXd& exponent,
                                          const VectorXd&) const {
   constexpr double kFlatter = 0.5;
-  const double power = amplitude_at(support) > guess.decay_extent ? kFlatter : 1;
+  const double power = amplitude_of_energy(support) > guess.decay_extent ? kFlatter : 1;
   const VectorXd mass =
       points.weight.array() * (power * (exponent.array() - exponent.maxCoeff())).exp();
   return mass / mass.sum();
@@ -101,14 +106,14 @@ VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double sup
 double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStage) const {
   constexpr int kInside = 50, kOutside = 12;
   const Confinement confinement = half_plane::confinement_of(closure.level, tail_);
-  const Exponent q = polar_exponent(closure.q);
-  const double rho = amplitude_at(closure.level), end = amplitude_at(closure.support);
+  const PolarExponent q = polar_exponent(closure.q);
+  const double rho = amplitude_of_energy(closure.level), end = amplitude_of_energy(closure.support);
   double peak = maximum_over_phase(q, 0), outside = -std::numeric_limits<double>::infinity();
   for (int i = 1; i <= kInside; ++i)
     peak = std::max(peak, maximum_over_phase(q, rho * i / kInside));
   for (int i = 0; i <= kOutside; ++i) {
     const double at = rho + (end - rho) * i / kOutside;
-    outside = std::max(outside, maximum_over_phase(q, at) + confinement(energy_at(at)));
+    outside = std::max(outside, maximum_over_phase(q, at) + confinement(energy_of_amplitude(at)));
   }
   return std::exp(outside - peak);
 }

@@ -9,8 +9,9 @@ namespace fpkcheck::epc::amplitude {
 /// The exponent of the density at an intermediate order: Q_n at amplitudes up to the decay extent,
 /// and the exponent of a Gaussian at larger amplitudes.
 /// @param q Q_n as a function of amplitude and phase
-double exponent_with_gaussian_tail(const Exponent& q, const half_plane::ClosureDensity& closure,
-                                   double rho, double theta);
+double exponent_with_gaussian_tail(const PolarExponent& q,
+                                   const half_plane::ClosureDensity& closure, double rho,
+                                   double theta);
 
 /// Tolerance on the change of Q_n on more quadrature points, in standard deviations. The tolerance
 /// is below the error of the closure itself at the default orders.
@@ -22,18 +23,19 @@ inline constexpr double kQuadratureTolerance = 1e-3;
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
   /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts
-  /// @param rate_unit unit in which rates of change are measured
-  ClosureFormulation(double temperature, double rate_unit, Tail tail)
-      : temperature_(temperature), rate_unit_(rate_unit), tail_(tail) {}
+  /// @param rate_of_change_unit unit in which rates of change are measured
+  ClosureFormulation(double temperature, double rate_of_change_unit, TailTreatment tail)
+      : temperature_(temperature), rate_unit_(rate_of_change_unit), tail_(tail) {}
 
-  half_plane::ClosureDensity start() const override;
-  double rate_unit() const override { return rate_unit_; }
+  half_plane::ClosureDensity initial_density() const override;
+  double rate_of_change_unit() const override { return rate_unit_; }
   std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
                                          half_plane::SearchStage stage) const override;
-  half_plane::QuadratureSize size(int order, double level_over_temperature,
-                                  half_plane::SearchStage stage) const override;
-  half_plane::Refinement refinement() const override;
-  double exponent(const half_plane::ClosureDensity& guess, double s, double t) const override;
+  half_plane::QuadratureSize quadrature_size(int order, double level_over_temperature,
+                                             half_plane::SearchStage stage) const override;
+  half_plane::QuadratureRefinement quadrature_refinement() const override;
+  double exponent_of_guess(const half_plane::ClosureDensity& guess, double s,
+                           double t) const override;
   double decay_extent(const Polynomial& q, double temperature) const override;
   Eigen::VectorXd fit_weights(const half_plane::ClosureDensity& guess, double support,
                               const half_plane::QuadraturePoints& points,
@@ -45,13 +47,13 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
 
  protected:
   /// Q_n as a function of amplitude and phase. The returned function keeps a reference to q.
-  virtual Exponent polar_exponent(const Polynomial& q) const = 0;
+  virtual PolarExponent polar_exponent(const Polynomial& q) const = 0;
   /// Phase theta of the point with the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
   double temperature_, rate_unit_;
-  Tail tail_;
+  TailTreatment tail_;
 };
 
 /// Reason why a density is inadmissible: the density decays by the confinement alone. The reason is

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::epc::amplitude {
 
-const std::array<double, kPhaseCount>& phases() {
+const std::array<double, kPhaseCount>& scan_phases() {
   static const auto list = [] {
     std::array<double, kPhaseCount> angles{};
     for (int i = 0; i < kPhaseCount; ++i)
@@ -16,31 +16,31 @@ const std::array<double, kPhaseCount>& phases() {
   return list;
 }
 
-double phase_weight(int phase) {
+double trapezoidal_phase_weight(int phase_index) {
   constexpr double kStep = std::numbers::pi / (kPhaseCount - 1);
-  return (phase == 0 || phase == kPhaseCount - 1 ? 0.5 : 1) * kStep;
+  return (phase_index == 0 || phase_index == kPhaseCount - 1 ? 0.5 : 1) * kStep;
 }
 
-double maximum_over_phase(const Exponent& exponent, double rho) {
+double maximum_over_phase(const PolarExponent& exponent, double rho) {
   double largest = -std::numeric_limits<double>::infinity();
-  for (const double theta : phases()) largest = std::max(largest, exponent(rho, theta));
+  for (const double theta : scan_phases()) largest = std::max(largest, exponent(rho, theta));
   return largest;
 }
 
-DecayScan scan_decay(const Exponent& exponent, double depth, double farthest) {
+DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_amplitude) {
   constexpr int kSteps = 400;
   // Minima at a depth of less than kInside below the peak are features of the density.
   constexpr double kInside = 5;
   double peak = maximum_over_phase(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {
-    const double rho = farthest * i / kSteps;
+    const double rho = last_amplitude * i / kSteps;
     const double largest = maximum_over_phase(exponent, rho);
     peak = std::max(peak, largest);
-    if (largest < peak - depth) return {rho, farthest};
-    if (largest > before && before < peak - kInside) return {{}, farthest * (i - 1) / kSteps};
+    if (largest < peak - depth) return {rho, last_amplitude};
+    if (largest > before && before < peak - kInside) return {{}, last_amplitude * (i - 1) / kSteps};
     before = largest;
   }
-  return {{}, farthest};
+  return {{}, last_amplitude};
 }
 
 }  // namespace fpkcheck::epc::amplitude

@@ -10,34 +10,34 @@
 namespace fpkcheck::epc::amplitude {
 
 /// Energy rho^2/2 of an amplitude rho.
-inline double energy_at(double rho) { return rho * rho / 2; }
+inline double energy_of_amplitude(double rho) { return rho * rho / 2; }
 /// Amplitude rho of an energy rho^2/2.
-inline double amplitude_at(double energy) { return std::sqrt(2 * energy); }
+inline double amplitude_of_energy(double energy) { return std::sqrt(2 * energy); }
 
 /// Function that returns an exponent from amplitude rho and phase theta; theta lies between -pi/2
 /// and pi/2, and v = rho sin(theta).
-using Exponent = std::function<double(double rho, double theta)>;
+using PolarExponent = std::function<double(double rho, double theta)>;
 
 /// Number of equidistant phases on the half-circle.
 inline constexpr int kPhaseCount = 33;
 /// Equidistant phases theta on the half-circle, including both ends of the half-circle on the wall.
-const std::array<double, kPhaseCount>& phases();
+const std::array<double, kPhaseCount>& scan_phases();
 /// Weight in the trapezoidal rule of the phase with a given index.
-double phase_weight(int phase);
+double trapezoidal_phase_weight(int phase_index);
 
 /// Maximum of an exponent over the phases of the half-circle at an amplitude.
-double maximum_over_phase(const Exponent& exponent, double rho);
+double maximum_over_phase(const PolarExponent& exponent, double rho);
 
 /// Decay with growing amplitude of an exponent's maximum over the phases.
 struct DecayScan {
   /// first amplitude at which the maximum over the phases lies `depth` below its peak
   std::optional<double> crossing;
-  /// amplitude at which the maximum over the phases begins to rise, or `farthest`
+  /// amplitude at which the maximum over the phases begins to rise, or `last_amplitude`
   double extent;
 };
 
 /// Scans growing amplitudes, from 0 on. The scan ends when the maximum over the phases lies `depth`
-/// below its peak, when this maximum rises again, or at the amplitude `farthest`.
-DecayScan scan_decay(const Exponent& exponent, double depth, double farthest);
+/// below its peak, when this maximum rises again, or at the amplitude `last_amplitude`.
+DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_amplitude);
 
 }  // namespace fpkcheck::epc::amplitude

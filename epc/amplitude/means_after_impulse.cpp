@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "epc/amplitude/graded_impulse_rule.hpp"
+#include "epc/amplitude/graded_impulse_quadrature.hpp"
 
 namespace fpkcheck::epc::amplitude {
 
@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::Basis& basis,
                              const VectorXd& w, const VectorXd& v,
                              const CoordinateMap& coordinates) {
-  GradedImpulseRule rule(law);
+  GradedImpulseQuadrature rule(law);
   MatrixXd result(v.size(), basis.size());
   for (Index i = 0; i < v.size(); ++i) {
     const PostImpulseVelocities& after = rule(v[i], w[i]);
@@ -21,8 +21,8 @@ MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::B
     VectorXd s(count), t(count);
     for (Index k = 0; k < count; ++k) std::tie(s[k], t[k]) = coordinates(w[i], after.v[k]);
     const Eigen::Map<const VectorXd> probability(after.probability.data(), count);
-    const MatrixXd means = basis.polynomials_in_s().values(s).transpose() *
-                           probability.asDiagonal() * basis.polynomials_in_t().values(t);
+    const MatrixXd means = basis.polynomials_in_s().polynomial_values(s).transpose() *
+                           probability.asDiagonal() * basis.polynomials_in_t().polynomial_values(t);
     for (Index k = 0; k < basis.size(); ++k) {
       const auto& [p, q] = basis.members()[k];
       result(i, k) = means(p, q);

@@ -42,17 +42,17 @@ class Coordinates {
   explicit Coordinates(const problem::Problem& problem);
 
   /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
-  double w(double y) const { return std::sqrt(2 * potential_(y)); }
+  double potential_speed(double y) const { return std::sqrt(2 * potential_(y)); }
   /// Displacement y from w(y): the inverse function of w.
-  double y(double w) const;
+  double displacement(double w) const;
   /// Amplitude rho of a state.
-  double rho(double y, double v) const { return std::hypot(w(y), v); }
+  double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
   /// Restoring force g(y).
-  double force(double y) const { return force_(y); }
+  double restoring_force(double y) const { return force_(y); }
 
   /// Factor 1/e of the density at an amplitude rho > 0. In the corner, an atom replaces the
   /// density.
-  static double prefactor(double rho) { return 2 / (rho * rho); }
+  static double density_prefactor(double rho) { return 2 / (rho * rho); }
   /// Ratio of the probability of the atom to the exponential: P0 / (C exp(Q_n(0, 0))).
   double atom_weight() const { return atom_weight_; }
 

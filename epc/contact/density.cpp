@@ -31,19 +31,21 @@ std::vector<double> with_mirror_image(const std::vector<double>& edges) {
 
 }  // namespace
 
-transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
-                                    double support, const half_plane::Confinement& confinement,
-                                    double log_constant) {
-  const double largest = amplitude::amplitude_at(support);
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
+                                               double support,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant) {
+  const double largest = amplitude::amplitude_of_energy(support);
   return {.value =
               [q, coordinates, largest, confinement, log_constant](double y, double v) {
                 if (y < 0) return 0.0;
-                const double rho = coordinates.rho(y, v);
+                const double rho = coordinates.amplitude_of(y, v);
                 if (rho > largest) return 0.0;
-                return Coordinates::prefactor(rho) *
-                       std::exp(q(rho, v) + confinement(amplitude::energy_at(rho)) + log_constant);
+                return Coordinates::density_prefactor(rho) *
+                       std::exp(q(rho, v) + confinement(amplitude::energy_of_amplitude(rho)) +
+                                log_constant);
               },
-          .y_max = coordinates.y(largest),
+          .y_max = coordinates.displacement(largest),
           .v_max = largest};
 }
 

@@ -10,9 +10,10 @@ namespace fpkcheck::epc::contact {
 /// Density C exp(Q_n + confinement) / e, where Q_n is a polynomial of amplitude and velocity. The
 /// density is infinite at the corner, and 0 beyond an energy.
 /// @param support energy beyond which the density is 0
-transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
-                                    double support, const half_plane::Confinement& confinement,
-                                    double log_constant);
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
+                                               double support,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant);
 
 /// Averages of the density over cells that are graded towards the corner. Panels and bins of equal
 /// width would not resolve the probability near the corner and the singularities p(y) ~ y^(-1/2)

@@ -20,9 +20,11 @@ namespace fpkcheck::epc::contact {
 /// The basis contains rho^2/2: the root satisfies the balance of power exactly.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
-half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
-                                double rho_max, const half_plane::Confinement& confinement,
-                                half_plane::Basis basis, half_plane::QuadraturePoints points,
-                                int wall_points);
+half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
+                                               const Coordinates& coordinates, double rho_max,
+                                               const half_plane::Confinement& confinement,
+                                               half_plane::Basis basis,
+                                               half_plane::QuadraturePoints points,
+                                               int wall_points);
 
 }  // namespace fpkcheck::epc::contact

@@ -20,7 +20,7 @@ using transform::Metrics;
 constexpr int kHighestPower = 40;
 
 double require_number(const Metrics& metrics, const std::string& path) {
-  const auto value = transform::number(metrics, path);
+  const auto value = transform::metric_number(metrics, path);
   if (!value || !std::isfinite(*value)) {
     throw InputError(fmt::format("\"{}\" is missing or not finite (must be a number)", path));
   }
@@ -28,20 +28,20 @@ double require_number(const Metrics& metrics, const std::string& path) {
 }
 
 std::optional<double> optional_positive_number(const Metrics& metrics, const std::string& path) {
-  if (transform::find(metrics, path) == nullptr) return std::nullopt;
+  if (transform::find_metric(metrics, path) == nullptr) return std::nullopt;
   const double value = require_number(metrics, path);
   if (!(value > 0)) throw InputError(fmt::format("\"{}\" is {:g} (must be positive)", path, value));
   return value;
 }
 
-Variables variables_in(const Metrics& metrics) {
-  const auto text = transform::word(metrics, "coordinates");
+ExponentCoordinates read_coordinates_of_exponent(const Metrics& metrics) {
+  const auto text = transform::metric_text(metrics, "coordinates");
   if (!text) {
     throw InputError(
         "no \"coordinates\" (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
         "\"amplitude,velocity\"); run again if the file is from an earlier version");
   }
-  const auto known = base::enum_from_name<Variables>(*text);
+  const auto known = base::enum_from_name<ExponentCoordinates>(*text);
   if (!known) {
     throw InputError(
         fmt::format("coordinates {} (must be \"x1,x2\", \"y,v\", \"amplitude,phase\" or "
@@ -51,7 +51,7 @@ Variables variables_in(const Metrics& metrics) {
   return *known;
 }
 
-int power(const Metrics& metrics, const std::string& path) {
+int require_power(const Metrics& metrics, const std::string& path) {
   const double value = require_number(metrics, path);
   if (value < 0 || value > kHighestPower || value != std::floor(value)) {
     throw InputError(
@@ -62,17 +62,17 @@ int power(const Metrics& metrics, const std::string& path) {
 
 // Reads all terms of Q_n. Files store the coefficients in the order of k: each search for a key
 // starts at the position of the previous key.
-std::vector<Term> terms_in(const Metrics& metrics) {
+std::vector<Term> read_terms(const Metrics& metrics) {
   std::vector<Term> terms;
   constexpr std::size_t kMost = 2000;
   for (std::size_t k = 0;; ++k) {
     const std::string path = fmt::format("coefficients[{}].", k);
-    if (transform::find(metrics, path + "x1") == nullptr &&
-        transform::find(metrics, path + "a") == nullptr) {
+    if (transform::find_metric(metrics, path + "x1") == nullptr &&
+        transform::find_metric(metrics, path + "a") == nullptr) {
       break;
     }
     if (k == kMost) throw InputError(fmt::format("more than {} coefficients", kMost));
-    terms.push_back({power(metrics, path + "x1"), power(metrics, path + "x2"),
+    terms.push_back({require_power(metrics, path + "x1"), require_power(metrics, path + "x2"),
                      require_number(metrics, path + "a")});
   }
   if (terms.empty()) {
@@ -81,21 +81,21 @@ std::vector<Term> terms_in(const Metrics& metrics) {
   return terms;
 }
 
-std::optional<double> log_constant_in(const Metrics& metrics) {
-  if (transform::find(metrics, "log_C") != nullptr) return require_number(metrics, "log_C");
+std::optional<double> read_log_constant(const Metrics& metrics) {
+  if (transform::find_metric(metrics, "log_C") != nullptr) return require_number(metrics, "log_C");
   const auto constant = optional_positive_number(metrics, "C");
   if (!constant) return std::nullopt;
   return std::log(*constant);
 }
 
 std::optional<double> optional_number(const Metrics& metrics, const std::string& path) {
-  if (transform::find(metrics, path) == nullptr) return std::nullopt;
+  if (transform::find_metric(metrics, path) == nullptr) return std::nullopt;
   return require_number(metrics, path);
 }
 
-problem::Frame coordinates_in(const Metrics& metrics) {
+problem::Frame read_frame_of_coordinates(const Metrics& metrics) {
   problem::Frame frame{.origin = optional_number(metrics, "frame.origin").value_or(0)};
-  if (const auto* mirrored = transform::find(metrics, "frame.mirrored")) {
+  if (const auto* mirrored = transform::find_metric(metrics, "frame.mirrored")) {
     const bool* value = std::get_if<bool>(&mirrored->value);
     if (value == nullptr) {
       throw InputError("\"frame.mirrored\" is not a boolean (must be true or false)");
@@ -105,7 +105,7 @@ problem::Frame coordinates_in(const Metrics& metrics) {
   return frame;
 }
 
-Box box_in(const Metrics& metrics, double y_max, double v_max) {
+BoundingBox read_bounding_box(const Metrics& metrics, double y_max, double v_max) {
   const double y_min = optional_number(metrics, "support.y_min").value_or(0);
   if (y_min < y_max) return {y_max, v_max, y_min};
   throw InputError(
@@ -115,21 +115,22 @@ Box box_in(const Metrics& metrics, double y_max, double v_max) {
 }  // namespace
 
 bool has_closed_form(const Metrics& metrics) {
-  return transform::find(metrics, "coefficients[0].a") != nullptr;
+  return transform::find_metric(metrics, "coefficients[0].a") != nullptr;
 }
 
 ClosedForm read_closed_form(const Metrics& metrics) {
-  Frame frame{.variables = variables_in(metrics),
-              .coordinates = coordinates_in(metrics),
-              .log_constant = log_constant_in(metrics)};
+  ClosedFormParameters frame{.variables = read_coordinates_of_exponent(metrics),
+                             .coordinates = read_frame_of_coordinates(metrics),
+                             .log_constant = read_log_constant(metrics)};
   const auto number = [&](const char* path) { return optional_positive_number(metrics, path); };
-  if (frame.variables == Variables::plane || frame.variables == Variables::physical) {
+  if (frame.variables == ExponentCoordinates::plane ||
+      frame.variables == ExponentCoordinates::physical) {
     const auto sigma1 = number("support.sigma1"), sigma2 = number("support.sigma2");
     if (sigma1 && sigma2) frame.deviations = {*sigma1, *sigma2};
   }
-  if (frame.variables != Variables::plane) {
+  if (frame.variables != ExponentCoordinates::plane) {
     frame.support = number("support.energy").value_or(frame.support);
-    if (transform::word(metrics, "tail.kind").value_or("confined") == "confined") {
+    if (transform::metric_text(metrics, "tail.kind").value_or("confined") == "confined") {
       frame.level = number("tail.level").value_or(frame.level);
     }
   }
@@ -138,9 +139,9 @@ ClosedForm read_closed_form(const Metrics& metrics) {
     if (y_max.has_value() != v_max.has_value()) {
       throw InputError("incomplete support: \"y_max\" or \"v_max\" is missing; give both");
     }
-    if (y_max) frame.box = box_in(metrics, *y_max, *v_max);
+    if (y_max) frame.box = read_bounding_box(metrics, *y_max, *v_max);
   }
-  return {Polynomial(terms_in(metrics)), frame};
+  return {Polynomial(read_terms(metrics)), frame};
 }
 
 }  // namespace fpkcheck::epc

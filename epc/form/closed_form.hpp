@@ -14,7 +14,7 @@
 namespace fpkcheck::epc {
 
 /// Coordinates of the polynomial Q_n.
-enum class Variables {
+enum class ExponentCoordinates {
   /// z and z', the coordinates of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
   plane,
   physical,  ///< y and v: p(y, v) = C exp Q(y, v)
@@ -23,31 +23,34 @@ enum class Variables {
   /// atom at y = v = 0
   contact
 };
-inline constexpr base::EnumEntry<Variables> kVariablesNames[] = {
-    {Variables::plane, "x1,x2"},
-    {Variables::physical, "y,v"},
-    {Variables::polar, "amplitude,phase"},
-    {Variables::contact, "amplitude,velocity"}};
-constexpr std::span<const base::EnumEntry<Variables>> names(Variables) { return kVariablesNames; }
-constexpr std::string_view name(Variables variables) { return base::name_of(variables); }
+inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[] = {
+    {ExponentCoordinates::plane, "x1,x2"},
+    {ExponentCoordinates::physical, "y,v"},
+    {ExponentCoordinates::polar, "amplitude,phase"},
+    {ExponentCoordinates::contact, "amplitude,velocity"}};
+constexpr std::span<const base::EnumEntry<ExponentCoordinates>> enumerator_names(
+    ExponentCoordinates) {
+  return kExponentCoordinatesNames;
+}
+constexpr std::string_view name(ExponentCoordinates variables) { return base::name_of(variables); }
 
 /// Bounding box in the (y, v) plane outside of which the density is 0.
-struct Box {
+struct BoundingBox {
   double y_max, v_max;
   double y_min = 0;
 };
 
 /// All parameters of a density C exp(Q_n + confinement) except the coefficients of Q_n.
-struct Frame {
-  Variables variables = Variables::plane;
+struct ClosedFormParameters {
+  ExponentCoordinates variables = ExponentCoordinates::plane;
   /// Origin and direction, on the physical axes, of the coordinates y and v of Q_n. They are x and
   /// x' of problem/frame.hpp.
   problem::Frame coordinates = {};
   /// ln C, the logarithm of the constant factor; empty for a density that was not normalised.
   std::optional<double> log_constant = {};
-  /// Standard deviations that scale gaussian::Support, outside of which the density is 0; empty if
-  /// the density has another support.
-  std::optional<Deviations> deviations = {};
+  /// Standard deviations that scale gaussian::DensitySupport, outside of which the density is 0;
+  /// empty if the density has another support.
+  std::optional<StandardDeviations> deviations = {};
   /// Energy beyond whose contour the density is 0; used unless Q_n has the coordinates `plane`.
   double support = std::numeric_limits<double>::infinity();
   /// Level of half_plane::Confinement, infinite without confinement; used unless Q_n has the
@@ -55,14 +58,14 @@ struct Frame {
   double level = std::numeric_limits<double>::infinity();
   /// Bounding box outside of which the density is 0; used if there are neither deviations nor an
   /// energy.
-  std::optional<Box> box = {};
+  std::optional<BoundingBox> box = {};
 };
 
 /// Density of a closure as files store the density: exponent and parameters. Some forms also need
 /// the problem for an evaluation.
 struct ClosedForm {
   Polynomial q;
-  Frame frame;
+  ClosedFormParameters frame;
 };
 
 /// Whether metrics contain a closed form. The metrics come from epc/summary.hpp or from a file of

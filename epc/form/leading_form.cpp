@@ -11,7 +11,7 @@ namespace {
 
 // Removes the terms that are rounding errors and have no reliable sign. In the scaled plane these
 // terms are smaller than kRounding times the largest term.
-Polynomial without_rounding(const Polynomial& q, const Deviations& sigma) {
+Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
   const auto size = [&](const Term& term) {
     return std::abs(term.a) * std::pow(sigma.x1, term.x1) * std::pow(sigma.x2, term.x2);
@@ -25,18 +25,19 @@ Polynomial without_rounding(const Polynomial& q, const Deviations& sigma) {
 
 }  // namespace
 
-LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigma, Plane plane) {
+LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviations& sigma,
+                         DirectionSet plane) {
   const Polynomial q = without_rounding(with_rounding, sigma);
   LeadingForm form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0, seen = 0;
   const std::size_t distinct = distinct_direction_count(q);
-  Ray worst;
-  for (std::size_t k = 0; k < directions().size(); ++k) {
-    const Direction e = directions()[k];
-    if (plane == Plane::half ? e.x1 < 0 : k >= distinct) continue;
+  RayCoefficients worst;
+  for (std::size_t k = 0; k < scan_directions().size(); ++k) {
+    const Direction e = scan_directions()[k];
+    if (plane == DirectionSet::half ? e.x1 < 0 : k >= distinct) continue;
     ++seen;
-    const Ray coefficients = ray(q, sigma, e);
+    const RayCoefficients coefficients = restrict_to_ray(q, sigma, e);
     if (coefficients.size() < 2) continue;
     const double leading = coefficients.back();
     if (leading > 0) ++rising;
@@ -50,7 +51,7 @@ LeadingForm leading_form(const Polynomial& with_rounding, const Deviations& sigm
   form.rising_fraction = static_cast<double>(rising) / seen;
   if (!form.negative) {
     // Q_n rises from the last change of sign of the slope on. The scan ends at 4 kLargestRadius.
-    const Ray slope = derivative(worst);
+    const RayCoefficients slope = derivative_coefficients(worst);
     double rho = 4 * kLargestRadius;
     while (rho > 0 && horner(slope, rho) > 0) rho -= kRadialStep / 8;
     form.rises_from = std::max(rho, 0.0);

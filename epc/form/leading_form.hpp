@@ -18,11 +18,12 @@ struct LeadingForm {
 };
 
 /// Set of directions in which Q_n is examined: the whole plane, or the half-plane cos theta >= 0.
-enum class Plane { whole, half };
+enum class DirectionSet { whole, half };
 
 /// Determines the behaviour of Q_n at infinity in all directions of a set.
 /// @param sigma standard deviations that scale the plane
-LeadingForm leading_form(const Polynomial& q, const Deviations& sigma, Plane plane = Plane::whole);
+LeadingForm leading_form(const Polynomial& q, const StandardDeviations& sigma,
+                         DirectionSet plane = DirectionSet::whole);
 
 /// Clause that describes the behaviour of Q_n at infinity and ends a sentence, such as "although
 /// Q_n falls at infinity".

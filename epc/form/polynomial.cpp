@@ -39,7 +39,7 @@ std::vector<double> Polynomial::restriction_to_ray(double e1, double e2) const {
   return coefficients;
 }
 
-std::vector<double> derivative(const std::vector<double>& coefficients) {
+std::vector<double> derivative_coefficients(const std::vector<double>& coefficients) {
   std::vector<double> result;
   for (std::size_t m = 1; m < coefficients.size(); ++m) {
     result.push_back(static_cast<double>(m) * coefficients[m]);

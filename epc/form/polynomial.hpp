@@ -41,6 +41,6 @@ inline double horner(const std::vector<double>& coefficients, double rho) {
 }
 
 /// Coefficients of the derivative of a polynomial in one variable, lowest power first.
-std::vector<double> derivative(const std::vector<double>& coefficients);
+std::vector<double> derivative_coefficients(const std::vector<double>& coefficients);
 
 }  // namespace fpkcheck::epc

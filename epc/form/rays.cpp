@@ -6,7 +6,7 @@
 
 namespace fpkcheck::epc {
 
-const std::vector<Direction>& directions() {
+const std::vector<Direction>& scan_directions() {
   constexpr int kDirections = 1440;
   static const std::vector<Direction> table = [] {
     std::vector<Direction> all;
@@ -22,11 +22,13 @@ const std::vector<Direction>& directions() {
 std::size_t distinct_direction_count(const Polynomial& q) {
   const bool even = std::ranges::all_of(
       q.terms(), [](const Term& term) { return (term.x1 + term.x2) % 2 == 0 || term.a == 0; });
-  return even ? directions().size() / 2 : directions().size();
+  return even ? scan_directions().size() / 2 : scan_directions().size();
 }
 
-Ray ray(const Polynomial& q, const Deviations& sigma, const Direction& direction) {
-  Ray coefficients = q.restriction_to_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
+RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& sigma,
+                                const Direction& direction) {
+  RayCoefficients coefficients =
+      q.restriction_to_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
   while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
   return coefficients;
 }

@@ -32,7 +32,7 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 
 }  // namespace
 
-Deviations deviations(const problem::Problem& problem) {
+StandardDeviations weight_deviations(const problem::Problem& problem) {
   if (!problem::is_paper_oscillator(problem)) {
     const auto scales = problem::scales(problem);
     return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
@@ -41,7 +41,7 @@ Deviations deviations(const problem::Problem& problem) {
   return {linear.displacement_deviation, linear.velocity_deviation};
 }
 
-Basis::Basis(int order, MonomialSet set, const Deviations& sigma)
+Basis::Basis(int order, MonomialSet set, const StandardDeviations& sigma)
     : order_(order), set_(set), sigma_(sigma) {
   const int step = set == MonomialSet::point_symmetric ? 2 : 1;
   for (int m = step; m <= order; m += step) {
@@ -51,12 +51,13 @@ Basis::Basis(int order, MonomialSet set, const Deviations& sigma)
   }
 }
 
-double Basis::value(Eigen::Index s, double x1, double x2) const {
+double Basis::basis_value(Eigen::Index s, double x1, double x2) const {
   const auto& [p, q, norm] = members_[s];
   return std::pow(x1, p) * std::pow(x2, q) / norm;
 }
 
-Eigen::MatrixXd Basis::products(const Eigen::MatrixXd& of_x1, const Eigen::MatrixXd& of_x2) const {
+Eigen::MatrixXd Basis::column_products(const Eigen::MatrixXd& of_x1,
+                                       const Eigen::MatrixXd& of_x2) const {
   Eigen::MatrixXd result(of_x1.rows(), size());
   for (Eigen::Index s = 0; s < size(); ++s) {
     const auto& [p, q, norm] = members_[s];
@@ -65,22 +66,25 @@ Eigen::MatrixXd Basis::products(const Eigen::MatrixXd& of_x1, const Eigen::Matri
   return result;
 }
 
-Eigen::MatrixXd Basis::values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
-  return products(power_derivatives(x1, order_, 0), power_derivatives(x2, order_, 0));
+Eigen::MatrixXd Basis::basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+  return column_products(power_derivatives(x1, order_, 0), power_derivatives(x2, order_, 0));
 }
 
-BasisTable Basis::table(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+BasisDerivatives Basis::basis_derivatives(const Eigen::VectorXd& x1,
+                                          const Eigen::VectorXd& x2) const {
   const Eigen::MatrixXd of_x1 = power_derivatives(x1, order_, 0);
-  const auto in_x2 = [&](int j) { return products(of_x1, power_derivatives(x2, order_, j)); };
+  const auto in_x2 = [&](int j) {
+    return column_products(of_x1, power_derivatives(x2, order_, j));
+  };
   return {.value = in_x2(0),
-          .d1 = products(power_derivatives(x1, order_, 1), power_derivatives(x2, order_, 0)),
+          .d1 = column_products(power_derivatives(x1, order_, 1), power_derivatives(x2, order_, 0)),
           .d2 = in_x2(1),
           .d22 = in_x2(2),
           .d222 = in_x2(3),
           .d2222 = in_x2(4)};
 }
 
-Polynomial Basis::polynomial(const Eigen::VectorXd& scaled_coefficients) const {
+Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const {
   std::vector<Term> terms;
   for (Eigen::Index s = 0; s < size(); ++s) {
     terms.push_back({members_[s].p, members_[s].q, scaled_coefficients[s] / members_[s].norm});

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "epc/form/leading_form.hpp"
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 #include "numerics/roots/continuation.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -14,7 +14,7 @@ using numerics::CurvePoint;
 using numerics::Homotopy;
 using numerics::NewtonResult;
 using numerics::SolutionCurve;
-using numerics::Termination;
+using numerics::TerminationReason;
 
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
@@ -30,8 +30,8 @@ double absolute_moment(double m, double sigma) {
 // polynomial on the plane. A linear force with the same mean slope, E[a m |x1|^(m-1)], replaces the
 // even power.
 std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
-                                               const Deviations& sigma) {
-  const double beta = f.damping / (f.rate_moment[2] / 2);
+                                               const StandardDeviations& sigma) {
+  const double beta = f.damping / (f.rate_times_moment[2] / 2);
   std::vector<Term> terms{{0, 2, -beta / 2}};
   for (int m = 0; m < static_cast<int>(numerics::Polynomial::kDegree); ++m) {
     const double odd = f.odd_force.coefficient(m), even = f.even_force.coefficient(m);
@@ -45,8 +45,8 @@ std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
 
 // Homotopy of the branch: the residual R with homotopy_coefficients(), in units of residual_unit().
 // The residual is linear in the fraction.
-Homotopy branch_family(const Projection& projection, const ResidualCoefficients& full,
-                       double unit) {
+Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
+                                  const ResidualCoefficients& full, double unit) {
   return {
       .residual = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::VectorXd {
         return projection.residual(homotopy_coefficients(full, fraction), a) / unit;
@@ -62,23 +62,25 @@ Homotopy branch_family(const Projection& projection, const ResidualCoefficients&
       }};
 }
 
-BranchEnd branch_end_of(const SolutionCurve& curve) {
+SolutionBranchEnd branch_end_of(const SolutionCurve& curve) {
   switch (curve.end) {
-    case Termination::end_reached:
-      return BranchEnd::full_problem;
-    case Termination::fell_back:
-      return BranchEnd::white_noise;
-    case Termination::diverged:
-      return BranchEnd::far_away;
-    case Termination::step_underflow:
-    case Termination::limit_exceeded:
+    case TerminationReason::end_reached:
+      return SolutionBranchEnd::full_problem;
+    case TerminationReason::fell_back:
+      return SolutionBranchEnd::white_noise;
+    case TerminationReason::diverged:
+      return SolutionBranchEnd::far_away;
+    case TerminationReason::step_underflow:
+    case TerminationReason::limit_exceeded:
       break;
   }
-  return BranchEnd::lost;
+  return SolutionBranchEnd::lost;
 }
 
-Branch branch_of(const SolutionCurve& curve, const Homotopy& family, const Basis& basis) {
-  Branch branch{.end = branch_end_of(curve), .furthest = curve.furthest().t, .points = {}};
+SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& family,
+                                  const Basis& basis) {
+  SolutionBranch branch{
+      .end = branch_end_of(curve), .furthest = curve.point_with_largest_t().t, .points = {}};
   for (const CurvePoint& point : curve.points) {
     const auto singularity_indicators =
         numerics::singularity_indicators(family.jacobian(point.a, point.t));
@@ -87,7 +89,7 @@ Branch branch_of(const SolutionCurve& curve, const Homotopy& family, const Basis
          .norm = point.a.norm(),
          .smallest_singular_value = singularity_indicators.smallest_singular_value,
          .determinant_sign = singularity_indicators.determinant_sign,
-         .falls = leading_form(basis.polynomial(point.a), basis.sigma()).negative,
+         .falls = leading_form(basis.exponent_polynomial(point.a), basis.sigma()).negative,
          .fold = false});
   }
   for (const std::size_t fold : curve.folds) branch.points[fold].fold = true;
@@ -95,11 +97,11 @@ Branch branch_of(const SolutionCurve& curve, const Homotopy& family, const Basis
 }
 
 // Root at the end of a curve, or the last iterate if the curve did not reach its end point.
-NewtonResult root_of(const SolutionCurve& curve, const CurvePoint& last,
-                     const Projection& projection, const ResidualCoefficients& there,
-                     double tolerance) {
-  const bool end_reached = curve.end == Termination::end_reached;
-  NewtonResult root = newton(
+NewtonResult root_at_curve_end(const SolutionCurve& curve, const CurvePoint& last,
+                               const ProjectedEquations& projection,
+                               const ResidualCoefficients& there, double tolerance) {
+  const bool end_reached = curve.end == TerminationReason::end_reached;
+  NewtonResult root = solve_by_newton(
       projection, there, last.a,
       {.tolerance = tolerance, .max_iterations = end_reached ? kPolishing : 0, .damped = false});
   root.converged = root.converged && end_reached;
@@ -109,35 +111,38 @@ NewtonResult root_of(const SolutionCurve& curve, const CurvePoint& last,
 
 }  // namespace
 
-FollowedBranch follow_branch(const Projection& projection, const ResidualCoefficients& full,
-                             double tolerance) {
+BranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
+                                     const ResidualCoefficients& full, double tolerance) {
   const Basis& basis = projection.basis();
   const Eigen::VectorXd exact =
       basis.scaled_coefficients(elastic_white_noise_exponent(full, basis.sigma()));
-  const NewtonResult start = newton(projection, homotopy_coefficients(full, 0), exact,
-                                    {.tolerance = tolerance, .damped = false});
-  if (!start.converged) return {{.end = BranchEnd::lost, .furthest = 0, .points = {}}, start};
+  const NewtonResult start = solve_by_newton(projection, homotopy_coefficients(full, 0), exact,
+                                             {.tolerance = tolerance, .damped = false});
+  if (!start.converged)
+    return {{.end = SolutionBranchEnd::lost, .furthest = 0, .points = {}}, start};
 
-  const Homotopy family = branch_family(projection, full, residual_unit(projection, full));
-  const SolutionCurve curve =
-      numerics::trace_curve(family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
-  const CurvePoint& last = curve.furthest();
+  const Homotopy family =
+      solution_branch_homotopy(projection, full, residual_unit(projection, full));
+  const SolutionCurve curve = numerics::trace_solution_curve(
+      family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
+  const CurvePoint& last = curve.point_with_largest_t();
   NewtonResult root =
-      root_of(curve, last, projection, homotopy_coefficients(full, last.t), tolerance);
+      root_at_curve_end(curve, last, projection, homotopy_coefficients(full, last.t), tolerance);
   root.iterations += start.iterations;
-  return {branch_of(curve, family, basis), root};
+  return {solution_branch_of(curve, family, basis), root};
 }
 
-NewtonResult follow_newton_homotopy(const Projection& projection, const ResidualCoefficients& f,
-                                    const Eigen::VectorXd& start, double tolerance) {
+NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
+                                    const ResidualCoefficients& f, const Eigen::VectorXd& start,
+                                    double tolerance) {
   const double unit = residual_unit(projection, f);
   const Homotopy family = numerics::newton_homotopy(
       [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
       [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },
       start);
-  const SolutionCurve curve =
-      numerics::trace_curve(family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
-  return root_of(curve, curve.points.back(), projection, f, tolerance);
+  const SolutionCurve curve = numerics::trace_solution_curve(
+      family, start, {.tolerance = tolerance, .max_points = kMaxPoints});
+  return root_at_curve_end(curve, curve.points.back(), projection, f, tolerance);
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -7,12 +7,12 @@
 
 namespace fpkcheck::epc::gaussian {
 
-double log_constant(const Support& support) {
-  return -support.peak() - std::log(support.integral());
+double log_normalising_constant(const DensitySupport& support) {
+  return -support.peak_exponent() - std::log(support.integral_relative_to_peak());
 }
 
-transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
-                                    double log_constant) {
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const DensitySupport& support,
+                                               double log_constant) {
   const auto plane = [q, support, log_constant](double x1, double x2) {
     return support.contains(x1, x2) ? std::exp(q(x1, x2) + log_constant) : 0;
   };
@@ -26,8 +26,9 @@ transform::SmoothDensity density_of(const Polynomial& q, const Support& support,
       {.value = plane, .x1_max = support.x1_max(), .x2_max = support.x2_max()});
 }
 
-transform::SmoothDensity unfolded_density_of(const Polynomial& q, const Support& support,
-                                             double log_constant) {
+transform::SmoothDensity unfolded_density_from_exponent(const Polynomial& q,
+                                                        const DensitySupport& support,
+                                                        double log_constant) {
   return {.value =
               [q, support, log_constant](double y, double v) {
                 return support.contains(y, v) ? std::exp(q(y, v) + log_constant) : 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -38,23 +38,24 @@ struct NewtonEquations {
     });
   }
 
-  const Projection& projection;
+  const ProjectedEquations& projection;
   const ResidualCoefficients& f;
   double unit;
 };
 
 }  // namespace
 
-double residual_unit(const Projection& projection, const ResidualCoefficients& f) {
+double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f) {
   constexpr double kRounding = 1e-4;
-  const Deviations& sigma = projection.basis().sigma();
+  const StandardDeviations& sigma = projection.basis().sigma();
   return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
 }
 
-numerics::NewtonResult newton(const Projection& projection, const ResidualCoefficients& f,
-                              const VectorXd& start, const numerics::NewtonOptions& options) {
-  return numerics::newton(NewtonEquations{projection, f, residual_unit(projection, f)}, start,
-                          options);
+numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
+                                       const ResidualCoefficients& f, const VectorXd& start,
+                                       const numerics::NewtonOptions& options) {
+  return numerics::solve_by_newton(NewtonEquations{projection, f, residual_unit(projection, f)},
+                                   start, options);
 }
 
 }  // namespace fpkcheck::epc::gaussian

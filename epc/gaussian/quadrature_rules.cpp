@@ -10,7 +10,7 @@ namespace {
 // Three-term recurrence of orthonormal polynomials; entry i of each vector is for step i:
 //   off_diagonal[i] h_{i+1}(t) = (t - diagonal[i]) h_i(t) - off_diagonal[i-1] h_{i-1}(t),
 //   h_0 = 1.
-struct Recurrence {
+struct ThreeTermRecurrence {
   Eigen::VectorXd diagonal;
   Eigen::VectorXd off_diagonal;
 };
@@ -19,7 +19,7 @@ struct Recurrence {
 // The weights follow from the recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors.
 // Moments of degree 5n need the small weights of the outer nodes with full relative accuracy.
 // Eigenvectors do not give this accuracy.
-QuadratureRule gauss_rule(const Recurrence& recurrence) {
+QuadratureRule composite_gauss_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
@@ -48,26 +48,26 @@ const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace
 
-QuadratureRule exponential_rule(int degree) {
+QuadratureRule exponential_quadrature_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
-  return gauss_rule({(2 * i).array() + 1, i.array() + 1});
+  return composite_gauss_rule({(2 * i).array() + 1, i.array() + 1});
 }
 
-QuadratureRule uniform_rule(int degree) {
+QuadratureRule uniform_quadrature_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(count, 1, count);
-  return gauss_rule({Eigen::VectorXd::Zero(count), i / (4 * i * i - 1).sqrt()});
+  return composite_gauss_rule({Eigen::VectorXd::Zero(count), i / (4 * i * i - 1).sqrt()});
 }
 
-QuadratureRule normal_rule(int degree) {
+QuadratureRule normal_quadrature_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
-  return gauss_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
+  return composite_gauss_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
 }
 
-QuadratureRule absolute_rule(int degree) {
-  const QuadratureRule half = exponential_rule(degree / 2);
+QuadratureRule absolute_weighted_normal_rule(int degree) {
+  const QuadratureRule half = exponential_quadrature_rule(degree / 2);
   QuadratureRule rule;
   for (std::size_t i = 0; i < half.nodes.size(); ++i) {
     const double u = std::sqrt(2 * half.nodes[i]);
@@ -78,8 +78,8 @@ QuadratureRule absolute_rule(int degree) {
   return rule;
 }
 
-QuadratureRule sign_rule(int degree) {
-  QuadratureRule rule = absolute_rule(degree);
+QuadratureRule sign_weighted_normal_rule(int degree) {
+  QuadratureRule rule = absolute_weighted_normal_rule(degree);
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) rule.weights[i] /= rule.nodes[i];
   return rule;
 }

@@ -15,14 +15,14 @@ numerics::Polynomial part(const numerics::Polynomial& polynomial, std::size_t pa
 }
 
 // Terms with even moments of Y: lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
-double even_series(const RateMoments& m, const Derivatives& q) {
+double even_series(const RateTimesMoments& m, const ExponentDerivatives& q) {
   const double second = q.q22 + q.q2 * q.q2;
   const double fourth = q.q2222 + 4 * q.q2 * q.q222 + 3 * q.q22 * q.q22 + 6 * q.q2 * q.q2 * q.q22 +
                         q.q2 * q.q2 * q.q2 * q.q2;
   return m[2] / 2 * second + m[4] / 24 * fourth;
 }
 
-Derivatives even_series_gradient(const RateMoments& m, const Derivatives& q) {
+ExponentDerivatives even_series_gradient(const RateTimesMoments& m, const ExponentDerivatives& q) {
   const double second = m[2] / 2, fourth = m[4] / 24;
   return {
       .q1 = 0,
@@ -33,12 +33,12 @@ Derivatives even_series_gradient(const RateMoments& m, const Derivatives& q) {
 }
 
 // Terms with odd moments of Y: -lambda E[Y] Q_2 - lambda E[Y^3]/3! [...]
-double odd_series(const RateMoments& m, const Derivatives& q) {
+double odd_series(const RateTimesMoments& m, const ExponentDerivatives& q) {
   const double third = q.q222 + 3 * q.q2 * q.q22 + q.q2 * q.q2 * q.q2;
   return -m[1] * q.q2 - m[3] / 6 * third;
 }
 
-Derivatives odd_series_gradient(const RateMoments& m, const Derivatives& q) {
+ExponentDerivatives odd_series_gradient(const RateTimesMoments& m, const ExponentDerivatives& q) {
   const double third = -m[3] / 6;
   return {.q1 = 0,
           .q2 = -m[1] + third * 3 * (q.q22 + q.q2 * q.q2),
@@ -53,73 +53,81 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem, Equa
   const bool higher = equation != Equation::white;
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
-  const bool folded = system.left().has_value();
+  const bool folded = system.left_wall().has_value();
   const numerics::Polynomial none({});
-  return {
-      .damping = system.damping(),
-      .odd_force = folded ? part(system.force(), 1) : system.force(),
-      .even_force = folded ? part(system.force(), 0) : none,
-      .impact_loss = 1 - system.restitution(),
-      .rate_moment = {0, impulses.rate_moment(1), impulses.rate_moment(2) + problem.noise.intensity,
-                      higher ? impulses.rate_moment(3) : 0, higher ? impulses.rate_moment(4) : 0},
-      .jump_fraction = equation == Equation::kf ? 1.0 : 0.0,
-      .folded = folded,
-      .damping_polynomial = system.damping_polynomial(),
-      .rayleigh = system.rayleigh()};
+  return {.damping = system.damping(),
+          .odd_force = folded ? part(system.restoring_force(), 1) : system.restoring_force(),
+          .even_force = folded ? part(system.restoring_force(), 0) : none,
+          .impact_loss = 1 - system.restitution(),
+          .rate_times_moment = {0, impulses.rate_times_moment(1),
+                                impulses.rate_times_moment(2) + problem.noise.intensity,
+                                higher ? impulses.rate_times_moment(3) : 0,
+                                higher ? impulses.rate_times_moment(4) : 0},
+          .jump_fraction = equation == Equation::kf ? 1.0 : 0.0,
+          .folded = folded,
+          .damping_polynomial = system.damping_polynomial(),
+          .rayleigh = system.rayleigh_coefficient()};
 }
 
 ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction) {
   ResidualCoefficients f = full;
   f.impact_loss *= fraction;
-  for (const int order : {1, 3, 4}) f.rate_moment[order] *= fraction;
+  for (const int order : {1, 3, 4}) f.rate_times_moment[order] *= fraction;
   f.jump_fraction *= fraction;
   return f;
 }
 
-double smooth_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q) {
+double smooth_residual_part(const ResidualCoefficients& f, double x1, double x2,
+                            const ExponentDerivatives& q) {
   const double drift = f.damping * x2 + f.odd_force(x1);
-  return -x2 * q.q1 + drift * q.q2 + even_series(f.rate_moment, q) + f.damping;
+  return -x2 * q.q1 + drift * q.q2 + even_series(f.rate_times_moment, q) + f.damping;
 }
 
-Derivatives smooth_gradient(const ResidualCoefficients& f, double x1, double x2,
-                            const Derivatives& q) {
-  Derivatives gradient = even_series_gradient(f.rate_moment, q);
+ExponentDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
+                                             const ExponentDerivatives& q) {
+  ExponentDerivatives gradient = even_series_gradient(f.rate_times_moment, q);
   gradient.q1 -= x2;
   gradient.q2 += f.damping * x2 + f.odd_force(x1);
   return gradient;
 }
 
-double signed_part(const ResidualCoefficients& f, double x1, const Derivatives& q) {
-  return f.even_force(x1) * q.q2 + odd_series(f.rate_moment, q);
+double signed_residual_part(const ResidualCoefficients& f, double x1,
+                            const ExponentDerivatives& q) {
+  return f.even_force(x1) * q.q2 + odd_series(f.rate_times_moment, q);
 }
 
-Derivatives signed_gradient(const ResidualCoefficients& f, double x1, const Derivatives& q) {
-  Derivatives gradient = odd_series_gradient(f.rate_moment, q);
+ExponentDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
+                                             const ExponentDerivatives& q) {
+  ExponentDerivatives gradient = odd_series_gradient(f.rate_times_moment, q);
   gradient.q2 += f.even_force(x1);
   return gradient;
 }
 
-double unfolded_part(const ResidualCoefficients& f, double x1, double x2, const Derivatives& q) {
+double unfolded_residual(const ResidualCoefficients& f, double x1, double x2,
+                         const ExponentDerivatives& q) {
   const double damping = f.damping_polynomial(x1), square = f.rayleigh * x2 * x2;
   const double drift = (damping + square) * x2 + f.odd_force(x1);
-  return -x2 * q.q1 + drift * q.q2 + series_part(f.rate_moment, 1, q) + damping + 3 * square;
+  return -x2 * q.q1 + drift * q.q2 + series_residual_part(f.rate_times_moment, 1, q) + damping +
+         3 * square;
 }
 
-Derivatives unfolded_gradient(const ResidualCoefficients& f, double x1, double x2,
-                              const Derivatives& q) {
-  Derivatives gradient = series_gradient(f.rate_moment, 1, q);
+ExponentDerivatives unfolded_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
+                                               const ExponentDerivatives& q) {
+  ExponentDerivatives gradient = series_residual_gradient(f.rate_times_moment, 1, q);
   gradient.q1 -= x2;
   gradient.q2 += (f.damping_polynomial(x1) + f.rayleigh * x2 * x2) * x2 + f.odd_force(x1);
   return gradient;
 }
 
-double series_part(const RateMoments& rate_moment, int side, const Derivatives& q) {
-  return even_series(rate_moment, q) + side * odd_series(rate_moment, q);
+double series_residual_part(const RateTimesMoments& rate_times_moment, int side,
+                            const ExponentDerivatives& q) {
+  return even_series(rate_times_moment, q) + side * odd_series(rate_times_moment, q);
 }
 
-Derivatives series_gradient(const RateMoments& rate_moment, int side, const Derivatives& q) {
-  const Derivatives even = even_series_gradient(rate_moment, q),
-                    odd = odd_series_gradient(rate_moment, q);
+ExponentDerivatives series_residual_gradient(const RateTimesMoments& rate_times_moment, int side,
+                                             const ExponentDerivatives& q) {
+  const ExponentDerivatives even = even_series_gradient(rate_times_moment, q),
+                            odd = odd_series_gradient(rate_times_moment, q);
   return {.q1 = 0,
           .q2 = even.q2 + side * odd.q2,
           .q22 = even.q22 + side * odd.q22,
@@ -127,11 +135,12 @@ Derivatives series_gradient(const RateMoments& rate_moment, int side, const Deri
           .q2222 = even.q2222};
 }
 
-double impact_part(const ResidualCoefficients& f, double x2, const Derivatives& q) {
+double impact_residual_part(const ResidualCoefficients& f, double x2,
+                            const ExponentDerivatives& q) {
   return f.impact_loss * (x2 * q.q2 + 2);
 }
 
-Derivatives impact_gradient(const ResidualCoefficients& f, double x2) {
+ExponentDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2) {
   return {.q1 = 0, .q2 = f.impact_loss * x2, .q22 = 0, .q222 = 0, .q2222 = 0};
 }
 

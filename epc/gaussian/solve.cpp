@@ -6,11 +6,11 @@
 #include <string>
 
 #include "epc/form/acceptance_limits.hpp"
-#include "epc/form/fill_density.hpp"
+#include "epc/form/store_density.hpp"
 #include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/density.hpp"
-#include "epc/gaussian/search.hpp"
-#include "epc/gaussian/support.hpp"
+#include "epc/gaussian/density_support.hpp"
+#include "epc/gaussian/root_search.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -19,26 +19,27 @@ using transform::Status;
 
 // Density C exp(Q_n), normalised on its support.
 transform::SmoothDensity density_on(const problem::Problem& problem, const Polynomial& q,
-                                    const Support& support) {
-  return problem.system.left() ? density_of(q, support, log_constant(support))
-                               : unfolded_density_of(q, support, log_constant(support));
+                                    const DensitySupport& support) {
+  return problem.system.left_wall()
+             ? density_from_exponent(q, support, log_normalising_constant(support))
+             : unfolded_density_from_exponent(q, support, log_normalising_constant(support));
 }
 
 // Smallest order n-2 whose density is compared with the density of order n. Without a wall order 2,
 // a Gaussian, approximates neither several wells nor a ring.
 int first_comparable_order(const problem::Problem& problem) {
-  return problem.system.left() ? 2 : 4;
+  return problem.system.left_wall() ? 2 : 4;
 }
 
 // Reason why a root is inadmissible; empty for an admissible root.
-std::string inadmissible_reason(const Support& support, const LeadingForm& form,
+std::string inadmissible_reason(const DensitySupport& support, const LeadingForm& form,
                                 const transform::Solution& solution,
                                 const std::optional<double>& distance_to_density_before) {
-  if (!(support.edge_ratio() < kEdgeDensityLimit)) {
+  if (!(support.edge_density_ratio() < kEdgeDensityLimit)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
         "cuts off about {:.1e} of the probability, {}",
-        support.edge_ratio(), kEdgeDensityLimit, support.cut_off(),
+        support.edge_density_ratio(), kEdgeDensityLimit, support.cut_off_probability(),
         leading_form_text(form, "(x1/sigma1, x2/sigma2)"));
   }
   if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
@@ -65,7 +66,7 @@ std::string inadmissible_reason(const Support& support, const LeadingForm& form,
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
-  if (problem.system.left() || virial <= kEnergyResidualLimit) return "";
+  if (problem.system.left_wall() || virial <= kEnergyResidualLimit) return "";
   return fmt::format(
       "the virial balance has a residual of {:.0f} % (limit {:.0f} %): the root approximates no "
       "stationary density",
@@ -77,33 +78,35 @@ std::string virial_inadmissible_reason(const problem::Problem& problem,
 // @param previous root of order n-2 for comparison
 void assess_root(const problem::Problem& problem, const Polynomial& q,
                  const std::optional<Polynomial>& previous, Result& result) {
-  const Deviations sigma = deviations(problem);
-  const Support support(q, sigma);
+  const StandardDeviations sigma = weight_deviations(problem);
+  const DensitySupport support(q, sigma);
   const LeadingForm form = leading_form(q, sigma);
   auto& [solution, summary] = result;
   summary.coefficients = q.terms();
   summary.leading_form = form;
-  summary.support = {.least_radius = support.least_radius(),
-                     .greatest_radius = support.greatest_radius(),
+  summary.support = {.least_radius = support.min_edge_radius(),
+                     .greatest_radius = support.max_edge_radius(),
                      .y_max = support.x1_max(),
                      .v_max = support.x2_max(),
-                     .edge_density = support.edge_ratio(),
-                     .cut_off = support.cut_off()};
-  summary.frame = {.variables = problem.system.left() ? Variables::plane : Variables::physical,
-                   .log_constant = log_constant(support),
+                     .edge_density = support.edge_density_ratio(),
+                     .cut_off = support.cut_off_probability()};
+  summary.frame = {.variables = problem.system.left_wall() ? ExponentCoordinates::plane
+                                                           : ExponentCoordinates::physical,
+                   .log_constant = log_normalising_constant(support),
                    .deviations = sigma};
 
   const transform::SmoothDensity density = density_on(problem, q, support);
   summary.support->y_min = density.y_min;
-  const transform::PanelMarginals marginals = fill_density(problem, Impact::delta, density, result);
+  const transform::PanelMarginals marginals =
+      store_density(problem, Impact::delta, density, result);
   std::optional<double> distance_to_density_before;
   if (previous) {
-    const Support before(*previous, sigma);
+    const DensitySupport before(*previous, sigma);
     auto before_density = density_on(problem, *previous, before);
     before_density.y_min = density.y_min;  // same panels
     summary.distance_to_previous = distance(
         marginals, transform::panel_marginals(before_density, density.y_max, density.v_max));
-    if (before.edge_ratio() < kEdgeDensityLimit &&
+    if (before.edge_density_ratio() < kEdgeDensityLimit &&
         previous->degree() >= first_comparable_order(problem)) {
       distance_to_density_before = summary.distance_to_previous;
     }

@@ -20,7 +20,7 @@ namespace fpkcheck::epc::gaussian {
 ///  - inadmissible if the density of the root violates one of these conditions. The result still
 ///    contains the density and the coefficients;
 ///  - not_converged if no root was found, or if for `kf` the root depends on the disc of
-///    JumpRemainder. The result has no density.
+///    JumpIntegralRemainder. The result has no density.
 Result solve(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc::gaussian

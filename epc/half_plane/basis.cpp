@@ -9,8 +9,8 @@ Basis::Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& m
   }
 }
 
-Eigen::MatrixXd products(const std::vector<Basis::Member>& members, const Eigen::MatrixXd& s_table,
-                         const Eigen::MatrixXd& t_table) {
+Eigen::MatrixXd products_of_tables(const std::vector<Basis::BasisFunction>& members,
+                                   const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table) {
   Eigen::MatrixXd result(s_table.rows(), static_cast<Eigen::Index>(members.size()));
   for (std::size_t k = 0; k < members.size(); ++k) {
     result.col(static_cast<Eigen::Index>(k)) =
@@ -19,15 +19,15 @@ Eigen::MatrixXd products(const std::vector<Basis::Member>& members, const Eigen:
   return result;
 }
 
-Eigen::MatrixXd Basis::values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const {
-  return products(members_, of_s_.values(s), of_t_.values(t));
+Eigen::MatrixXd Basis::basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const {
+  return products_of_tables(members_, of_s_.polynomial_values(s), of_t_.polynomial_values(t));
 }
 
-Polynomial Basis::polynomial(const Eigen::VectorXd& a) const {
+Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& a) const {
   Eigen::MatrixXd members = Eigen::MatrixXd::Zero(order_ + 1, order_ + 1);
   for (Eigen::Index k = 0; k < size(); ++k) members(members_[k].p, members_[k].q) = a[k];
   const Eigen::MatrixXd monomials =
-      of_s_.coefficients().transpose() * members * of_t_.coefficients();
+      of_s_.monomial_coefficients().transpose() * members * of_t_.monomial_coefficients();
   std::vector<Term> terms;
   for (const auto& [p, q] : members_) terms.push_back({p, q, monomials(p, q)});
   return Polynomial(std::move(terms));

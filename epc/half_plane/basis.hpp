@@ -16,7 +16,7 @@ namespace fpkcheck::epc::half_plane {
 class Basis {
  public:
   /// Degrees p and q of a basis function h_p(s) g_q(t).
-  struct Member {
+  struct BasisFunction {
     int p, q;
   };
 
@@ -26,25 +26,25 @@ class Basis {
 
   int order() const { return order_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
-  const std::vector<Member>& members() const { return members_; }
+  const std::vector<BasisFunction>& members() const { return members_; }
   const OrthonormalPolynomials& polynomials_in_s() const { return of_s_; }
   const OrthonormalPolynomials& polynomials_in_t() const { return of_t_; }
 
   /// Values of the basis functions at points, shape (number of points, size()).
-  Eigen::MatrixXd values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
+  Eigen::MatrixXd basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
 
   /// Q_n in monomials of s and t, from the coefficients a in the basis, without the constant term.
-  Polynomial polynomial(const Eigen::VectorXd& a) const;
+  Polynomial exponent_polynomial(const Eigen::VectorXd& a) const;
 
  private:
   int order_;
-  std::vector<Member> members_;
+  std::vector<BasisFunction> members_;
   OrthonormalPolynomials of_s_, of_t_;
 };
 
 /// Table of products for all basis functions, from two tables of polynomials: column k is
 /// s_table.col(p_k) * t_table.col(q_k).
-Eigen::MatrixXd products(const std::vector<Basis::Member>& members, const Eigen::MatrixXd& s_table,
-                         const Eigen::MatrixXd& t_table);
+Eigen::MatrixXd products_of_tables(const std::vector<Basis::BasisFunction>& members,
+                                   const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
 
 }  // namespace fpkcheck::epc::half_plane

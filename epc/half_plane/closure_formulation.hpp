@@ -5,7 +5,7 @@
 
 #include "epc/half_plane/confinement.hpp"
 #include "epc/half_plane/equations.hpp"
-#include "epc/half_plane/root.hpp"
+#include "epc/half_plane/root_search_result.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -16,13 +16,13 @@ enum class SearchStage {
 };
 
 /// Criterion by which the search increases the number of quadrature points.
-struct Refinement {
+struct QuadratureRefinement {
   /// How the search determines the change of Q_n on more quadrature points.
-  enum class Rule {
+  enum class ChangeMeasure {
     solved,    ///< solve the equations again on more points and use the new root
     estimated  ///< estimate the change by one Newton step on more points and keep the root
   };
-  Rule rule;
+  ChangeMeasure rule;
   double tolerance;  ///< tolerance on the standard deviation of the change of Q_n
 };
 
@@ -34,38 +34,41 @@ class ClosureFormulation {
   virtual ~ClosureFormulation() = default;
 
   /// Density from which the first order starts.
-  virtual ClosureDensity start() const = 0;
+  virtual ClosureDensity initial_density() const = 0;
   /// Lowest order that the search solves before the requested order.
   virtual int first_order(int /*order*/) const { return 2; }
-  /// Whether an order may start from start() if the search from the next lower order finds no root.
+  /// Whether an order may start from initial_density() if the search from the next lower order
+  /// finds no root.
   virtual bool can_start_at_any_order() const { return false; }
   /// Unit in which rates of change are measured.
-  virtual double rate_unit() const = 0;
+  virtual double rate_of_change_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
                                                  SearchStage stage) const = 0;
   /// Larger confinement level that suits the density of a root better than the level of this
   /// density; empty if there is no better level.
-  virtual std::optional<double> improved_level(const ClosureDensity& /*guess*/,
-                                               const ClosureDensity& /*closure*/) const {
+  virtual std::optional<double> improved_confinement_level(
+      const ClosureDensity& /*guess*/, const ClosureDensity& /*closure*/) const {
     return std::nullopt;
   }
 
   /// Number of quadrature points for the first attempt.
   /// @param level_over_temperature confinement level divided by the temperature of the guess
-  virtual QuadratureSize size(int order, double level_over_temperature,
-                              SearchStage stage) const = 0;
+  virtual QuadratureSize quadrature_size(int order, double level_over_temperature,
+                                         SearchStage stage) const = 0;
   /// Criterion by which the search increases the number of quadrature points.
-  virtual Refinement refinement() const = 0;
+  virtual QuadratureRefinement quadrature_refinement() const = 0;
   /// Quadrature points on the part of the half-plane where the energy is below `support`.
-  virtual QuadraturePoints points(double support, const QuadratureSize& size) const = 0;
+  virtual QuadraturePoints points_below_energy(double support,
+                                               const QuadratureSize& size) const = 0;
   /// Galerkin equations for a basis on given quadrature points.
-  virtual Equations equations(double support, const Confinement& confinement, Basis basis,
-                              QuadraturePoints points, const QuadratureSize& size) const = 0;
+  virtual ClosureEquations closure_equations(double support, const Confinement& confinement,
+                                             Basis basis, QuadraturePoints points,
+                                             const QuadratureSize& size) const = 0;
 
   /// Exponent of the density from which an order starts, the guess. Where the Q_n of the guess
   /// rises again, the exponent may differ from Q_n.
-  virtual double exponent(const ClosureDensity& guess, double s, double t) const {
+  virtual double exponent_of_guess(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
   /// ClosureDensity::decay_extent for a polynomial Q_n: the largest s up to which Q_n falls.

@@ -6,7 +6,7 @@
 
 namespace fpkcheck::epc::half_plane {
 
-std::pair<double, double> radii(const Contour& contour, const Deviations& sigma) {
+std::pair<double, double> radius_range(const Contour& contour, const StandardDeviations& sigma) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   for (const ContourPoint& point : contour) {
     const double radius = std::hypot(point.y / sigma.x1, point.v / sigma.x2);
@@ -16,8 +16,8 @@ std::pair<double, double> radii(const Contour& contour, const Deviations& sigma)
   return {least, greatest};
 }
 
-double probability_beyond(const Polynomial& q, const Contour& contour, double temperature,
-                          double log_normalisation) {
+double probability_beyond_contour(const Polynomial& q, const Contour& contour, double temperature,
+                                  double log_normalisation) {
   double density = 0;
   for (const ContourPoint& point : contour) {
     density += std::exp(q(point.s, point.t) - log_normalisation) * point.area;

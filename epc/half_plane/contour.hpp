@@ -18,13 +18,13 @@ using Contour = std::vector<ContourPoint>;
 
 /// Smallest and largest distance from the origin of the points of a contour, in the plane scaled by
 /// sigma.
-std::pair<double, double> radii(const Contour& contour, const Deviations& sigma);
+std::pair<double, double> radius_range(const Contour& contour, const StandardDeviations& sigma);
 
 /// Estimate of the probability outside a contour: T oint p dA/dh. The estimate is exact for a
 /// density that decays like exp(-h/T).
 /// @param temperature temperature T of this decay
 /// @param log_normalisation ln of the integral of the density before its normalisation
-double probability_beyond(const Polynomial& q, const Contour& contour, double temperature,
-                          double log_normalisation);
+double probability_beyond_contour(const Polynomial& q, const Contour& contour, double temperature,
+                                  double log_normalisation);
 
 }  // namespace fpkcheck::epc::half_plane

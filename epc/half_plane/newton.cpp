@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "epc/half_plane/norms.hpp"
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kLeastStepFraction = 1e-6;
 struct NewtonEquations {
   struct Iterate {
     VectorXd a;
-    Galerkin::Density density;
+    GalerkinSystem::DensityAtPoints density;
     VectorXd residual;
     MatrixXd covariance;
     double size;
@@ -32,7 +32,7 @@ struct NewtonEquations {
   };
 
   Iterate at(const VectorXd& a) const {
-    Iterate here{a, galerkin.density(a), {}, {}, std::numeric_limits<double>::infinity()};
+    Iterate here{a, galerkin.evaluate_density(a), {}, {}, std::numeric_limits<double>::infinity()};
     if (!here.density.finite) return here;
     here.residual = galerkin.residual(here.density);
     here.covariance = galerkin.covariance(here.density);
@@ -50,7 +50,8 @@ struct NewtonEquations {
     const double whole = step_norm(step.change, here.covariance);
     if (!std::isfinite(whole)) return 0;
     const auto shortens = [&](double step_fraction) {
-      const Galerkin::Density trial = galerkin.density(here.a + step_fraction * step.change);
+      const GalerkinSystem::DensityAtPoints trial =
+          galerkin.evaluate_density(here.a + step_fraction * step.change);
       if (!trial.finite) return false;
       const VectorXd next = step.factors.solve(galerkin.residual(trial));
       return step_norm(next, here.covariance) <= (1 - step_fraction / 4) * whole;
@@ -58,43 +59,43 @@ struct NewtonEquations {
     return numerics::backtrack(std::min(1.0, kLongestStep / whole), kLeastStepFraction, shortens);
   }
 
-  const Galerkin& galerkin;
+  const GalerkinSystem& galerkin;
   double unit;
 };
 
 }  // namespace
 
-numerics::NewtonResult newton(const Galerkin& equations, const VectorXd& start, double unit,
-                              const numerics::NewtonOptions& options) {
-  return numerics::newton(NewtonEquations{equations, unit}, start, options);
+numerics::NewtonResult solve_by_newton(const GalerkinSystem& equations, const VectorXd& start,
+                                       double unit, const numerics::NewtonOptions& options) {
+  return numerics::solve_by_newton(NewtonEquations{equations, unit}, start, options);
 }
 
-numerics::SolutionCurve follow_homotopy(const Galerkin& equations, const VectorXd& start,
+numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const VectorXd& start,
                                         const std::function<bool()>& should_stop) {
   const auto residual = [&](const VectorXd& a) -> VectorXd {
-    const Galerkin::Density density = equations.density(a);
+    const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(a);
     if (density.finite) return equations.residual(density);
     return VectorXd::Constant(equations.size(), std::numeric_limits<double>::quiet_NaN());
   };
   const auto jacobian = [&](const VectorXd& a) -> MatrixXd {
-    return equations.jacobian(equations.density(a));
+    return equations.jacobian(equations.evaluate_density(a));
   };
   // The unknowns are coefficients of functions of about unit variance, which sets the scale of the
   // options. The accuracy of the path suffices to start Newton's method from its end.
-  return numerics::trace_curve(numerics::newton_homotopy(residual, jacobian, start), start,
-                               {.tolerance = 0,
-                                .correction_tolerance = 1e-6,
-                                .first_step = 0.2,
-                                .max_step = 1,
-                                .min_step = 1e-5,
-                                .step_growth = 1.5,
-                                .max_relative_correction = 1,
-                                .max_points = 120,
-                                .max_norm = std::numeric_limits<double>::infinity(),
-                                .min_t = -1,
-                                .locate_folds = false,
-                                .correct_end_point = false,
-                                .should_stop = should_stop});
+  return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
+                                        {.tolerance = 0,
+                                         .correction_tolerance = 1e-6,
+                                         .first_step = 0.2,
+                                         .max_step = 1,
+                                         .min_step = 1e-5,
+                                         .step_growth = 1.5,
+                                         .max_relative_correction = 1,
+                                         .max_points = 120,
+                                         .max_norm = std::numeric_limits<double>::infinity(),
+                                         .min_t = -1,
+                                         .locate_folds = false,
+                                         .correct_end_point = false,
+                                         .should_stop = should_stop});
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -13,7 +13,7 @@ namespace fpkcheck::epc::half_plane {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double rate_unit(const problem::Problem& problem) {
+double rate_of_change_unit(const problem::Problem& problem) {
   constexpr double kRounding = 1e-4;
   const double frequency = std::sqrt(problem::equivalent_linearisation(problem).stiffness);
   return std::max(problem.system.damping(), kRounding * frequency);

@@ -13,7 +13,7 @@ namespace fpkcheck::epc::half_plane {
 /// Unit in which rates of change are measured: the damping c, but at least 1e-4 times the frequency
 /// of equivalent linearisation. In a smaller unit, the rounding errors of the terms of the undamped
 /// motion would dominate the residual.
-double rate_unit(const problem::Problem& problem);
+double rate_of_change_unit(const problem::Problem& problem);
 
 /// Norm of a residual R: the supremum of |d E[phi]/dt| / unit over all test polynomials phi of unit
 /// variance. This supremum is sqrt(R^T G^{-1} R) / unit, where G is the covariance matrix. The norm

@@ -18,8 +18,8 @@ OrthonormalPolynomials::OrthonormalPolynomials(const Eigen::VectorXd& points,
   }
 }
 
-std::vector<Eigen::MatrixXd> OrthonormalPolynomials::derivatives(const Eigen::VectorXd& x,
-                                                                 int order) const {
+std::vector<Eigen::MatrixXd> OrthonormalPolynomials::derivative_tables(const Eigen::VectorXd& x,
+                                                                       int order) const {
   std::vector<Eigen::MatrixXd> tables(order + 1, Eigen::MatrixXd::Zero(x.size(), degree() + 1));
   tables[0].col(0).setOnes();
   for (int i = 0; i < degree(); ++i) {
@@ -34,7 +34,7 @@ std::vector<Eigen::MatrixXd> OrthonormalPolynomials::derivatives(const Eigen::Ve
   return tables;
 }
 
-Eigen::MatrixXd OrthonormalPolynomials::coefficients() const {
+Eigen::MatrixXd OrthonormalPolynomials::monomial_coefficients() const {
   const int n = degree();
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n + 1, n + 1);
   c(0, 0) = 1;

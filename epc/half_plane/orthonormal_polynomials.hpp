@@ -25,12 +25,14 @@ class OrthonormalPolynomials {
   /// Tables of the polynomials and their derivatives: entry [j](i, k) is the j-th derivative of h_k
   /// at x_i.
   /// @param order highest derivative j
-  std::vector<Eigen::MatrixXd> derivatives(const Eigen::VectorXd& x, int order) const;
+  std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x, int order) const;
   /// Values of the polynomials: entry (i, k) is h_k(x_i).
-  Eigen::MatrixXd values(const Eigen::VectorXd& x) const { return derivatives(x, 0)[0]; }
+  Eigen::MatrixXd polynomial_values(const Eigen::VectorXd& x) const {
+    return derivative_tables(x, 0)[0];
+  }
 
   /// Coefficients of the polynomials: entry (k, p) is the coefficient of x^p in h_k.
-  Eigen::MatrixXd coefficients() const;
+  Eigen::MatrixXd monomial_coefficients() const;
 
  private:
   std::vector<double> centre_;  // a_i

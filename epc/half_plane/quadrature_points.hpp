@@ -25,10 +25,10 @@ struct QuadraturePoints {
 
 /// Quadrature rule in one variable: nodes and weights.
 struct QuadratureRule {
-  Eigen::VectorXd at, weight;
+  Eigen::VectorXd nodes, weight;
 };
 
-/// Gauss-Legendre rule on [a, b].
-QuadratureRule legendre_rule(int points, double a, double b);
+/// Gauss-Legendre rule on [from, to].
+QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -4,9 +4,9 @@
 
 namespace fpkcheck::epc::moment {
 
-transform::SmoothDensity density_of(const Polynomial& q, const EnergyDomain& domain,
-                                    const half_plane::Confinement& confinement,
-                                    double log_constant) {
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const EnergyDomain& domain,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant) {
   return {.value =
               [q, domain, confinement, log_constant](double y, double v) {
                 if (!domain.contains(y, v)) return 0.0;

@@ -8,8 +8,8 @@
 namespace fpkcheck::epc::moment {
 
 /// Density C exp(Q_n + confinement), where Q_n is a polynomial of y and v; 0 outside of the domain.
-transform::SmoothDensity density_of(const Polynomial& q, const EnergyDomain& domain,
-                                    const half_plane::Confinement& confinement,
-                                    double log_constant);
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const EnergyDomain& domain,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant);
 
 }  // namespace fpkcheck::epc::moment

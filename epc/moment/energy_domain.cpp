@@ -25,17 +25,17 @@ constexpr double kQuarterTurn = std::numbers::pi / 2;
 EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : potential_(problem::effective_potential(problem)),
       level_(level),
-      wall_low_(problem.system.left() ? problem.system.left()->position : -kInfinity),
-      wall_high_(problem.system.right() ? problem.system.right()->position : kInfinity),
+      wall_low_(problem.system.left_wall() ? problem.system.left_wall()->position : -kInfinity),
+      wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity),
       at_equilibrium_(problem::is_paper_oscillator(problem)) {
   if (at_equilibrium_) {
-    add_part_at_wall(problem);
+    add_interval_at_wall(problem);
   } else {
-    add_parts_between_walls(problem);
+    add_intervals_between_walls(problem);
   }
 }
 
-void EnergyDomain::add_part_at_wall(const problem::Problem& problem) {
+void EnergyDomain::add_interval_at_wall(const problem::Problem& problem) {
   minimum_ = problem::static_deflection(problem);
   lowest_potential_ = potential_(minimum_);
   double beyond = minimum_ + 1;
@@ -48,7 +48,7 @@ void EnergyDomain::add_part_at_wall(const problem::Problem& problem) {
                     .at_right = false});
 }
 
-void EnergyDomain::add_parts_between_walls(const problem::Problem& problem) {
+void EnergyDomain::add_intervals_between_walls(const problem::Problem& problem) {
   const problem::UndampedOrbits orbits(problem);
   lowest_potential_ = orbits.lowest_potential();
   parts_ = orbits.half_cycles(lowest_potential_ + level_);
@@ -63,7 +63,7 @@ double EnergyDomain::turning_point(double from, double towards) const {
   return (bracket.first + bracket.second) / 2;
 }
 
-double EnergyDomain::half_width(double y) const {
+double EnergyDomain::v_half_width(double y) const {
   return std::sqrt(std::max(0.0, 2 * (level_ - energy(y, 0))));
 }
 
@@ -92,8 +92,8 @@ EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
     return {centre, half_length, cut_by_wall ? std::asin(-centre / half_length) : -kQuarterTurn,
             kQuarterTurn};
   }
-  // half_width() has a further singularity at the turning point that the motion would have behind a
-  // wall. The map also removes this singularity.
+  // v_half_width() has a further singularity at the turning point that the motion would have behind
+  // a wall. The map also removes this singularity.
   const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
   const double high = part.at_right ? continued_turning_point(part.right, part.left) : part.right;
   const double centre = (low + high) / 2, half_length = (high - low) / 2;
@@ -103,20 +103,20 @@ EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
 }
 
 QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
-  const QuadratureRule tau = half_plane::legendre_rule(v_points, -1, 1);
+  const QuadratureRule tau = half_plane::gauss_legendre_rule(v_points, -1, 1);
   QuadraturePoints points =
       QuadraturePoints::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
   Eigen::Index k = 0;
   for (const HalfCycle& part : parts_) {
     const auto [centre, half_length, first, last] = sine_map_of(part);
-    const QuadratureRule phi = half_plane::legendre_rule(y_points, first, last);
+    const QuadratureRule phi = half_plane::gauss_legendre_rule(y_points, first, last);
     for (int i = 0; i < y_points; ++i) {
-      const double y = centre + half_length * std::sin(phi.at[i]);
-      const double width = half_width(y);
-      const double y_weight = phi.weight[i] * half_length * std::cos(phi.at[i]);
+      const double y = centre + half_length * std::sin(phi.nodes[i]);
+      const double width = v_half_width(y);
+      const double y_weight = phi.weight[i] * half_length * std::cos(phi.nodes[i]);
       for (int j = 0; j < v_points; ++j, ++k) {
         points.y[k] = y;
-        points.v[k] = width * tau.at[j];
+        points.v[k] = width * tau.nodes[j];
         points.energy[k] = energy(y, points.v[k]);
         points.weight[k] = y_weight * width * tau.weight[j];
       }
@@ -127,16 +127,16 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
   return points;
 }
 
-QuadratureRule EnergyDomain::wall_rule(int points) const {
-  const double width = parts_.front().at_left ? half_width(y_low()) : 0;
+QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
+  const double width = parts_.front().at_left ? v_half_width(y_low()) : 0;
   if (width == 0) return {};
-  return half_plane::legendre_rule(points, -width, 0);
+  return half_plane::gauss_legendre_rule(point_count, -width, 0);
 }
 
-QuadratureRule EnergyDomain::right_wall_rule(int points) const {
-  const double width = parts_.back().at_right ? half_width(y_max()) : 0;
+QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
+  const double width = parts_.back().at_right ? v_half_width(y_max()) : 0;
   if (width == 0) return {};
-  return half_plane::legendre_rule(points, 0, width);
+  return half_plane::gauss_legendre_rule(point_count, 0, width);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -28,7 +28,7 @@ class EnergyDomain {
   EnergyDomain(const problem::Problem& problem, double level);
 
   /// Energy of the edge of the domain.
-  double level() const { return level_; }
+  double energy_level() const { return level_; }
   /// Energy h(y, v) of a state, relative to min V.
   double energy(double y, double v) const {
     return v * v / 2 + (potential_(y) - lowest_potential_);
@@ -38,7 +38,7 @@ class EnergyDomain {
   }
 
   /// Intervals of y in the parts of the domain, in increasing order.
-  const std::vector<problem::HalfCycle>& parts() const { return parts_; }
+  const std::vector<problem::HalfCycle>& y_intervals() const { return parts_; }
   /// Lower end of the domain in y; the position of the left wall if this wall cuts the domain.
   double y_low() const { return parts_.front().left; }
   /// Upper end of the domain in y.
@@ -49,19 +49,19 @@ class EnergyDomain {
   double v_max() const;
   /// Half-width of the domain in v at a displacement y: sqrt(2 (level - V(y) + min V)); 0 for a y
   /// outside of the domain.
-  double half_width(double y) const;
+  double v_half_width(double y) const;
 
   /// Gauss-Legendre points in phi and tau on each part of the domain, y = a + b sin(phi),
-  /// v = half_width(y) tau. The map removes the square root of half_width() at the turning points
-  /// of y: the quadrature of smooth integrands converges geometrically. The coordinates s and t of
-  /// the points are y and v.
+  /// v = v_half_width(y) tau. The map removes the square root of v_half_width() at the turning
+  /// points of y: the quadrature of smooth integrands converges geometrically. The coordinates s
+  /// and t of the points are y and v.
   half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
-  /// Gauss-Legendre rule in v for states on the left wall before an impact, -half_width < v < 0.
+  /// Gauss-Legendre rule in v for states on the left wall before an impact, -v_half_width < v < 0.
   /// The rule is empty if no left wall cuts the domain.
-  half_plane::QuadratureRule wall_rule(int points) const;
-  /// Gauss-Legendre rule in v for states on the right wall before an impact, 0 < v < half_width.
+  half_plane::QuadratureRule left_wall_quadrature_rule(int point_count) const;
+  /// Gauss-Legendre rule in v for states on the right wall before an impact, 0 < v < v_half_width.
   /// The rule is empty if no right wall cuts the domain.
-  half_plane::QuadratureRule right_wall_rule(int points) const;
+  half_plane::QuadratureRule right_wall_quadrature_rule(int point_count) const;
 
  private:
   // Map y = centre + half_length sin(phi) of one part of the domain.
@@ -69,8 +69,8 @@ class EnergyDomain {
     double centre, half_length;
     double first, last;  // limits of phi
   };
-  void add_part_at_wall(const problem::Problem& problem);
-  void add_parts_between_walls(const problem::Problem& problem);
+  void add_interval_at_wall(const problem::Problem& problem);
+  void add_intervals_between_walls(const problem::Problem& problem);
   double turning_point(double from, double towards) const;
   double continued_turning_point(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;

@@ -9,16 +9,17 @@ namespace fpkcheck::epc::moment {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::products;
+using half_plane::products_of_tables;
 
 namespace {
 
 // Total force f + g at states (y, v): damping force plus restoring force.
-VectorXd force_at(const problem::System& system, const VectorXd& y, const VectorXd& v) {
-  if (system.damping_is_constant()) return system.damping() * v + y.unaryExpr(system.force());
-  const VectorXd damping =
-      y.unaryExpr(system.damping_polynomial()).array() + system.rayleigh() * v.array().square();
-  return damping.cwiseProduct(v) + y.unaryExpr(system.force());
+VectorXd total_force(const problem::System& system, const VectorXd& y, const VectorXd& v) {
+  if (system.has_constant_damping())
+    return system.damping() * v + y.unaryExpr(system.restoring_force());
+  const VectorXd damping = y.unaryExpr(system.damping_polynomial()).array() +
+                           system.rayleigh_coefficient() * v.array().square();
+  return damping.cwiseProduct(v) + y.unaryExpr(system.restoring_force());
 }
 
 // Quadrature points on all walls: displacement y, and velocities before and after the impact.
@@ -31,9 +32,9 @@ struct IncomingWallPoints {
       both << a, b;
       return both;
     };
-    y = joined(y, VectorXd::Constant(line.at.size(), wall.position));
-    before = joined(before, line.at);
-    after = joined(after, -wall.restitution * line.at);
+    y = joined(y, VectorXd::Constant(line.nodes.size(), wall.position));
+    before = joined(before, line.nodes);
+    after = joined(after, -wall.restitution * line.nodes);
     weight = joined(weight, line.weight);
   }
 };
@@ -41,47 +42,48 @@ struct IncomingWallPoints {
 IncomingWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
                                         int points) {
   IncomingWallPoints all;
-  if (system.left()) all.add(*system.left(), domain.wall_rule(points));
-  if (system.right()) all.add(*system.right(), domain.right_wall_rule(points));
+  if (system.left_wall()) all.add(*system.left_wall(), domain.left_wall_quadrature_rule(points));
+  if (system.right_wall()) all.add(*system.right_wall(), domain.right_wall_quadrature_rule(points));
   return all;
 }
 
 }  // namespace
 
-half_plane::Equations equations(const problem::Problem& problem,
-                                const std::vector<double>& rate_moment, const EnergyDomain& domain,
-                                const half_plane::Confinement& confinement, half_plane::Basis basis,
-                                half_plane::QuadraturePoints points, int wall_points) {
+half_plane::ClosureEquations closure_equations(
+    const problem::Problem& problem, const std::vector<double>& rate_times_moment,
+    const EnergyDomain& domain, const half_plane::Confinement& confinement, half_plane::Basis basis,
+    half_plane::QuadraturePoints points, int wall_points) {
   const auto& system = problem.system;
   const int n = basis.order();
   const VectorXd &y = points.y, &v = points.v;
-  const auto y_tables = basis.polynomials_in_s().derivatives(y, 1);
-  const auto v_tables = basis.polynomials_in_t().derivatives(v, n);
+  const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
+  const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
 
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + sum_j .. g_q^(j) ]. White noise beside
   // the impulses adds its intensity 2D to lambda E[Y^2]: D = 2D/2!.
   MatrixXd impulses = MatrixXd::Zero(v.size(), n + 1);
   for (int j = 1; j <= n; ++j) {
     const double intensity = j == 2 ? problem.noise.intensity : 0;
-    const double factor =
-        (rate_moment[j] + intensity) / boost::math::factorial<double>(static_cast<unsigned>(j));
+    const double factor = (rate_times_moment[j] + intensity) /
+                          boost::math::factorial<double>(static_cast<unsigned>(j));
     if (factor != 0) impulses += factor * v_tables[j];
   }
-  const VectorXd force = force_at(system, y, v);
+  const VectorXd force = total_force(system, y, v);
 
   const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
-  const MatrixXd wall_members = basis.values(wall.y, wall.before);
+  const MatrixXd wall_members = basis.basis_values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,
-      .members = products(basis.members(), y_tables[0], v_tables[0]),
+      .members = products_of_tables(basis.members(), y_tables[0], v_tables[0]),
       .generator_terms =
-          products(basis.members(), v.asDiagonal() * y_tables[1], v_tables[0]) +
-          products(basis.members(), y_tables[0], impulses - force.asDiagonal() * v_tables[1]),
+          products_of_tables(basis.members(), v.asDiagonal() * y_tables[1], v_tables[0]) +
+          products_of_tables(basis.members(), y_tables[0],
+                             impulses - force.asDiagonal() * v_tables[1]),
       .confinement_terms = points.energy.unaryExpr(confinement),
       .wall_weight = wall.weight,
       .wall_members = wall_members,
-      .impact_terms =
-          wall.before.cwiseAbs().asDiagonal() * (basis.values(wall.y, wall.after) - wall_members),
+      .impact_terms = wall.before.cwiseAbs().asDiagonal() *
+                      (basis.basis_values(wall.y, wall.after) - wall_members),
       .wall_confinement_terms = VectorXd::NullaryExpr(wall.y.size(), [&](Eigen::Index i) {
         return confinement(domain.energy(wall.y[i], wall.before[i]));
       })};

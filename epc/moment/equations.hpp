@@ -20,13 +20,13 @@ namespace fpkcheck::epc::moment {
 ///
 /// The sum over j is finite, since phi is a polynomial. Unlike the formulation gaussian, these
 /// equations contain no delta function and no weight.
-/// @param rate_moment products lambda E[Y^j] for j = 0 .. n; entry 0 is unused, and entries of
-///   terms that are absent from the excitation are 0
+/// @param rate_times_moment products lambda E[Y^j] for j = 0 .. n; entry 0 is unused, and entries
+///   of terms that are absent from the excitation are 0
 /// @param points quadrature points of the domain
 /// @param wall_points number of quadrature points on each wall
-half_plane::Equations equations(const problem::Problem& problem,
-                                const std::vector<double>& rate_moment, const EnergyDomain& domain,
-                                const half_plane::Confinement& confinement, half_plane::Basis basis,
-                                half_plane::QuadraturePoints points, int wall_points);
+half_plane::ClosureEquations closure_equations(
+    const problem::Problem& problem, const std::vector<double>& rate_times_moment,
+    const EnergyDomain& domain, const half_plane::Confinement& confinement, half_plane::Basis basis,
+    half_plane::QuadraturePoints points, int wall_points);
 
 }  // namespace fpkcheck::epc::moment

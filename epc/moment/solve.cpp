@@ -6,13 +6,13 @@
 #include <string>
 
 #include "epc/form/acceptance_limits.hpp"
-#include "epc/form/fill_density.hpp"
-#include "epc/half_plane/root_result.hpp"
-#include "epc/half_plane/search.hpp"
+#include "epc/form/store_density.hpp"
+#include "epc/half_plane/result_from_root.hpp"
+#include "epc/half_plane/root_search.hpp"
+#include "epc/moment/contour_decay.hpp"
 #include "epc/moment/density.hpp"
-#include "epc/moment/level_density.hpp"
-#include "epc/moment/search.hpp"
-#include "epc/moment/tail.hpp"
+#include "epc/moment/density_at_level.hpp"
+#include "epc/moment/root_search.hpp"
 #include "problem/features.hpp"
 #include "transform/panel_marginals.hpp"
 
@@ -20,23 +20,24 @@ namespace fpkcheck::epc::moment {
 namespace {
 
 using half_plane::ClosureDensity;
-using half_plane::Root;
+using half_plane::RootSearchResult;
 
 // Tolerance on the change of Q_n on more quadrature points, in standard deviations.
 constexpr double kQuadratureTolerance = 1e-6;
 
-transform::SmoothDensity density_of(const problem::Problem& problem, const ClosureDensity& closure,
-                                    Tail tail) {
-  return density_of(closure.q, EnergyDomain(problem, closure.support),
-                    half_plane::confinement_of(closure.level, tail), -closure.log_normalisation);
+transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
+                                               const ClosureDensity& closure, TailTreatment tail) {
+  return density_from_exponent(closure.q, EnergyDomain(problem, closure.support),
+                               half_plane::confinement_of(closure.level, tail),
+                               -closure.log_normalisation);
 }
 
 // Reason why a density beyond the paper's class is inadmissible: the density decays by the
 // confinement alone. The reason is empty for an admissible density.
-std::string level_inadmissible_reason(double level_density, const LeadingForm& form) {
-  if (level_density < kLevelDensityLimit) return "";
+std::string level_inadmissible_reason(double density_ratio_at_level, const LeadingForm& form) {
+  if (density_ratio_at_level < kLevelDensityLimit) return "";
   return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
-                     level_density, kLevelDensityLimit,
+                     density_ratio_at_level, kLevelDensityLimit,
                      leading_form_text(form, "(y, v) / deviations"));
 }
 
@@ -50,36 +51,39 @@ std::string inadmissible_reason(double edge_density, const LeadingForm& form) {
 }  // namespace
 
 Result solve(const problem::Problem& problem, const Options& options) {
-  const Root root = find_root(problem, options);
-  Result result = half_plane::make_result(root);
+  const RootSearchResult root = find_root(problem, options);
+  Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   auto& [solution, summary] = result;
   const ClosureDensity& closure = root.closure;
-  const transform::SmoothDensity density = density_of(problem, closure, options.tail);
-  const auto marginals = fill_density(problem, Impact::map, density, result);
+  const transform::SmoothDensity density = density_from_exponent(problem, closure, options.tail);
+  const auto marginals = store_density(problem, Impact::map, density, result);
   if (root.previous) {
-    auto before = density_of(problem, *root.previous, options.tail);
+    auto before = density_from_exponent(problem, *root.previous, options.tail);
     before.y_min = density.y_min;  // same panels
     summary.distance_to_previous =
         distance(marginals, transform::panel_marginals(before, density.y_max, density.v_max));
   }
-  const Deviations sigma = half_plane::deviations(marginals.moments);
-  summary.leading_form =
-      leading_form(closure.q, sigma, problem.system.left() ? Plane::half : Plane::whole);
-  summary.frame = half_plane::frame_of(closure, options.tail, Variables::physical);
+  const StandardDeviations sigma = half_plane::root_mean_squares(marginals.moments);
+  summary.leading_form = leading_form(
+      closure.q, sigma, problem.system.left_wall() ? DirectionSet::half : DirectionSet::whole);
+  summary.frame =
+      half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::physical);
   summary.frame->coordinates = problem.frame;
-  const double edge = edge_density(closure, problem, options.tail);
+  const double edge = density_ratio_at_edge(closure, problem, options.tail);
   std::string reason = inadmissible_reason(edge, *summary.leading_form);
   // In the paper's class half_plane::set_status limits the probability beyond the level instead.
   if (reason.empty() && !problem::is_paper_oscillator(problem)) {
-    reason = level_inadmissible_reason(level_density(closure, problem), *summary.leading_form);
+    reason =
+        level_inadmissible_reason(density_ratio_at_level(closure, problem), *summary.leading_form);
   }
-  half_plane::fill_summary(root, options.tail, density, sigma,
-                           {.support = contour(EnergyDomain(problem, closure.support)),
-                            .level = contour(EnergyDomain(problem, closure.level)),
-                            .density = edge},
-                           result);
+  half_plane::store_half_plane_summary(
+      root, options.tail, density, sigma,
+      {.support = edge_contour(EnergyDomain(problem, closure.support)),
+       .level = edge_contour(EnergyDomain(problem, closure.level)),
+       .density = edge},
+      result);
   half_plane::set_status(root, kQuadratureTolerance, reason, result);
   return result;
 }

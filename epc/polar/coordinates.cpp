@@ -37,16 +37,16 @@ numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std
 // Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
 // a panel is proportional to the width of the panel, plus a constant.
 QuadratureRule legendre_panels(double end, const std::vector<double>& breaks, int points) {
-  if (breaks.empty()) return half_plane::legendre_rule(points, 0, end);
+  if (breaks.empty()) return half_plane::gauss_legendre_rule(points, 0, end);
   QuadratureRule all;
   double from = 0;
   const auto add = [&](double to) {
-    const int panel_points = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
-    const QuadratureRule panel = half_plane::legendre_rule(panel_points, from, to);
-    const Eigen::Index before = all.at.size();
-    for (auto [whole, part] : {std::pair{&all.at, &panel.at}, {&all.weight, &panel.weight}}) {
-      whole->conservativeResize(before + panel_points);
-      whole->tail(panel_points) = *part;
+    const int composite_gauss_points = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
+    const QuadratureRule panel = half_plane::gauss_legendre_rule(composite_gauss_points, from, to);
+    const Eigen::Index before = all.nodes.size();
+    for (auto [whole, part] : {std::pair{&all.nodes, &panel.nodes}, {&all.weight, &panel.weight}}) {
+      whole->conservativeResize(before + composite_gauss_points);
+      whole->tail(composite_gauss_points) = *part;
     }
     from = to;
   };
@@ -61,8 +61,9 @@ Coordinates::Coordinates(const problem::Problem& problem)
     : potential_ratio_(
           divide_by_power(problem.system.potential(), 2, 2, coordinate_stiffness(problem))),
       potential_slope_ratio_(
-          divide_by_power(problem.system.force(), 1, 1, coordinate_stiffness(problem))),
-      force_ratio_(divide_by_power(problem.system.force(), 1, 1, problem.system.stiffness())) {}
+          divide_by_power(problem.system.restoring_force(), 1, 1, coordinate_stiffness(problem))),
+      force_ratio_(
+          divide_by_power(problem.system.restoring_force(), 1, 1, problem.system.stiffness())) {}
 
 double Coordinates::displacement_bound(double w) const {
   // If one positive term of 2 V(y) equals w^2 at a displacement y, then 2 V(y) is at least w^2.
@@ -75,12 +76,14 @@ double Coordinates::displacement_bound(double w) const {
   return least;
 }
 
-double Coordinates::y(double w) const {
+double Coordinates::displacement(double w) const {
   if (w == 0) return 0;
-  const auto excess = [&](double y) { return std::pair{this->w(y) - w, slope(y)}; };
+  const auto excess = [&](double y) {
+    return std::pair{this->potential_speed(y) - w, potential_speed_slope(y)};
+  };
   const double guess = displacement_bound(w);
   double beyond = 2 * guess;
-  while (this->w(beyond) < w) beyond *= 2;
+  while (this->potential_speed(beyond) < w) beyond *= 2;
   constexpr int kDigits = std::numeric_limits<double>::digits - 2;
   std::uintmax_t iterations = 100;
   return boost::math::tools::newton_raphson_iterate(excess, guess, 0.0, beyond, kDigits,
@@ -92,19 +95,19 @@ QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_ma
                                    const half_plane::QuadratureSize& size) {
   const QuadratureRule rho = legendre_panels(rho_max, breaks, size.s);
   const QuadratureRule theta =
-      half_plane::legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  QuadraturePoints points = QuadraturePoints::zeros(rho.at.size() * theta.at.size());
+      half_plane::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
+  QuadraturePoints points = QuadraturePoints::zeros(rho.nodes.size() * theta.nodes.size());
   Eigen::Index k = 0;
-  for (Eigen::Index i = 0; i < rho.at.size(); ++i) {
-    for (Eigen::Index j = 0; j < theta.at.size(); ++j, ++k) {
-      points.s[k] = rho.at[i];
-      points.t[k] = theta.at[j];
-      points.y[k] = coordinates.y(rho.at[i] * std::cos(theta.at[j]));
-      points.v[k] = rho.at[i] * std::sin(theta.at[j]);
-      points.energy[k] = amplitude::energy_at(rho.at[i]);
+  for (Eigen::Index i = 0; i < rho.nodes.size(); ++i) {
+    for (Eigen::Index j = 0; j < theta.nodes.size(); ++j, ++k) {
+      points.s[k] = rho.nodes[i];
+      points.t[k] = theta.nodes[j];
+      points.y[k] = coordinates.displacement(rho.nodes[i] * std::cos(theta.nodes[j]));
+      points.v[k] = rho.nodes[i] * std::sin(theta.nodes[j]);
+      points.energy[k] = amplitude::energy_of_amplitude(rho.nodes[i]);
       // dy dv = dw dv / w'(y) = rho drho dtheta / w'(y)
-      points.weight[k] =
-          rho.weight[i] * theta.weight[j] * rho.at[i] / coordinates.slope(points.y[k]);
+      points.weight[k] = rho.weight[i] * theta.weight[j] * rho.nodes[i] /
+                         coordinates.potential_speed_slope(points.y[k]);
     }
   }
   return points;

@@ -30,21 +30,25 @@ class Coordinates {
   explicit Coordinates(const problem::Problem& problem);
 
   /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
-  double w(double y) const { return y * w_over_y(y); }
+  double potential_speed(double y) const { return y * potential_speed_over_y(y); }
   /// Derivative dw/dy > 0.
-  double slope(double y) const { return potential_slope_ratio_(y) / w_over_y(y); }
+  double potential_speed_slope(double y) const {
+    return potential_slope_ratio_(y) / potential_speed_over_y(y);
+  }
   /// Displacement y from w(y): the inverse function of w.
-  double y(double w) const;
+  double displacement(double w) const;
   /// Amplitude rho of a state.
-  double rho(double y, double v) const { return std::hypot(w(y), v); }
+  double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
   /// Phase theta of a state.
-  double theta(double y, double v) const { return std::atan2(v, w(y)); }
+  double phase_of(double y, double v) const { return std::atan2(v, potential_speed(y)); }
   /// Ratio g(y) / w(y), which equals dw/dy if K = k.
-  double force_over_w(double y) const { return force_ratio_(y) / w_over_y(y); }
+  double force_over_potential_speed(double y) const {
+    return force_ratio_(y) / potential_speed_over_y(y);
+  }
 
  private:
   /// Ratio w(y) / y.
-  double w_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
+  double potential_speed_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
   /// Upper bound, close to y(w), of the displacement y(w).
   double displacement_bound(double w) const;
 

@@ -6,18 +6,19 @@
 
 namespace fpkcheck::epc::polar {
 
-transform::SmoothDensity density_of(const Polynomial& q, const Coordinates& coordinates,
-                                    double support, const half_plane::Confinement& confinement,
-                                    double log_constant) {
-  const double largest = amplitude::amplitude_at(support);
+transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
+                                               double support,
+                                               const half_plane::Confinement& confinement,
+                                               double log_constant) {
+  const double largest = amplitude::amplitude_of_energy(support);
   return {.value =
               [q, coordinates, largest, confinement, log_constant](double y, double v) {
-                const double rho = coordinates.rho(y, v);
+                const double rho = coordinates.amplitude_of(y, v);
                 if (y < 0 || rho > largest) return 0.0;
-                return std::exp(q(rho, coordinates.theta(y, v)) +
-                                confinement(amplitude::energy_at(rho)) + log_constant);
+                return std::exp(q(rho, coordinates.phase_of(y, v)) +
+                                confinement(amplitude::energy_of_amplitude(rho)) + log_constant);
               },
-          .y_max = coordinates.y(largest),
+          .y_max = coordinates.displacement(largest),
           .v_max = largest};
 }
 

@@ -25,14 +25,16 @@ namespace fpkcheck::epc::polar {
 /// balance exactly.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
-half_plane::Equations equations(const problem::Problem& problem, const Coordinates& coordinates,
-                                double rho_max, const half_plane::Confinement& confinement,
-                                half_plane::Basis basis, half_plane::QuadraturePoints points,
-                                int wall_points);
+half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
+                                               const Coordinates& coordinates, double rho_max,
+                                               const half_plane::Confinement& confinement,
+                                               half_plane::Basis basis,
+                                               half_plane::QuadraturePoints points,
+                                               int wall_points);
 
 /// Amplitudes below rho_max from which an impulse, an atom of the law, may stop the mass at the
 /// wall. At these amplitudes the mean of phi over the impulses has the jump that phi has at the
 /// origin. The list is empty for a law without atoms.
-std::vector<double> amplitude_breaks(const problem::ImpulseLaw& law, double rho_max);
+std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
 
 }  // namespace fpkcheck::epc::polar

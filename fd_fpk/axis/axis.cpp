@@ -9,28 +9,28 @@ namespace fpkcheck::fd_fpk {
 Axis::Axis(std::vector<double> faces, EndCondition left, EndCondition right)
     : faces_(std::move(faces)), left_(left), right_(right) {}
 
-Axis Axis::uniform(double origin, double step, int cells, EndCondition left) {
+Axis Axis::with_uniform_cells(double origin, double step, int cells, EndCondition left) {
   std::vector<double> faces(cells + 1);
   for (int f = 0; f <= cells; ++f) faces[f] = origin + f * step;
   return Axis(std::move(faces), left);
 }
 
-double Axis::face(int f) const {
-  const int last = cells();
+double Axis::face_position(int f) const {
+  const int last = cell_count();
   if (f < 0) return faces_.front() + f * (faces_[1] - faces_[0]);
   if (f > last) return faces_.back() + (f - last) * (faces_[last] - faces_[last - 1]);
   return faces_[f];
 }
 
-double Axis::smallest_width() const { return widths().minCoeff(); }
+double Axis::smallest_cell_width() const { return cell_widths().minCoeff(); }
 
-Eigen::VectorXd Axis::widths() const {
-  Eigen::VectorXd widths(cells());
-  for (int i = 0; i < cells(); ++i) widths(i) = width(i);
+Eigen::VectorXd Axis::cell_widths() const {
+  Eigen::VectorXd widths(cell_count());
+  for (int i = 0; i < cell_count(); ++i) widths(i) = cell_width(i);
   return widths;
 }
 
-Axis Axis::from(int first_face) const {
+Axis Axis::part_from_face(int first_face) const {
   return Axis(std::vector<double>(faces_.begin() + first_face, faces_.end()));
 }
 
@@ -56,8 +56,8 @@ std::vector<double> graded_faces(double length, int cells, const Grading& gradin
   return faces;
 }
 
-std::vector<double> faces_graded_to(double from, double to, double step,
-                                    std::span<const RefinementPoint> refinement_points) {
+std::vector<double> faces_graded_to_points(double from, double to, double step,
+                                           std::span<const RefinementPoint> refinement_points) {
   // The number of cells up to x, apart from an additive constant.
   const auto cells_to = [&](double x) {
     double cells = x;

@@ -11,29 +11,29 @@ namespace fpkcheck::fd_fpk {
 /// shifted inwards.
 enum class EndCondition { vacuum, boundary };
 
-/// An axis divided into cells by `cells() + 1` increasing faces.
+/// An axis divided into cells by `cell_count() + 1` increasing faces.
 class Axis {
  public:
   explicit Axis(std::vector<double> faces, EndCondition left = EndCondition::vacuum,
                 EndCondition right = EndCondition::vacuum);
   /// An axis with `cells` cells of width `step`. The first cell begins at `origin`.
-  static Axis uniform(double origin, double step, int cells,
-                      EndCondition left = EndCondition::vacuum);
+  static Axis with_uniform_cells(double origin, double step, int cells,
+                                 EndCondition left = EndCondition::vacuum);
 
-  int cells() const { return static_cast<int>(faces_.size()) - 1; }
+  int cell_count() const { return static_cast<int>(faces_.size()) - 1; }
   /// Position of a face. Indices below the first and above the last face belong to cells outside
   /// the axis, as wide as the outermost cell, for stencils that extend into the vacuum.
-  double face(int f) const;
-  double centre(int i) const { return (face(i) + face(i + 1)) / 2; }
-  double width(int i) const { return face(i + 1) - face(i); }
-  double smallest_width() const;
+  double face_position(int f) const;
+  double cell_centre(int i) const { return (face_position(i) + face_position(i + 1)) / 2; }
+  double cell_width(int i) const { return face_position(i + 1) - face_position(i); }
+  double smallest_cell_width() const;
 
-  EndCondition left() const { return left_; }
-  EndCondition right() const { return right_; }
+  EndCondition left_end_condition() const { return left_; }
+  EndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
-  Eigen::VectorXd widths() const;
+  Eigen::VectorXd cell_widths() const;
   /// The part of the axis from an inner face upwards, with vacuum at both ends.
-  Axis from(int first_face) const;
+  Axis part_from_face(int first_face) const;
 
  private:
   std::vector<double> faces_;
@@ -64,8 +64,8 @@ struct RefinementPoint {
 /// Faces from `from` to `to`, which include every refinement point in that interval. The cells are
 /// graded towards each refinement point; far from all refinement points they have the width `step`.
 /// @param refinement_points refinement points, by increasing position
-std::vector<double> faces_graded_to(double from, double to, double step,
-                                    std::span<const RefinementPoint> refinement_points);
+std::vector<double> faces_graded_to_points(double from, double to, double step,
+                                           std::span<const RefinementPoint> refinement_points);
 
 /// Number of cells (not rounded) of an axis with graded_faces whose cells have the width `step` far
 /// from the origin.

@@ -17,18 +17,18 @@ double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Weights w with sum_c w_c avg_c(xi^a) = functional(a) for a < points. The cells c are first ..
-// first + points - 1, and xi = (x - origin)/scale.
-Eigen::VectorXd exact_weights(const Axis& axis, int first, int points, double origin, double scale,
-                              const std::function<double(int)>& functional) {
-  Eigen::MatrixXd averages(points, points);
-  Eigen::VectorXd wanted(points);
-  for (int c = 0; c < points; ++c) {
-    const double left = (axis.face(first + c) - origin) / scale;
-    const double right = (axis.face(first + c + 1) - origin) / scale;
-    for (int a = 0; a < points; ++a) averages(a, c) = monomial_average(left, right, a);
+// Weights w with sum_c w_c avg_c(xi^a) = functional(a) for a < stencil_size. The cells c are first
+// .. first + stencil_size - 1, and xi = (x - origin)/scale.
+Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
+                              double scale, const std::function<double(int)>& functional) {
+  Eigen::MatrixXd averages(stencil_size, stencil_size);
+  Eigen::VectorXd wanted(stencil_size);
+  for (int c = 0; c < stencil_size; ++c) {
+    const double left = (axis.face_position(first + c) - origin) / scale;
+    const double right = (axis.face_position(first + c + 1) - origin) / scale;
+    for (int a = 0; a < stencil_size; ++a) averages(a, c) = monomial_average(left, right, a);
   }
-  for (int a = 0; a < points; ++a) wanted(a) = functional(a);
+  for (int a = 0; a < stencil_size; ++a) wanted(a) = functional(a);
   return dense_solve(averages, wanted);
 }
 
@@ -39,11 +39,11 @@ AxisOperator assemble(int rows, int columns, const Triplets& entries) {
 }
 
 // Appends the entries of a stencil. Cells outside the axis have p = 0 and no entry.
-void append(Triplets& entries, const Axis& axis, int row, int first_cell,
-            const Eigen::VectorXd& weights) {
+void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell,
+                    const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
     const int cell = first_cell + c;
-    if (weights(c) != 0 && cell >= 0 && cell < axis.cells()) {
+    if (weights(c) != 0 && cell >= 0 && cell < axis.cell_count()) {
       entries.emplace_back(row, cell, weights(c));
     }
   }
@@ -51,39 +51,44 @@ void append(Triplets& entries, const Axis& axis, int row, int first_cell,
 
 // First cell of a stencil, moved so that the stencil ends at the boundary at the last face or left
 // of it.
-int clamp_at_right_boundary(const Axis& axis, int first, int points) {
-  return axis.right() == EndCondition::boundary ? std::min(first, axis.cells() - points) : first;
+int clamp_at_right_boundary(const Axis& axis, int first, int stencil_size) {
+  return axis.right_end_condition() == EndCondition::boundary
+             ? std::min(first, axis.cell_count() - stencil_size)
+             : first;
 }
 
 // First cell of a stencil, moved so that the stencil begins at the boundary at face `limit` or
 // right of it.
 int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
-  return limit > 0 || axis.left() == EndCondition::boundary ? std::max(first, limit) : first;
+  return limit > 0 || axis.left_end_condition() == EndCondition::boundary ? std::max(first, limit)
+                                                                          : first;
 }
 
 // The matrix that applies a functional (value or derivative at xi = 0) on every inner face, with
 // the local coordinate xi = (x - x_face)/width; the result is divided by width^derivative.
-AxisOperator inner_face_operator(const Axis& axis, int points, Bias bias, int derivative,
-                                 const std::function<double(int)>& functional) {
+AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
+                                 int derivative, const std::function<double(int)>& functional) {
   Triplets entries;
-  const int upstream = bias == Bias::left ? (points + 1) / 2 : points / 2;
-  for (int f = 1; f < axis.cells(); ++f) {
+  const int upstream =
+      upstream_side == UpstreamSide::left ? (stencil_size + 1) / 2 : stencil_size / 2;
+  for (int f = 1; f < axis.cell_count(); ++f) {
     const int first =
-        clamp_at_right_boundary(axis, clamp_at_left_boundary(axis, f - upstream, 0), points);
-    const double width = axis.width(f);
-    append(entries, axis, f, first,
-           exact_weights(axis, first, points, axis.face(f), width, functional) /
-               std::pow(width, derivative));
+        clamp_at_right_boundary(axis, clamp_at_left_boundary(axis, f - upstream, 0), stencil_size);
+    const double width = axis.cell_width(f);
+    append_stencil(
+        entries, axis, f, first,
+        exact_weights(axis, first, stencil_size, axis.face_position(f), width, functional) /
+            std::pow(width, derivative));
   }
-  return assemble(axis.cells() + 1, axis.cells(), entries);
+  return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
 }
 
 // The first cell of the stencil for cell i, moved so that the stencil does not cross the barrier.
-int first_stencil_cell(const Axis& axis, int i, int points, std::optional<int> barrier) {
+int first_stencil_cell(const Axis& axis, int i, int stencil_size, std::optional<int> barrier) {
   const bool beyond = barrier && i >= *barrier;
-  int first = clamp_at_left_boundary(axis, i - points / 2, beyond ? *barrier : 0);
-  if (barrier && !beyond) first = std::min(first, *barrier - points);
-  return clamp_at_right_boundary(axis, first, points);
+  int first = clamp_at_left_boundary(axis, i - stencil_size / 2, beyond ? *barrier : 0);
+  if (barrier && !beyond) first = std::min(first, *barrier - stencil_size);
+  return clamp_at_right_boundary(axis, first, stencil_size);
 }
 
 double value_at_zero(int a) { return a == 0 ? 1.0 : 0.0; }
@@ -91,42 +96,44 @@ double slope_at_zero(int a) { return a == 1 ? 1.0 : 0.0; }
 
 }  // namespace
 
-AxisOperator face_values(const Axis& axis, int points, Bias bias) {
-  return inner_face_operator(axis, points, bias, 0, value_at_zero);
+AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side) {
+  return inner_face_operator(axis, stencil_size, upstream_side, 0, value_at_zero);
 }
 
-AxisOperator face_derivatives(const Axis& axis, int points) {
-  return inner_face_operator(axis, points, Bias::left, 1, slope_at_zero);
+AxisOperator face_derivative_operator(const Axis& axis, int stencil_size) {
+  return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, slope_at_zero);
 }
 
-AxisOperator first_face_value(const Axis& axis, int points) {
+AxisOperator first_face_value_operator(const Axis& axis, int stencil_size) {
   Triplets entries;
-  append(entries, axis, 0, 0,
-         exact_weights(axis, 0, points, axis.face(0), axis.width(0), value_at_zero));
-  return assemble(1, axis.cells(), entries);
+  append_stencil(entries, axis, 0, 0,
+                 exact_weights(axis, 0, stencil_size, axis.face_position(0), axis.cell_width(0),
+                               value_at_zero));
+  return assemble(1, axis.cell_count(), entries);
 }
 
-AxisOperator last_face_value(const Axis& axis, int points) {
+AxisOperator last_face_value_operator(const Axis& axis, int stencil_size) {
   Triplets entries;
-  const int last = axis.cells();
-  append(entries, axis, 0, last - points,
-         exact_weights(axis, last - points, points, axis.face(last), axis.width(last - 1),
-                       value_at_zero));
-  return assemble(1, axis.cells(), entries);
+  const int last = axis.cell_count();
+  append_stencil(entries, axis, 0, last - stencil_size,
+                 exact_weights(axis, last - stencil_size, stencil_size, axis.face_position(last),
+                               axis.cell_width(last - 1), value_at_zero));
+  return assemble(1, axis.cell_count(), entries);
 }
 
-AxisOperator weighted_averages(const Axis& axis, int points, const numerics::Polynomial& weight,
-                               std::optional<int> barrier) {
+AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
+                                       const numerics::Polynomial& weight,
+                                       std::optional<int> barrier) {
   Triplets entries;
   const std::size_t degree = weight.degree();
-  for (int i = 0; i < axis.cells(); ++i) {
-    const int first = first_stencil_cell(axis, i, points, barrier);
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    const int first = first_stencil_cell(axis, i, stencil_size, barrier);
     // The expansion weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
-      for (std::size_t s = degree; s-- > q;) local[s] += axis.centre(i) * local[s + 1];
+      for (std::size_t s = degree; s-- > q;) local[s] += axis.cell_centre(i) * local[s + 1];
     }
-    for (std::size_t q = 0; q <= degree; ++q) local[q] *= std::pow(axis.width(i), q);
+    for (std::size_t q = 0; q <= degree; ++q) local[q] *= std::pow(axis.cell_width(i), q);
     const auto functional = [&](int a) {
       double sum = 0;
       for (std::size_t q = 0; q <= degree; ++q) {
@@ -134,35 +141,37 @@ AxisOperator weighted_averages(const Axis& axis, int points, const numerics::Pol
       }
       return sum;
     };
-    append(entries, axis, i, first,
-           exact_weights(axis, first, points, axis.centre(i), axis.width(i), functional));
+    append_stencil(entries, axis, i, first,
+                   exact_weights(axis, first, stencil_size, axis.cell_centre(i), axis.cell_width(i),
+                                 functional));
   }
-  return assemble(axis.cells(), axis.cells(), entries);
+  return assemble(axis.cell_count(), axis.cell_count(), entries);
 }
 
-AxisOperator point_values(const Axis& axis, int points, std::span<const double> fractions,
-                          std::optional<int> barrier) {
+AxisOperator point_value_operator(const Axis& axis, int stencil_size,
+                                  std::span<const double> fractions, std::optional<int> barrier) {
   Triplets entries;
   const int of_cell = static_cast<int>(fractions.size());
-  for (int i = 0; i < axis.cells(); ++i) {
-    const int first = first_stencil_cell(axis, i, points, barrier);
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    const int first = first_stencil_cell(axis, i, stencil_size, barrier);
     for (int k = 0; k < of_cell; ++k) {
       const double xi = fractions[k] - 0.5;
       const auto value = [xi](int a) { return std::pow(xi, a); };
-      append(entries, axis, i * of_cell + k, first,
-             exact_weights(axis, first, points, axis.centre(i), axis.width(i), value));
+      append_stencil(
+          entries, axis, i * of_cell + k, first,
+          exact_weights(axis, first, stencil_size, axis.cell_centre(i), axis.cell_width(i), value));
     }
   }
-  return assemble(of_cell * axis.cells(), axis.cells(), entries);
+  return assemble(of_cell * axis.cell_count(), axis.cell_count(), entries);
 }
 
-AxisOperator divergence(const Axis& axis) {
+AxisOperator divergence_operator(const Axis& axis) {
   Triplets entries;
-  for (int i = 0; i < axis.cells(); ++i) {
-    entries.emplace_back(i, i, -1 / axis.width(i));
-    entries.emplace_back(i, i + 1, 1 / axis.width(i));
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    entries.emplace_back(i, i, -1 / axis.cell_width(i));
+    entries.emplace_back(i, i + 1, 1 / axis.cell_width(i));
   }
-  return assemble(axis.cells(), axis.cells() + 1, entries);
+  return assemble(axis.cell_count(), axis.cell_count() + 1, entries);
 }
 
 }  // namespace fpkcheck::fd_fpk

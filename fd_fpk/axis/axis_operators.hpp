@@ -16,46 +16,48 @@ using AxisOperator = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// The upstream side of a face. Stencils with an odd number of cells have one cell more on this
 /// side.
-enum class Bias { left, right };
+enum class UpstreamSide { left, right };
 
 /// The matrix that maps cell averages to point values on the inner faces 1 .. cells-1, shape (cells
-/// + 1, cells). The rows of the two end faces are zero. Stencils have `points` cells and are exact
-/// on averages of polynomials of degree points-1. Stencils of an even number of cells are centred;
-/// stencils of an odd number have one cell more on the upstream side.
-AxisOperator face_values(const Axis& axis, int points, Bias bias);
+/// + 1, cells). The rows of the two end faces are zero. Stencils have `stencil_size` cells and are
+/// exact on averages of polynomials of degree stencil_size-1. Stencils of an even number of cells
+/// are centred; stencils of an odd number have one cell more on the upstream side.
+AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side);
 
 /// The matrix that maps cell averages to derivatives on the inner faces, with the shape of
-/// face_values. Stencils are centred, `points` is even.
-AxisOperator face_derivatives(const Axis& axis, int points);
+/// face_value_operator. Stencils are centred, `stencil_size` is even.
+AxisOperator face_derivative_operator(const Axis& axis, int stencil_size);
 
-/// The row that maps cell averages to the value at face 0, by extrapolation from the first `points`
-/// cells, shape (1, cells).
-AxisOperator first_face_value(const Axis& axis, int points);
+/// The row that maps cell averages to the value at face 0, by extrapolation from the first
+/// `stencil_size` cells, shape (1, cells).
+AxisOperator first_face_value_operator(const Axis& axis, int stencil_size);
 
 /// The row that maps cell averages to the value at the last face, by extrapolation from the last
-/// `points` cells, shape (1, cells).
-AxisOperator last_face_value(const Axis& axis, int points);
+/// `stencil_size` cells, shape (1, cells).
+AxisOperator last_face_value_operator(const Axis& axis, int stencil_size);
 
 /// The matrix that maps averages of p to averages of weight(x) p over each cell, shape (cells,
-/// cells). Stencils of `points` cells (odd) do not cross the inner face `barrier`, if given.
-AxisOperator weighted_averages(const Axis& axis, int points, const numerics::Polynomial& weight,
-                               std::optional<int> barrier = {});
+/// cells). Stencils of `stencil_size` cells (odd) do not cross the inner face `barrier`, if given.
+AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
+                                       const numerics::Polynomial& weight,
+                                       std::optional<int> barrier = {});
 
 /// The matrix that maps cell averages to point values inside the cells, shape (n cells, cells),
 /// with n the number of fractions. Row i n + k gives the value at face(i) + fractions[k] width(i).
-/// Stencils are those of weighted_averages.
-AxisOperator point_values(const Axis& axis, int points, std::span<const double> fractions,
-                          std::optional<int> barrier = {});
+/// Stencils are those of weighted_average_operator.
+AxisOperator point_value_operator(const Axis& axis, int stencil_size,
+                                  std::span<const double> fractions,
+                                  std::optional<int> barrier = {});
 
 /// The matrix that maps face values F to the divergence (F[f+1] - F[f]) / width in each cell, shape
 /// (cells, cells + 1).
-AxisOperator divergence(const Axis& axis);
+AxisOperator divergence_operator(const Axis& axis);
 
 /// Number of cells in a stencil of centred differences of this order.
-constexpr int centred_points(int order) { return order + order % 2; }
+constexpr int centred_stencil_size(int order) { return order + order % 2; }
 
-/// Number of cells in a stencil of weighted_averages that suffices for this order. The averages are
-/// accurate to the order of this number plus 1.
-constexpr int weighting_points(int order) { return order % 2 == 1 ? order : order - 1; }
+/// Number of cells in a stencil of weighted_average_operator that suffices for this order. The
+/// averages are accurate to the order of this number plus 1.
+constexpr int averaging_stencil_size(int order) { return order % 2 == 1 ? order : order - 1; }
 
 }  // namespace fpkcheck::fd_fpk

@@ -13,7 +13,7 @@ namespace fpkcheck::fd_fpk {
 /// Matrices that map the masses of velocity cells before an impulse to the masses after the
 /// impulse. Unlike jump_matrix, these matrices do not interpolate across cells, so that a spike of
 /// the density in a cell remains a positive mass.
-struct CellJumps {
+struct CellJumpMatrices {
   /// Matrix for cells with uniformly distributed mass, shape (cells, cells). Every column sums to
   /// 1. Mass that would leave the axis remains in the outermost cell.
   Eigen::MatrixXd uniform;
@@ -22,6 +22,6 @@ struct CellJumps {
   Eigen::MatrixXd slope;
 };
 
-CellJumps cell_jumps(const Axis& axis, const problem::ImpulseLaw& law);
+CellJumpMatrices cell_jump_matrices(const Axis& axis, const problem::ImpulseLaw& law);
 
 }  // namespace fpkcheck::fd_fpk

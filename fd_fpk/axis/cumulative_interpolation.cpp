@@ -6,15 +6,15 @@ namespace fpkcheck::fd_fpk {
 
 CumulativeInterpolation::CumulativeInterpolation(const Axis& axis, int points,
                                                  EndCondition left_end)
-    : axis_(axis), points_(std::min({points, axis.cells() + 1, kMostPoints})) {
-  stencils_.reserve(axis.cells());
-  for (int cell = 0; cell < axis.cells(); ++cell) {
+    : axis_(axis), points_(std::min({points, axis.cell_count() + 1, kMostPoints})) {
+  stencils_.reserve(axis.cell_count());
+  for (int cell = 0; cell < axis.cell_count(); ++cell) {
     Stencil stencil{};
     stencil.first = cell - (points_ - 1) / 2;
     if (left_end == EndCondition::boundary) {
-      stencil.first = std::clamp(stencil.first, 0, axis.cells() + 1 - points_);
+      stencil.first = std::clamp(stencil.first, 0, axis.cell_count() + 1 - points_);
     }
-    for (int a = 0; a < points_; ++a) stencil.faces[a] = axis.face(stencil.first + a);
+    for (int a = 0; a < points_; ++a) stencil.faces[a] = axis.face_position(stencil.first + a);
     for (int a = 0; a < points_; ++a) {
       double denominator = 1;
       for (int b = 0; b < points_; ++b) {
@@ -26,10 +26,10 @@ CumulativeInterpolation::CumulativeInterpolation(const Axis& axis, int points,
   }
 }
 
-void CumulativeInterpolation::add(double x, double factor,
-                                  Eigen::Ref<Eigen::VectorXd> face_weights) const {
+void CumulativeInterpolation::add_weights_at(double x, double factor,
+                                             Eigen::Ref<Eigen::VectorXd> face_weights) const {
   const auto& faces = axis_.faces();
-  const int last = axis_.cells();
+  const int last = axis_.cell_count();
   if (x <= faces.front()) return;
   if (x >= faces.back()) {
     face_weights(last) += factor;
@@ -56,11 +56,11 @@ void CumulativeInterpolation::add(double x, double factor,
 
 Eigen::VectorXd CumulativeInterpolation::to_average_weights(
     const Eigen::Ref<const Eigen::VectorXd>& face_weights) const {
-  Eigen::VectorXd weights(axis_.cells());
+  Eigen::VectorXd weights(axis_.cell_count());
   double sum = 0;
-  for (int i = axis_.cells() - 1; i >= 0; --i) {
+  for (int i = axis_.cell_count() - 1; i >= 0; --i) {
     sum += face_weights(i + 1);
-    weights(i) = sum * axis_.width(i);
+    weights(i) = sum * axis_.cell_width(i);
   }
   return weights;
 }

@@ -23,7 +23,7 @@ class CumulativeInterpolation {
 
   /// Adds `factor` times the interpolation weights of C(x), one for each face value C_0 .. C_cells,
   /// to `face_weights`.
-  void add(double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const;
+  void add_weights_at(double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const;
 
   /// Converts weights of face values to weights of cell averages: C_f is the sum of cell width
   /// times cell average over all cells left of face f.

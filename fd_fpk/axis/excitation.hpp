@@ -37,7 +37,7 @@ struct Excitation {
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
 /// The white-noise approximation of the impulses: -lambda E[Y] p' + lambda E[Y^2]/2 p''.
-Excitation white_noise(const problem::ImpulseTrain& impulses);
+Excitation white_noise_excitation(const problem::ImpulseTrain& impulses);
 
 /// The Kramers-Moyal series truncated after the fourth derivative: the terms of white_noise and, by
 /// differences of the fixed step l on any cells,
@@ -45,7 +45,8 @@ Excitation white_noise(const problem::ImpulseTrain& impulses);
 ///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
 ///
 /// In the literal scheme l is the cell width.
-Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Axis& axis, double length);
+Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
+                                    double regularisation_length);
 
 /// The [2/2] Pade approximant of the truncated Kramers-Moyal series. With D_j = lambda E[Y^j]/j!, a
 /// = D3/D2 and b = D4/D2 - a^2,
@@ -54,17 +55,19 @@ Excitation kramers_moyal(const problem::ImpulseTrain& impulses, const Axis& axis
 ///
 /// For a symmetric law this operator is the generator of a compound Poisson process with Laplace
 /// jumps. The approximant exists for b > 0.
-/// @param order order of accuracy of the differences, even
-Excitation kramers_moyal_pade(const problem::ImpulseTrain& impulses, const Axis& axis, int order);
+/// @param scheme_order order of accuracy of the differences, even
+Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
+                                         int scheme_order);
 
-/// The coefficient b of kramers_moyal_pade; positive if the Pade approximant is a bounded operator.
+/// The coefficient b of kramers_moyal_pade_excitation; positive if the Pade approximant is a
+/// bounded operator.
 double pade_length_squared(const problem::ImpulseTrain& impulses);
 
 /// The excitation by the jump integral lambda (E[p(x2 - Y)] - p).
-Excitation jumps(const problem::ImpulseTrain& impulses, const Axis& axis);
+Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& axis);
 
 /// Drift and diffusion of the excitation as a matrix on cell averages of the velocity axis, shape
 /// (cells, cells). The differences have the given even order of accuracy.
-AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int order);
+AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

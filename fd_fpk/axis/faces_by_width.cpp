@@ -5,8 +5,8 @@
 
 namespace fpkcheck::fd_fpk {
 
-std::vector<double> faces_by_width(std::span<const double> anchors,
-                                   const std::function<double(double)>& width) {
+std::vector<double> faces_with_local_width(std::span<const double> anchors,
+                                           const std::function<double(double)>& width) {
   constexpr double kStepFraction =
       0.05;  // fraction of a cell over which the width is nearly constant
   std::vector<double> faces{anchors.front()};

@@ -12,7 +12,7 @@ namespace fpkcheck::fd_fpk {
 /// @param anchors positions in increasing order, at least two
 /// @param width function that returns the cell width at a position, > 0. The relative change of
 /// this function over one cell must be small.
-std::vector<double> faces_by_width(std::span<const double> anchors,
-                                   const std::function<double(double)>& width);
+std::vector<double> faces_with_local_width(std::span<const double> anchors,
+                                           const std::function<double(double)>& width);
 
 }  // namespace fpkcheck::fd_fpk

@@ -10,19 +10,22 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The fastest growing wave of kramers_moyal on cells of this width.
-Growth kramers_moyal_growth(const problem::ImpulseTrain& impulses, double width, int points,
-                            double length) {
-  const int reach = stencil_half_width(length, width, points);
-  const Axis axis = Axis::uniform(0, width, 2 * reach + 1);
-  return largest_growth(axis, kramers_moyal(impulses, axis, length), points);
+// The fastest growing wave of kramers_moyal_excitation on cells of this width.
+FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impulses,
+                                              double cell_width, int stencil_size,
+                                              double regularisation_length) {
+  const int reach = stencil_half_width(regularisation_length, cell_width, stencil_size);
+  const Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
+  return fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, regularisation_length),
+                              stencil_size);
 }
 
 }  // namespace
 
-Growth largest_growth(const Axis& axis, const Excitation& excitation, int points) {
-  const int middle = axis.cells() / 2;
-  Eigen::RowVectorXd row = local_excitation(axis, excitation, points).row(middle);
+FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
+                                        int stencil_size) {
+  const int middle = axis.cell_count() / 2;
+  Eigen::RowVectorXd row = local_excitation(axis, excitation, stencil_size).row(middle);
   if (excitation.exchange.size() > 0) row += excitation.exchange.row(middle);
 
   constexpr int kWaves = 2000;
@@ -33,21 +36,21 @@ Growth largest_growth(const Axis& axis, const Excitation& excitation, int points
   Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
   Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
   for (int j = 1; j <= middle; ++j) {
-    const double after = middle + j < axis.cells() ? row(middle + j) : 0;
+    const double after = middle + j < axis.cell_count() ? row(middle + j) : 0;
     rates += (row(middle - j) + after) * cosines;
     before = twice * cosines - before;
     before.swap(cosines);
   }
   Eigen::Index fastest = 0;
   const double rate = rates.maxCoeff(&fastest);
-  return {rate, phases(fastest) / axis.width(middle)};
+  return {rate, phases(fastest) / axis.cell_width(middle)};
 }
 
-int stencil_half_width(double length, double width, int points) {
-  return static_cast<int>(std::ceil(2 * length / width)) + 4 * points;
+int stencil_half_width(double regularisation_length, double cell_width, int stencil_size) {
+  return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
 }
 
-bool is_unstable(const Growth& growth, const problem::ImpulseTrain& impulses) {
+bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses) {
   constexpr double kRounding = 1e-9;
   return growth.rate > kRounding * impulses.arrival_rate();
 }
@@ -58,32 +61,35 @@ double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
 }
 
-std::vector<double> critical_widths(const Axis& axis, const problem::ImpulseLaw& law,
-                                    double length) {
+std::vector<double> critical_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+                                         double regularisation_length) {
   constexpr double kSame = 1.05, kNarrow = 0.5;
-  const bool narrow_ones_decay = length >= default_regularisation_length(law);
-  const Eigen::VectorXd all = axis.widths();
+  const bool narrow_ones_decay = regularisation_length >= default_regularisation_length(law);
+  const Eigen::VectorXd all = axis.cell_widths();
   std::vector<double> sorted(all.begin(), all.end()), critical;
   std::ranges::sort(sorted);
-  for (const double width : sorted) {
-    if (narrow_ones_decay && width <= kNarrow * length) continue;
-    if (critical.empty() || width > kSame * critical.back()) critical.push_back(width);
+  for (const double cell_width : sorted) {
+    if (narrow_ones_decay && cell_width <= kNarrow * regularisation_length) continue;
+    if (critical.empty() || cell_width > kSame * critical.back()) critical.push_back(cell_width);
   }
   return critical;
 }
 
 double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
-                                      std::span<const double> widths, int points, double from) {
+                                      std::span<const double> widths, int stencil_size,
+                                      double min_length) {
   constexpr double kStep = 1.1, kClose = 1.001;
-  const auto too_short = [&](double length) {
-    return std::ranges::any_of(widths, [&](double width) {
-      return is_unstable(kramers_moyal_growth(impulses, width, points, length), impulses);
+  const auto too_short = [&](double regularisation_length) {
+    return std::ranges::any_of(widths, [&](double cell_width) {
+      return is_unstable(
+          fastest_kramers_moyal_wave(impulses, cell_width, stencil_size, regularisation_length),
+          impulses);
     });
   };
-  if (!too_short(from)) return from;
+  if (!too_short(min_length)) return min_length;
   // The loop terminates, because the fourth difference over a length of many cells is negligible
   // compared with the second difference.
-  double shorter = from, longer = kStep * from;
+  double shorter = min_length, longer = kStep * min_length;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {
     const double middle = std::sqrt(shorter * longer);
@@ -93,10 +99,11 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
 }
 
 double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
-                                     int points) {
-  const double length = default_regularisation_length(impulses.law());
-  return shortest_regularisation_length(impulses, critical_widths(axis, impulses.law(), length),
-                                        points, length);
+                                     int stencil_size) {
+  const double regularisation_length = default_regularisation_length(impulses.law());
+  return shortest_regularisation_length(
+      impulses, critical_cell_widths(axis, impulses.law(), regularisation_length), stencil_size,
+      regularisation_length);
 }
 
 }  // namespace fpkcheck::fd_fpk

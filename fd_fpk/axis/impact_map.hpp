@@ -19,6 +19,7 @@ namespace fpkcheck::fd_fpk {
 /// @param speeds axis of the speeds, with faces increasing from 0
 /// @param restitution restitution coefficient r, 0 < r <= 1
 /// @param impact map or delta
-AxisOperator impact_map(const Axis& speeds, double restitution, problem::Impact impact, int order);
+AxisOperator impact_map(const Axis& speeds, double restitution, problem::Impact impact,
+                        int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

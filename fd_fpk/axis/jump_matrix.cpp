@@ -18,7 +18,7 @@ constexpr int kMoments = 8;  // degree of the polynomial through a face and its 
 
 // Calls visit(y, weight) for a composite rule on [a, b] with panels not longer than `longest`.
 template <class Visitor>
-void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
+void for_each_gauss_legendre_node(double a, double b, double longest, const Visitor& visit) {
   using Rule = boost::math::quadrature::gauss<double, 8>;
   const int panels = std::max(1, static_cast<int>(std::ceil((b - a) / longest)));
   const double half = (b - a) / (2 * panels);
@@ -35,7 +35,7 @@ void gauss_legendre(double a, double b, double longest, const Visitor& visit) {
 // contains the weights of C_0 .. C_cells in the change of C at face f.
 Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
-  const int cells = axis.cells();
+  const int cells = axis.cell_count();
   // rate at which mass moves from cell j (average 1) to cell i
   Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
@@ -44,13 +44,13 @@ Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation
   const Eigen::RowVectorXd lost = masses.colwise().sum();
   Eigen::MatrixXd generator = masses;
   generator.diagonal() -= lost.transpose();
-  return axis.widths().cwiseInverse().asDiagonal() * generator;
+  return axis.cell_widths().cwiseInverse().asDiagonal() * generator;
 }
 
 // Whether E[Y^8]^(1/8) is below the width of each of the two cells at the face.
 bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
-    if (length >= axis.width(cell)) return false;
+    if (length >= axis.cell_width(cell)) return false;
   }
   return true;
 }
@@ -58,16 +58,18 @@ bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
 // Adds the weights of E[C(face - Y)] - C(face), with C approximated by the polynomial through this
 // face and its neighbours. The result is the sum of (-1)^k E[Y^k]/k! times the derivatives at the
 // face, k = 1 .. kMoments.
-void add_moments(const Axis& axis, int face, const problem::ImpulseLaw& law,
-                 Eigen::Ref<Eigen::VectorXd> weights) {
+void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw& law,
+                          Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
-  const double unit = axis.width(face);
+  const double unit = axis.cell_width(face);
   std::array<double, kMoments + 1> moments;  // moments of -Y / unit
   for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
   for (int a = -kAround; a <= kAround; ++a) {
     if (face + a <= 0) continue;  // C is 0 at the first face and left of the axis
     // Coefficients of the Lagrange polynomial prod_{b != a} (z - z_b) / (z_a - z_b).
-    const auto at = [&](int b) { return (axis.face(face + b) - axis.face(face)) / unit; };
+    const auto at = [&](int b) {
+      return (axis.face_position(face + b) - axis.face_position(face)) / unit;
+    };
     std::array<double, kMoments + 1> coefficients{1};
     int degree = 0;
     for (int b = -kAround; b <= kAround; ++b) {
@@ -80,7 +82,7 @@ void add_moments(const Axis& axis, int face, const problem::ImpulseLaw& law,
     }
     double weight = 0;
     for (int k = 1; k <= kMoments; ++k) weight += coefficients[k] * moments[k];
-    weights(std::min(face + a, axis.cells())) += weight;
+    weights(std::min(face + a, axis.cell_count())) += weight;
   }
 }
 
@@ -94,21 +96,21 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
   const auto visit = [&](double u, double weight) {
-    cumulative.add(u, weight * law.density(face - u), weights);
+    cumulative.add_weights_at(u, weight * law.density(face - u), weights);
   };
   const auto& faces = axis.faces();
   auto next = std::upper_bound(faces.begin(), faces.end(), left);
   for (double u = left; u < right; ++next) {
     const double end = std::min(*next, right);
-    gauss_legendre(u, end, longest, visit);
+    for_each_gauss_legendre_node(u, end, longest, visit);
     u = end;
   }
   // Right of the axis the cumulative distribution is constant.
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
-    gauss_legendre(from, std::min(to, farthest), longest, [&](double y, double weight) {
-      weights(axis.cells()) += weight * law.density(y);
-    });
+    for_each_gauss_legendre_node(
+        from, std::min(to, farthest), longest,
+        [&](double y, double weight) { weights(axis.cell_count()) += weight * law.density(y); });
   }
 }
 
@@ -116,9 +118,9 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
 
 Eigen::MatrixXd shift_matrix(const Axis& axis, double amplitude) {
   const CumulativeInterpolation cumulative(axis, kFaces, EndCondition::vacuum);
-  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cells() + 1, axis.cells() + 1);
-  for (int f = 0; f <= axis.cells(); ++f) {
-    cumulative.add(axis.face(f) - amplitude, 1, change.col(f));
+  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
+  for (int f = 0; f <= axis.cell_count(); ++f) {
+    cumulative.add_weights_at(axis.face_position(f) - amplitude, 1, change.col(f));
     change(f, f) -= 1;
   }
   return generator_matrix(axis, cumulative, change);
@@ -127,19 +129,19 @@ Eigen::MatrixXd shift_matrix(const Axis& axis, double amplitude) {
 Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
   const CumulativeInterpolation cumulative(axis, kFaces, EndCondition::vacuum);
   const auto pieces = law.density_breakpoints();
-  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cells() + 1, axis.cells() + 1);
+  Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   const double length = std::pow(law.moment(kMoments), 1.0 / kMoments);
-  for (int f = 0; f <= axis.cells(); ++f) {
+  for (int f = 0; f <= axis.cell_count(); ++f) {
     if (are_impulses_within_neighbours(axis, f, length)) {
-      add_moments(axis, f, law, change.col(f));
+      add_moment_expansion(axis, f, law, change.col(f));
       continue;
     }
     for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
-      add_continuous_piece(axis, cumulative, axis.face(f), law, pieces[piece], pieces[piece + 1],
-                           change.col(f));
+      add_continuous_piece(axis, cumulative, axis.face_position(f), law, pieces[piece],
+                           pieces[piece + 1], change.col(f));
     }
     for (const auto& [amplitude, probability] : law.atoms()) {
-      cumulative.add(axis.face(f) - amplitude, probability, change.col(f));
+      cumulative.add_weights_at(axis.face_position(f) - amplitude, probability, change.col(f));
     }
     change(f, f) -= 1;
   }

@@ -17,11 +17,12 @@ std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
 }
 
 Grid coarsen(const Grid& grid, int stride) {
-  return symmetric_grid(coarsen(grid.x1.faces(), stride), coarsen(grid.speeds().faces(), stride),
-                        grid.x1.left(), grid.x1.right());
+  return symmetric_grid(coarsen(grid.x1.faces(), stride),
+                        coarsen(grid.speed_axis().faces(), stride), grid.x1.left_end_condition(),
+                        grid.x1.right_end_condition());
 }
 
-int stride_for(const Grid& grid, int max_blocks) {
+int block_stride(const Grid& grid, int max_blocks) {
   int stride = 1;
   const auto count = [&](int cells) { return (cells + stride - 1) / stride; };
   while (count(grid.nx()) * 2 * count(grid.nv() / 2) > max_blocks) ++stride;
@@ -29,10 +30,10 @@ int stride_for(const Grid& grid, int max_blocks) {
 }
 
 std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
-  std::vector<int> block(axis.cells());
+  std::vector<int> block(axis.cell_count());
   int b = 0;
-  for (int i = 0; i < axis.cells(); ++i) {
-    while (axis.centre(i) > blocks.face(b + 1)) ++b;
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    while (axis.cell_centre(i) > blocks.face_position(b + 1)) ++b;
     block[i] = b;
   }
   return block;
@@ -40,11 +41,11 @@ std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
 
 }  // namespace
 
-Aggregation::Aggregation(const Grid& grid, int atoms, int max_blocks)
-    : grid_(grid), atoms_(atoms), blocks_(coarsen(grid, stride_for(grid, max_blocks))) {
+Aggregation::Aggregation(const Grid& grid, int atom_count, int max_blocks)
+    : grid_(grid), atoms_(atom_count), blocks_(coarsen(grid, block_stride(grid, max_blocks))) {
   block_of_y_ = block_indices(grid.x1, blocks_.x1);
   block_of_v_ = block_indices(grid.x2, blocks_.x2);
-  set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atoms));
+  set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atom_count));
 }
 
 void Aggregation::set_block_chain(
@@ -60,14 +61,14 @@ void Aggregation::set_block_chain(
   // 1 - A is singular. The matrix becomes regular by adding the term start 1^T, here with a start
   // proportional to the areas of the blocks.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
-  added.head(blocks_.size()) = blocks_.areas() / blocks_.areas().sum();
+  added.head(blocks_.size()) = blocks_.cell_areas() / blocks_.cell_areas().sum();
   system.colwise() += added;
   factors_.compute(system);
 }
 
 void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
   constexpr double kEven = 1e-6;  // mass, relative to the total mass, that is distributed evenly
-  const Eigen::VectorXd areas = grid_.areas();
+  const Eigen::VectorXd areas = grid_.cell_areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;
   const Eigen::VectorXd sums = aggregate(weights_);
@@ -89,7 +90,7 @@ Eigen::VectorXd Aggregation::aggregate(const Eigen::Ref<const Eigen::VectorXd>& 
   return sums;
 }
 
-void Aggregation::correct(Eigen::Ref<Eigen::VectorXd> masses) const {
+void Aggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
   const Eigen::VectorXd sums = aggregate(masses);
   const Eigen::VectorXd missing = factors_.solve(sums) - sums;
   for (int i = 0; i < grid_.nx(); ++i) {

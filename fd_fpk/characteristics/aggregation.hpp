@@ -18,10 +18,10 @@ class Aggregation {
  public:
   /// Divides the grid into at most `max_blocks` blocks with about equal numbers of cells; v = 0
   /// separates two blocks.
-  Aggregation(const Grid& grid, int atoms, int max_blocks);
+  Aggregation(const Grid& grid, int atom_count, int max_blocks);
 
   /// The grid whose cells are the blocks.
-  const Grid& blocks() const { return blocks_; }
+  const Grid& block_grid() const { return blocks_; }
 
   /// @param step function that applies one step of the chain to the masses of the blocks
   void set_block_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
@@ -32,7 +32,7 @@ class Aggregation {
   /// Replaces the residual r of (1 - A + start 1^T) d = r by an approximate d: d is the solution of
   /// the equation for the blocks, distributed over cells by the weights, plus the part of r whose
   /// sum over each block is zero.
-  void correct(Eigen::Ref<Eigen::VectorXd> masses) const;
+  void apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const;
 
  private:
   Eigen::VectorXd aggregate(const Eigen::Ref<const Eigen::VectorXd>& masses) const;

@@ -8,21 +8,23 @@ namespace fpkcheck::fd_fpk {
 // Weights of the masses m_i in the slope of each cell. The slope is that of the parabola through
 // the densities m_i / h_i at the centres of three cells, at the centre of the middle cell, times h.
 std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axis& axis) {
-  std::vector<Weights> weights(axis.cells(), Weights{0, 0, 0});
-  for (int i = 0; i < axis.cells(); ++i) {
-    const double h = axis.width(i);
-    if (i > 0 && i + 1 < axis.cells()) {
-      const double before = axis.centre(i) - axis.centre(i - 1);
-      const double after = axis.centre(i + 1) - axis.centre(i);
+  std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    const double h = axis.cell_width(i);
+    if (i > 0 && i + 1 < axis.cell_count()) {
+      const double before = axis.cell_centre(i) - axis.cell_centre(i - 1);
+      const double after = axis.cell_centre(i + 1) - axis.cell_centre(i);
       const double below = -after / (before * (before + after));
       const double above = before / (after * (before + after));
-      weights[i] = {h * below / axis.width(i - 1), -(below + above), h * above / axis.width(i + 1)};
-    } else if (i == 0 && axis.left() == EndCondition::boundary && axis.cells() > 1) {
-      const double slope = 1 / (axis.centre(1) - axis.centre(0));
-      weights[i] = {0, -slope, h * slope / axis.width(1)};
-    } else if (i > 0 && axis.right() == EndCondition::boundary) {
-      const double slope = 1 / (axis.centre(i) - axis.centre(i - 1));
-      weights[i] = {-h * slope / axis.width(i - 1), slope, 0};
+      weights[i] = {h * below / axis.cell_width(i - 1), -(below + above),
+                    h * above / axis.cell_width(i + 1)};
+    } else if (i == 0 && axis.left_end_condition() == EndCondition::boundary &&
+               axis.cell_count() > 1) {
+      const double slope = 1 / (axis.cell_centre(1) - axis.cell_centre(0));
+      weights[i] = {0, -slope, h * slope / axis.cell_width(1)};
+    } else if (i > 0 && axis.right_end_condition() == EndCondition::boundary) {
+      const double slope = 1 / (axis.cell_centre(i) - axis.cell_centre(i - 1));
+      weights[i] = {-h * slope / axis.cell_width(i - 1), slope, 0};
     }
   }
   return weights;
@@ -81,8 +83,9 @@ void SlopeReconstruction::set_limiter(const Eigen::VectorXd& masses) {
       const int cell = i * grid_.nv() + j;
       // Largest decrease of the density from the centre to a corner of the cell, relative to the
       // mean density of the cell.
-      const double dip =
-          (std::abs(y(cell)) * grid_.x1.width(i) + std::abs(v(cell)) * grid_.x2.width(j)) / 2;
+      const double dip = (std::abs(y(cell)) * grid_.x1.cell_width(i) +
+                          std::abs(v(cell)) * grid_.x2.cell_width(j)) /
+                         2;
       const double mass = std::max(masses(cell), 0.0);
       if (dip > mass) limits_y_(cell) = limits_v_(cell) = mass / dip;
     }

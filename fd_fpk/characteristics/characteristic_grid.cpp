@@ -19,7 +19,7 @@ constexpr double kSpikeCore = 0.005;
 
 // Mean acceleration towards the wall due to impulses of nonzero mean.
 double mean_acceleration_to_wall(const problem::Problem& problem) {
-  return std::max(0.0, -problem.impulses.rate_moment(1));
+  return std::max(0.0, -problem.impulses.rate_times_moment(1));
 }
 
 // With a mean acceleration G towards the wall the oscillator makes short flights between impacts.
@@ -48,7 +48,8 @@ double typical_height(const problem::Problem& problem, const Flow& flow, double 
 // The amplitude that the impulse |Y| exceeds with this probability.
 double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
-  while (1 - law.cumulative(amplitude) + law.cumulative(-amplitude) > probability) {
+  while (1 - law.cumulative_probability(amplitude) + law.cumulative_probability(-amplitude) >
+         probability) {
     amplitude *= 1.05;
   }
   return amplitude;
@@ -117,8 +118,8 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
   const Singularities singular =
       is_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(
-      faces_graded_to(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
-      faces_graded_to(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
+      faces_graded_to_points(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
+      faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
 }
 
 Box initial_characteristic_box(const problem::Problem& problem, const Options& options) {

@@ -25,13 +25,13 @@ constexpr double kLeastFlux = 1e-200;
 int cell_of(const Axis& axis, double x) {
   const auto& faces = axis.faces();
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
-  return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cells() - 1);
+  return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cell_count() - 1);
 }
 
 // Interpolates a coordinate over a time step by a cubic Hermite polynomial.
-class Cubic {
+class HermiteCubic {
  public:
-  Cubic(const Flow& flow, const State& from, const State& to, double time)
+  HermiteCubic(const Flow& flow, const State& from, const State& to, double time)
       : from_(from),
         to_(to),
         a_{time * from.v, time * flow.acceleration(from)},
@@ -57,33 +57,33 @@ struct Characteristics::Position {
   std::size_t first;  // index of the first visit of the track
 };
 
-Characteristics::Characteristics(const problem::System& system, const Grid& grid, double rate,
-                                 int per_cell, const Deadline& deadline)
+Characteristics::Characteristics(const problem::System& system, const Grid& grid,
+                                 double impulse_rate, int per_cell, const Deadline& deadline)
     : grid_(grid),
       deadline_(deadline),
       flow_(system),
-      rate_(rate),
-      rest_(fd_fpk::rest_points(flow_, grid, rate)),
+      rate_(impulse_rate),
+      rest_(fd_fpk::rest_points(flow_, grid, impulse_rate)),
       at_rest_(static_cast<std::size_t>(grid.size()), false) {
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
     for (const auto& [cell, share] : rest_[n].cells) at_rest_[cell] = true;
   }
   trace_from_box(per_cell);
-  for (const Side side : {Side::left, Side::right}) {
+  for (const WallSide side : {WallSide::left, WallSide::right}) {
     if (flow_.wall(side)) trace_from_wall(side, per_cell);
   }
   sort_from_walls();
   trace_through_gaps();
   normalise_areas();
-  find_landings(from_outside_);
-  find_landings(from_walls_);
+  find_track_ends(from_outside_);
+  find_track_ends(from_walls_);
 }
 
-std::string Characteristics::failure() const {
+std::string Characteristics::failure_reason() const {
   if (out_of_time_) return "characteristics: max_seconds expired during their construction";
-  if (!ended()) return "";
-  return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMostVisits);
+  if (!must_stop()) return "";
+  return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
 }
 
 // Traces characteristics from those parts of the outer sides of the box where the flow enters the
@@ -95,24 +95,24 @@ void Characteristics::trace_from_box(int per_cell) {
   const double y_min = grid_.x1_min() + kInside * length;
   const double y_max = grid_.x1_max() - kInside * length, v_max = (1 - kInside) * grid_.x2_max();
   const auto lay = [&](const State& from, double flux) {
-    if (flux > 0) from_outside_.push_back(follow(from, flux));
+    if (flux > 0) from_outside_.push_back(trace_track(from, flux));
   };
   const auto at_each = [&](const Axis& axis, int first, int last, const auto& start) {
     for (int i = first; i < last; ++i) {
-      const double width = axis.width(i) / per_cell;
-      for (int k = 0; k < per_cell; ++k) start(axis.face(i) + (k + 0.5) * width, width);
+      const double width = axis.cell_width(i) / per_cell;
+      for (int k = 0; k < per_cell; ++k) start(axis.face_position(i) + (k + 0.5) * width, width);
     }
   };
   at_each(grid_.x1, 0, grid_.nx(), [&](double y, double width) {
     lay({y, v_max}, -flow_.acceleration({y, v_max}) * width);
     lay({y, -v_max}, flow_.acceleration({y, -v_max}) * width);
   });
-  if (!flow_.wall(Side::right)) {
+  if (!flow_.wall(WallSide::right)) {
     at_each(grid_.x2, 0, grid_.nv() / 2, [&](double v, double width) {
       lay({y_max, v}, -v * width);
     });
   }
-  if (!flow_.wall(Side::left)) {
+  if (!flow_.wall(WallSide::left)) {
     at_each(grid_.x2, grid_.nv() / 2, grid_.nv(), [&](double v, double width) {
       lay({y_min, v}, v * width);
     });
@@ -123,20 +123,20 @@ void Characteristics::trace_from_box(int per_cell) {
 // innermost cell: if the rest point is a contact, the motion from this cell is a cascade of
 // impacts; if the rest point is an equilibrium at the wall, the mass of this cell counts as at
 // rest.
-void Characteristics::trace_from_wall(Side side, int per_cell) {
+void Characteristics::trace_from_wall(WallSide side, int per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
-  Fan& fan = this->fan(side);
+  WallTracks& wall_tracks = this->wall_tracks(side);
   for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
-    const double width = grid_.x2.width(j) / per_cell;
+    const double width = grid_.x2.cell_width(j) / per_cell;
     for (int k = per_cell - 1; k >= 0; --k) {
-      const double speed = grid_.x2.face(j) + (k + 0.5) * width;
-      fan.speeds.push_back(speed);
-      fan.below.push_back(speed - width / 2);
-      fan.tracks.push_back(static_cast<int>(from_walls_.size()));
-      from_walls_.push_back(follow({y, inward_sign(side) * speed}, speed * width));
+      const double speed = grid_.x2.face_position(j) + (k + 0.5) * width;
+      wall_tracks.speeds.push_back(speed);
+      wall_tracks.below.push_back(speed - width / 2);
+      wall_tracks.tracks.push_back(static_cast<int>(from_walls_.size()));
+      from_walls_.push_back(trace_track({y, inward_sign(side) * speed}, speed * width));
     }
   }
 }
@@ -153,8 +153,8 @@ void Characteristics::sort_from_walls() {
     sorted.push_back(from_walls_[n]);
   }
   from_walls_ = std::move(sorted);
-  for (Fan* fan : {&from_left_, &from_right_}) {
-    for (int& track : fan->tracks) track = place[track];
+  for (WallTracks* wall_tracks : {&from_left_, &from_right_}) {
+    for (int& track : wall_tracks->tracks) track = place[track];
   }
 }
 
@@ -172,8 +172,9 @@ void Characteristics::trace_through_gaps() {
     for (int j = 0; j < grid_.nv(); ++j) {
       if (crossed[i * grid_.nv() + j]) continue;
       const std::size_t first = visits_.size();
-      from_outside_.push_back(follow({grid_.x1.centre(i), grid_.x2.centre(j)},
-                                     kNarrow * grid_.x1.width(i) * grid_.x2.width(j)));
+      from_outside_.push_back(
+          trace_track({grid_.x1.cell_centre(i), grid_.x2.cell_centre(j)},
+                      kNarrow * grid_.x1.cell_width(i) * grid_.x2.cell_width(j)));
       mark(first);
     }
   }
@@ -194,7 +195,7 @@ std::optional<int> Characteristics::equilibrium_containing(const State& at) cons
   return std::nullopt;
 }
 
-Track Characteristics::follow(const State& from, double flux) {
+Track Characteristics::trace_track(const State& from, double flux) {
   Position at{.state = from,
               .i = cell_of(grid_.x1, from.y),
               .j = cell_of(grid_.x2, from.v),
@@ -209,29 +210,29 @@ Track Characteristics::follow(const State& from, double flux) {
   AccessibleInterval accessible_interval = flow_.accessible_interval(from);
   double energy = track.energy - accessible_interval.least_potential, time = 0;
   for (long step = 0;; ++step) {
-    if ((track.landing.rest = equilibrium_containing(at.state))) break;
-    if (ended() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
+    if ((track.track_end.rest = equilibrium_containing(at.state))) break;
+    if (must_stop() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     if (flow_.energy(at.state) - accessible_interval.least_potential < kReuseRatio * energy) {
       accessible_interval = flow_.accessible_interval(at.state);
       energy = flow_.energy(at.state) - accessible_interval.least_potential;
     }
     double span = flow_.max_step(at.state, accessible_interval);
     State end = flow_.advance(at.state, span);
-    const auto hit = flow_.beyond(end.y);
+    const auto hit = flow_.wall_passed_at(end.y);
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
       end = {flow_.wall(*hit)->position, flow_.advance(at.state, span).v};
       // Rounding errors may cause a wrong sign of the impact velocity.
-      end.v = *hit == Side::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
+      end.v = *hit == WallSide::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
-    const Cubic path(flow_, at.state, end, span);
+    const HermiteCubic path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
-      cross(at, path(static_cast<double>(chord) / kChords), span / kChords);
+      record_chord_visits(at, path(static_cast<double>(chord) / kChords), span / kChords);
     }
-    cross(at, end, span / kChords);
+    record_chord_visits(at, end, span / kChords);
     time += span;
     if (hit) {
-      land(*hit, std::abs(end.v), track.landing);
+      set_end_at_wall(*hit, std::abs(end.v), track.track_end);
       break;
     }
   }
@@ -241,27 +242,28 @@ Track Characteristics::follow(const State& from, double flux) {
 
 // Sets the end of a characteristic at a wall. Motion that leaves the wall at a speed inside the
 // innermost cells comes to rest in contact.
-void Characteristics::land(Side side, double speed, Landing& landing) const {
-  landing.wall = side;
-  landing.speed = speed;
+void Characteristics::set_end_at_wall(WallSide side, double speed, TrackEnd& track_end) const {
+  track_end.wall = side;
+  track_end.speed = speed;
   const problem::Wall& wall = *flow_.wall(side);
-  const double slow = grid_.x2.face(grid_.nv() / 2 + 1), left = wall.restitution * speed;
+  const double slow = grid_.x2.face_position(grid_.nv() / 2 + 1), left = wall.restitution * speed;
   if (left > slow) return;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].y != wall.position) continue;
-    landing.rest = static_cast<int>(n);
+    track_end.rest = static_cast<int>(n);
     if (!rest_[n].contact) continue;
-    landing.cascade = cascade(left, std::abs(flow_.force(wall.position)), wall.restitution, rate_);
+    track_end.cascade =
+        impact_cascade(left, std::abs(flow_.force(wall.position)), wall.restitution, rate_);
   }
 }
 
 // Records the visits of a straight chord of the path, from cell face to cell face.
-void Characteristics::cross(Position& at, const State& to, double time) {
+void Characteristics::record_chord_visits(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // The flow contracts areas (Liouville) by the factor exp(-x), on average over the chord by (1 -
   // exp(-x)) / x.
-  const double x = flow_.contraction({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
+  const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   constexpr double kSmall = 1e-4;
   const double mean = x > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
   const double flux = std::max(kLeastFlux, at.flux * mean);
@@ -280,10 +282,10 @@ void Characteristics::cross(Position& at, const State& to, double time) {
       const int cell = at.i * grid_.nv() + at.j;
       const double duration = (next - done) * time, area = flux * duration;
       const double middle = (done + next) / 2;
-      const double y = from.y + middle * dy - grid_.x1.centre(at.i);
-      const double v = from.v + middle * dv - grid_.x2.centre(at.j);
+      const double y = from.y + middle * dy - grid_.x1.cell_centre(at.i);
+      const double v = from.v + middle * dv - grid_.x2.cell_centre(at.j);
       if (visits_.size() > at.first && visits_.back().cell == cell) {
-        Visit& visit = visits_.back();
+        CellVisit& visit = visits_.back();
         const double part = area / (visit.share + area);
         visit.y += part * (y - visit.y);
         visit.v += part * (v - visit.v);
@@ -312,14 +314,14 @@ void Characteristics::normalise_areas() {
     double area = 0, y = 0, v = 0;
   };
   std::vector<Cover> covers(grid_.size());
-  for (const Visit& visit : visits_) {
+  for (const CellVisit& visit : visits_) {
     Cover& cover = covers[visit.cell];
     cover.area += visit.share;
     cover.y += visit.share * visit.y;
     cover.v += visit.share * visit.v;
   }
   for (std::size_t n = 0; n < visits_.size(); ++n) {
-    Visit& visit = visits_[n];
+    CellVisit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
     const double expected = rate_ * durations_[n];  // expected number of impulses during the visit
     const double ended = -std::expm1(-expected);
@@ -334,71 +336,75 @@ void Characteristics::normalise_areas() {
   durations_ = {};
 }
 
-void Characteristics::find_landings(std::vector<Track>& tracks) const {
+void Characteristics::find_track_ends(std::vector<Track>& tracks) const {
   for (Track& track : tracks) {
-    Landing& landing = track.landing;
-    if (!landing.wall || landing.rest) continue;
-    const Fan& fan = this->fan(*landing.wall);
-    const auto count = static_cast<int>(fan.speeds.size());
-    const double speed = flow_.wall(*landing.wall)->restitution * landing.speed;
-    const auto next =
-        std::lower_bound(fan.speeds.begin(), fan.speeds.end(), speed, std::greater<>());
-    const int slower = std::min(static_cast<int>(next - fan.speeds.begin()), count - 1);
+    TrackEnd& track_end = track.track_end;
+    if (!track_end.wall || track_end.rest) continue;
+    const WallTracks& wall_tracks = this->wall_tracks(*track_end.wall);
+    const auto count = static_cast<int>(wall_tracks.speeds.size());
+    const double speed = flow_.wall(*track_end.wall)->restitution * track_end.speed;
+    const auto next = std::lower_bound(wall_tracks.speeds.begin(), wall_tracks.speeds.end(), speed,
+                                       std::greater<>());
+    const int slower = std::min(static_cast<int>(next - wall_tracks.speeds.begin()), count - 1);
     const int faster = std::max(0, slower - 1);
-    const double slow = fan.speeds[slower], fast = fan.speeds[faster];
-    landing.slower = fan.tracks[slower];
-    landing.faster = fan.tracks[faster];
-    landing.faster_fraction =
+    const double slow = wall_tracks.speeds[slower], fast = wall_tracks.speeds[faster];
+    track_end.slower = wall_tracks.tracks[slower];
+    track_end.faster = wall_tracks.tracks[faster];
+    track_end.faster_fraction =
         fast > slow
             ? std::clamp((speed * speed - slow * slow) / (fast * fast - slow * slow), 0.0, 1.0)
             : 0;
   }
 }
 
-std::vector<Emission> Characteristics::emissions(const problem::ImpulseLaw& law) const {
+std::vector<ContactDepartures> Characteristics::departures_from_contacts(
+    const problem::ImpulseLaw& law) const {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
-  std::vector<Emission> all;
+  std::vector<ContactDepartures> all;
   for (const int contact : contacts_) {
-    const Side side = *rest_[contact].contact;
+    const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
     // Probabilities that an impulse off the wall causes a speed below u, and that an impulse into
     // the wall causes a speed above u.
     const auto slower_off = [&](double u) {
-      return side == Side::left ? law.cumulative(u) : 1 - law.cumulative(-u);
+      return side == WallSide::left ? law.cumulative_probability(u)
+                                    : 1 - law.cumulative_probability(-u);
     };
     const auto faster_into = [&](double u) {
-      return side == Side::left ? law.cumulative(-u) : 1 - law.cumulative(u);
+      return side == WallSide::left ? law.cumulative_probability(-u)
+                                    : 1 - law.cumulative_probability(u);
     };
     // P(0 < speed after the impulse < u)
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
-    const Fan& fan = this->fan(side);
-    Emission emission{.shares = std::vector<double>(from_walls_.size(), 0.0)};
-    for (std::size_t k = 0; k < fan.speeds.size(); ++k) {
-      const double above = k == 0 ? std::numeric_limits<double>::infinity() : fan.below[k - 1];
-      emission.shares[fan.tracks[k]] = slower(above) - slower(fan.below[k]);
+    const WallTracks& wall_tracks = this->wall_tracks(side);
+    ContactDepartures departures{.shares = std::vector<double>(from_walls_.size(), 0.0)};
+    for (std::size_t k = 0; k < wall_tracks.speeds.size(); ++k) {
+      const double above =
+          k == 0 ? std::numeric_limits<double>::infinity() : wall_tracks.below[k - 1];
+      departures.shares[wall_tracks.tracks[k]] = slower(above) - slower(wall_tracks.below[k]);
     }
-    emission.rest_fraction = slower(fan.below.back());
+    departures.rest_fraction = slower(wall_tracks.below.back());
     // E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0): integrated by parts between the breakpoints of
     // the law; for atoms as sums.
-    const double into = side == Side::left ? -1 : 1;
+    const double into = side == WallSide::left ? -1 : 1;
     std::vector<double> ends{0};
     for (const double end : law.density_breakpoints()) {
       if (into * end > 0) ends.push_back(into * end);
     }
     std::ranges::sort(ends);
     for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
-      emission.momentum += Quadrature::integrate(faster_into, ends[n], ends[n + 1], 5, 1e-9);
-      emission.energy += Quadrature::integrate([&](double u) { return 2 * u * faster_into(u); },
-                                               ends[n], ends[n + 1], 5, 1e-9);
+      departures.momentum += Quadrature::integrate(faster_into, ends[n], ends[n + 1], 5, 1e-9);
+      departures.energy += Quadrature::integrate([&](double u) { return 2 * u * faster_into(u); },
+                                                 ends[n], ends[n + 1], 5, 1e-9);
     }
     for (const auto& [amplitude, probability] : law.atoms()) {
       if (into * amplitude <= 0) continue;
-      emission.momentum += probability * std::abs(amplitude);
-      emission.energy += probability * amplitude * amplitude;
+      departures.momentum += probability * std::abs(amplitude);
+      departures.energy += probability * amplitude * amplitude;
     }
-    all.push_back(std::move(emission));
+    all.push_back(std::move(departures));
   }
   return all;
 }

@@ -14,7 +14,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// The part of a characteristic inside one cell.
-struct Visit {
+struct CellVisit {
   std::int32_t cell;
   float ended;  ///< probability that an impulse ends the visit: 1 - exp(-lambda duration)
   float mean_end_probability;  ///< average of this probability over starting points along the visit
@@ -26,34 +26,35 @@ struct Visit {
 /// Maximum number of cell visits of all characteristics; this number of visits takes 0.8 GB of
 /// memory. A limit is necessary because slow motion that circles an equilibrium without impacts
 /// visits cells indefinitely.
-inline constexpr std::size_t kMostVisits = 16000000;
+inline constexpr std::size_t kMaxVisits = 16000000;
 
 /// The end of a characteristic: at a wall, at a rest point, or at a state where the probability
 /// that no impulse has occurred is negligible.
-struct Landing {
-  std::optional<Side> wall = {};
+struct TrackEnd {
+  std::optional<WallSide> wall = {};
   double speed = 0;  ///< impact speed at the wall
   /// Indices of the two characteristics from that wall on which the mass continues after the
   /// impact: their speeds enclose r times the impact speed.
   int faster = 0, slower = 0;
   double faster_fraction = 0;
-  std::optional<int> rest = {};    ///< index of the rest point
-  std::optional<Cascade> cascade;  ///< cascade of impacts that ends at rest in contact
+  std::optional<int> rest = {};          ///< index of the rest point
+  std::optional<ImpactCascade> cascade;  ///< cascade of impacts that ends at rest in contact
 };
 
 /// A characteristic through the grid, from a wall or from the boundary of the box to the next
 /// impact or to a rest point.
 struct Track {
   std::size_t first, last;  ///< range of the cell visits of the track, [first, last)
-  Landing landing = {};
+  TrackEnd track_end = {};
   double energy = 0;  ///< energy of the state at the start
 };
 
 /// How the mass at rest in contact with a wall is distributed after an impulse over the
 /// characteristics from that wall. An impulse of amplitude Y off the wall starts the motion at
 /// speed Y. After an impulse into the wall, an impact follows at once.
-struct Emission {
-  std::vector<double> shares;  ///< fraction of the mass on each characteristic of from_walls()
+struct ContactDepartures {
+  std::vector<double>
+      shares;  ///< fraction of the mass on each characteristic of tracks_from_walls()
   /// fraction of the mass with a speed below that of every characteristic
   double rest_fraction = 0;
   /// Momentum and energy of the impacts due to impulses into the wall, per impulse.
@@ -67,52 +68,56 @@ struct Emission {
 /// Askew, AEEW-M 1108, 1972).
 class Characteristics {
  public:
-  /// @param rate arrival rate of impulses, per unit time
+  /// @param impulse_rate arrival rate of impulses, per unit time
   /// @param per_cell number of characteristics that start in each cell at the boundary
-  /// @param deadline deadline after which the construction stops, with a failure()
-  Characteristics(const problem::System& system, const Grid& grid, double rate, int per_cell,
-                  const Deadline& deadline = Deadline::none());
+  /// @param deadline deadline after which the construction stops, with a failure_reason()
+  Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
+                  int per_cell, const Deadline& deadline = Deadline::unlimited());
 
   /// Characteristics that start at the boundary of the box, or in a cell that no other
   /// characteristic crosses. Their mass continues on characteristics that start at walls.
-  const std::vector<Track>& from_outside() const { return from_outside_; }
+  const std::vector<Track>& tracks_from_outside() const { return from_outside_; }
   /// Characteristics that start at a wall, by decreasing energy. After the impact at its end, the
   /// mass of a characteristic continues on characteristics later in this order; only the faster of
   /// these two may come earlier.
-  const std::vector<Track>& from_walls() const { return from_walls_; }
-  const std::vector<Visit>& visits() const { return visits_; }
+  const std::vector<Track>& tracks_from_walls() const { return from_walls_; }
+  const std::vector<CellVisit>& visits() const { return visits_; }
   /// The reason why the characteristics do not cover the plane; empty if they cover the plane.
-  std::string failure() const;
+  std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
   /// Indices in rest_points() of the rest points that are in contact.
-  const std::vector<int>& contacts() const { return contacts_; }
-  const std::optional<problem::Wall>& wall(Side side) const { return flow_.wall(side); }
+  const std::vector<int>& contact_indices() const { return contacts_; }
+  const std::optional<problem::Wall>& wall(WallSide side) const { return flow_.wall(side); }
 
-  /// The distribution of mass after an impulse, for each rest point of contacts().
-  std::vector<Emission> emissions(const problem::ImpulseLaw& law) const;
+  /// The distribution of mass after an impulse, for each rest point of contact_indices().
+  std::vector<ContactDepartures> departures_from_contacts(const problem::ImpulseLaw& law) const;
 
  private:
   struct Position;  // state of the tracing of a characteristic
   // The characteristics from one wall: their speeds in decreasing order; for each strip the lowest
   // speed, at which the next strip begins; and the indices of the characteristics.
-  struct Fan {
+  struct WallTracks {
     std::vector<double> speeds, below;
     std::vector<int> tracks;
   };
 
-  Fan& fan(Side side) { return side == Side::left ? from_left_ : from_right_; }
-  const Fan& fan(Side side) const { return side == Side::left ? from_left_ : from_right_; }
+  WallTracks& wall_tracks(WallSide side) {
+    return side == WallSide::left ? from_left_ : from_right_;
+  }
+  const WallTracks& wall_tracks(WallSide side) const {
+    return side == WallSide::left ? from_left_ : from_right_;
+  }
   void trace_from_box(int per_cell);
-  void trace_from_wall(Side side, int per_cell);
+  void trace_from_wall(WallSide side, int per_cell);
   void sort_from_walls();
   void trace_through_gaps();
-  Track follow(const State& from, double flux);
-  bool ended() const { return out_of_time_ || visits_.size() > kMostVisits; }
+  Track trace_track(const State& from, double flux);
+  bool must_stop() const { return out_of_time_ || visits_.size() > kMaxVisits; }
   std::optional<int> equilibrium_containing(const State& at) const;
-  void cross(Position& at, const State& to, double time);
-  void land(Side side, double speed, Landing& landing) const;
+  void record_chord_visits(Position& at, const State& to, double time);
+  void set_end_at_wall(WallSide side, double speed, TrackEnd& track_end) const;
   void normalise_areas();
-  void find_landings(std::vector<Track>& tracks) const;
+  void find_track_ends(std::vector<Track>& tracks) const;
 
   const Grid& grid_;
   Deadline deadline_;
@@ -122,10 +127,10 @@ class Characteristics {
   std::vector<RestPoint> rest_;
   std::vector<int> contacts_;
   std::vector<bool> at_rest_;  // for each cell
-  std::vector<Visit> visits_;
+  std::vector<CellVisit> visits_;
   std::vector<double> durations_;  // durations of the visits; used only during construction
   std::vector<Track> from_outside_, from_walls_;
-  Fan from_left_, from_right_;
+  WallTracks from_left_, from_right_;
 };
 
 }  // namespace fpkcheck::fd_fpk

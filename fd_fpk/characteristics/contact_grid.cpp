@@ -22,13 +22,13 @@ constexpr double kContactCore = 0.02;
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
 // The typical speed, which is at least the speed due to half an impulse, even if impulses are rare.
-double typical_contact_speed(const problem::Problem& problem, const problem::Scales& scales) {
+double typical_contact_speed(const problem::Problem& problem, const problem::MotionScales& scales) {
   return std::max(scales.velocity_deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
 
 // Typical distance to an equilibrium to which the motion decays between two impulses.
-double equilibrium_core(const problem::Problem& problem, const problem::Scales& scales,
-                        bool is_at_wall) {
+double equilibrium_core_distance(const problem::Problem& problem,
+                                 const problem::MotionScales& scales, bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
   const double least = is_at_wall ? relative_core_width(scales.velocity_deviation,
                                                         typical_contact_speed(problem, scales))
@@ -37,10 +37,10 @@ double equilibrium_core(const problem::Problem& problem, const problem::Scales& 
 }
 
 bool is_at_wall(const Flow& flow, const RestPoint& point) {
-  const auto is_at = [&](Side side) {
+  const auto is_at = [&](WallSide side) {
     return flow.wall(side) && flow.wall(side)->position == point.y;
   };
-  return is_at(Side::left) || is_at(Side::right);
+  return is_at(WallSide::left) || is_at(WallSide::right);
 }
 
 struct TypicalScales {
@@ -51,7 +51,7 @@ struct TypicalScales {
   double widest = 0;
 };
 
-TypicalScales typical_scales(const problem::Problem& problem, const problem::Scales& scales,
+TypicalScales typical_scales(const problem::Problem& problem, const problem::MotionScales& scales,
                              const Flow& flow) {
   TypicalScales found{.speed = typical_contact_speed(problem, scales),
                       .core_v = kContactCore,
@@ -68,7 +68,7 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Sca
       const double height = slow * slow / (2 * std::abs(flow.force(point.y)));
       found.core_y.push_back(height / kCellWidth);
     } else {
-      const double core = equilibrium_core(problem, scales, is_at_wall(flow, point));
+      const double core = equilibrium_core_distance(problem, scales, is_at_wall(flow, point));
       found.core_y.push_back(core * length);
       found.core_v = std::min(found.core_v, core);
     }
@@ -78,7 +78,7 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Sca
 
 }  // namespace
 
-Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales,
+Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const Box& box) {
   const Flow flow(problem.system);
   const TypicalScales scale = typical_scales(problem, scales, flow);
@@ -108,14 +108,15 @@ Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales
   const auto width_in_v = [&](double v) {
     return part / (1 / scale.speed + 1 / (scale.core_v * scale.speed + v));
   };
-  const auto beyond = [&](Side side) {
+  const auto beyond = [&](WallSide side) {
     return flow.wall(side) ? EndCondition::boundary : EndCondition::vacuum;
   };
-  return symmetric_grid(faces_by_width(anchors, width_in_y), faces_by_width(speeds, width_in_v),
-                        beyond(Side::left), beyond(Side::right));
+  return symmetric_grid(faces_with_local_width(anchors, width_in_y),
+                        faces_with_local_width(speeds, width_in_v), beyond(WallSide::left),
+                        beyond(WallSide::right));
 }
 
-Box initial_contact_box(const problem::Problem& problem, const problem::Scales& scales,
+Box initial_contact_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options) {
   constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
   const Flow flow(problem.system);
@@ -129,8 +130,8 @@ Box initial_contact_box(const problem::Problem& problem, const problem::Scales& 
     lowest = std::min(lowest, accessible_interval.low);
     highest = std::max(highest, accessible_interval.high);
   }
-  const auto& left = flow.wall(Side::left);
-  const auto& right = flow.wall(Side::right);
+  const auto& left = flow.wall(WallSide::left);
+  const auto& right = flow.wall(WallSide::right);
   box.x1_min = left ? left->position : kHigher * lowest;
   box.x1_max = right ? right->position : options.x1_max.value_or(kHigher * highest);
   return box;

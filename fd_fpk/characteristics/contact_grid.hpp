@@ -14,11 +14,11 @@ namespace fpkcheck::fd_fpk {
 /// rest points the widths decrease in proportion to the distance; towards a rest point in contact
 /// the width in y decreases as the square of v. At the minimum width the motion is practically at
 /// rest. All widths are divided by options.refinement.
-Grid contact_grid(const problem::Problem& problem, const problem::Scales& scales,
+Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const Box& box);
 
 /// The box in which the density is computed first; the box is larger than needed.
-Box initial_contact_box(const problem::Problem& problem, const problem::Scales& scales,
+Box initial_contact_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

@@ -14,7 +14,7 @@ class Chain {
   Chain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
         const Deadline& deadline)
       : grid_(grid),
-        jumps_(cell_jumps(grid.x2, problem.impulses.law())),
+        jumps_(cell_jump_matrices(grid.x2, problem.impulses.law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
                          characteristics_per_cell, deadline),
         transport_(characteristics_, problem.impulses.law()),
@@ -63,7 +63,7 @@ class Chain {
   }
 
   const Grid& grid_;
-  CellJumps jumps_;
+  CellJumpMatrices jumps_;
   Characteristics characteristics_;
   TransportOperator transport_;
   SlopeReconstruction slopes_after_, slopes_before_;
@@ -84,7 +84,9 @@ void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
     return d - chain.apply_jump(chain.apply_flow(d)) + after * d.sum();
   };
-  const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) { aggregation.correct(d); };
+  const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
+    aggregation.apply_coarse_correction(d);
+  };
   const auto found =
       gmres(map, correct, defect, Eigen::VectorXd::Ones(after.size()), tolerance / norm, deadline);
   result.iterations += found.iterations;
@@ -98,7 +100,7 @@ void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double
 
 // Number of blocks of the aggregation. If there are many impulses per decay time, the chain
 // converges slowly, and more blocks are required.
-int block_count(const problem::Problem& problem, const problem::Scales& scales) {
+int block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
   return static_cast<int>(std::clamp(kPerImpulse * impulses, 200.0, 1600.0));
@@ -106,22 +108,22 @@ int block_count(const problem::Problem& problem, const problem::Scales& scales) 
 
 }  // namespace
 
-StationaryMasses stationary_masses(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Grid& grid, int characteristics_per_cell,
-                                   const Deadline& deadline) {
+StationaryMasses stationary_masses(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, const Grid& grid,
+                                   int characteristics_per_cell, const Deadline& deadline) {
   Chain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& points = characteristics.rest_points();
-  if (const std::string why = characteristics.failure(); !why.empty()) {
+  if (const std::string why = characteristics.failure_reason(); !why.empty()) {
     return {.masses = std::nullopt,
             .failure = why,
             .visits = static_cast<long>(characteristics.visits().size())};
   }
-  const auto atoms = static_cast<int>(characteristics.contacts().size());
+  const auto atoms = static_cast<int>(characteristics.contact_indices().size());
   Aggregation aggregation(grid, atoms, block_count(problem, scales));
   {
-    const Chain block_chain(problem, aggregation.blocks(), characteristics_per_cell, deadline);
-    if (const std::string why = block_chain.characteristics().failure(); !why.empty()) {
+    const Chain block_chain(problem, aggregation.block_grid(), characteristics_per_cell, deadline);
+    if (const std::string why = block_chain.characteristics().failure_reason(); !why.empty()) {
       return {.masses = std::nullopt, .failure = why};
     }
     aggregation.set_block_chain([&](const Eigen::VectorXd& after) {
@@ -156,7 +158,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem, const proble
     result.at_rest.push_back(mass);
   }
   for (int k = 0; k < atoms; ++k) {
-    result.at_rest[characteristics.contacts()[k]] = masses(grid.size() + k);
+    result.at_rest[characteristics.contact_indices()[k]] = masses(grid.size() + k);
   }
   return result;
 }

@@ -33,8 +33,9 @@ struct StationaryMasses {
 /// according to the first solution. The preconditioner is the embedded chain aggregated to blocks
 /// of cells.
 /// @param deadline time limit for the construction of the characteristics and for GMRES
-StationaryMasses stationary_masses(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Grid& grid, int characteristics_per_cell,
-                                   const Deadline& deadline = Deadline::none());
+StationaryMasses stationary_masses(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, const Grid& grid,
+                                   int characteristics_per_cell,
+                                   const Deadline& deadline = Deadline::unlimited());
 
 }  // namespace fpkcheck::fd_fpk

@@ -24,22 +24,22 @@ double integrated_exponential(double s, double time) {
 
 Flow::Flow(const problem::System& system)
     : system_(system),
-      force_(system.force()),
+      force_(system.restoring_force()),
       tangent_(system.tangent_stiffness()),
       potential_(system.potential()),
       damping_(system.damping_polynomial()),
       damping_slope_(system.damping_polynomial().derivative()),
-      rayleigh_(system.rayleigh()),
+      rayleigh_(system.rayleigh_coefficient()),
       potential_extrema_(problem::sign_changes_between_walls(force_, system)),
       stiffness_extrema_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {}
 
-double Flow::distance(double y, Side side) const {
+double Flow::distance(double y, WallSide side) const {
   return inward_sign(side) * (y - wall(side)->position);
 }
 
-std::optional<Side> Flow::beyond(double y) const {
-  if (system_.left() && y < system_.left()->position) return Side::left;
-  if (system_.right() && y > system_.right()->position) return Side::right;
+std::optional<WallSide> Flow::wall_passed_at(double y) const {
+  if (system_.left_wall() && y < system_.left_wall()->position) return WallSide::left;
+  if (system_.right_wall() && y > system_.right_wall()->position) return WallSide::right;
   return std::nullopt;
 }
 
@@ -47,7 +47,7 @@ double Flow::acceleration(const State& at) const {
   return -(at.v * (damping_(at.y) + rayleigh_ * at.v * at.v) + force_(at.y));
 }
 
-double Flow::contraction(const State& at) const {
+double Flow::contraction_rate(const State& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
@@ -55,14 +55,14 @@ double Flow::contraction(const State& at) const {
 // roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real whenever a step exceeds the stability
 // limit of explicit methods.
 State Flow::advance_overdamped(const State& from, double time) const {
-  const auto [slow, fast, v_slow, v_fast] = modes(from);
+  const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
   return {from.y + v_slow * integrated_exponential(slow, time) +
               v_fast * integrated_exponential(fast, time),
           v_slow * std::exp(slow * time) + v_fast * std::exp(fast * time)};
 }
 
-Flow::Modes Flow::modes(const State& at) const {
-  const double damping = contraction(at);
+Flow::OverdampedModes Flow::overdamped_modes(const State& at) const {
+  const double damping = contraction_rate(at);
   const double stiffness = tangent_(at.y) + at.v * damping_slope_(at.y);
   const double root = std::sqrt(std::max(0.0, damping * damping - 4 * stiffness));
   const double fast = -(damping + root) / 2, slow = -2 * stiffness / (damping + root);
@@ -71,7 +71,7 @@ Flow::Modes Flow::modes(const State& at) const {
 }
 
 State Flow::advance(const State& from, double time) const {
-  if (contraction(from) * time > kStability) {
+  if (contraction_rate(from) * time > kStability) {
     const State full = advance_overdamped(from, time);
     const State halves = advance_overdamped(advance_overdamped(from, time / 2), time / 2);
     return {(4 * halves.y - full.y) / 3, (4 * halves.v - full.v) / 3};
@@ -104,18 +104,18 @@ double Flow::max_step(const State& from, const AccessibleInterval& accessible_in
                                   std::abs(from.v)
                             : kInfinity;
   const double span = std::min({free, kLongest / accessible_interval.frequency, across});
-  const double damping = contraction(from);
+  const double damping = contraction_rate(from);
   if (damping * span <= kStability) return span;
   // The fast mode may change the sign of v and curves the path at the beginning of a step.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
-  const Modes modes = this->modes(from);
+  const OverdampedModes modes = this->overdamped_modes(from);
   const double smooth =
       kDecayed * std::abs(modes.v_slow) / (damping * std::abs(modes.v_fast) + kNone);
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
 // U is monotone between neighbouring extrema, and increases outwards beyond the outermost extrema.
-double Flow::end_of_accessible_interval(double y, double energy, Side side) const {
+double Flow::end_of_accessible_interval(double y, double energy, WallSide side) const {
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
@@ -135,7 +135,7 @@ double Flow::end_of_accessible_interval(double y, double energy, Side side) cons
   };
   const auto count = static_cast<int>(potential_extrema_.size());
   for (int n = 0; n < count; ++n) {
-    const double turn = potential_extrema_[side == Side::left ? count - 1 - n : n];
+    const double turn = potential_extrema_[side == WallSide::left ? count - 1 - n : n];
     if (!passes(turn)) return between(reached, turn);
   }
   if (const auto& end = wall(side)) {
@@ -149,8 +149,8 @@ double Flow::end_of_accessible_interval(double y, double energy, Side side) cons
 AccessibleInterval Flow::accessible_interval(const State& at) const {
   const double level = energy(at);
   AccessibleInterval accessible_interval{
-      .low = end_of_accessible_interval(at.y, level, Side::left),
-      .high = end_of_accessible_interval(at.y, level, Side::right),
+      .low = end_of_accessible_interval(at.y, level, WallSide::left),
+      .high = end_of_accessible_interval(at.y, level, WallSide::right),
       .least_potential = 0,
       .frequency = 0};
   const auto inside = [&](double y) {
@@ -174,7 +174,7 @@ AccessibleInterval Flow::accessible_interval(const State& at) const {
 
 HalfCycle Flow::half_cycle(double speed) const {
   constexpr double kCreeping = 1e-6;
-  const double wall = system_.left()->position;
+  const double wall = system_.left_wall()->position;
   State state{wall, speed};
   HalfCycle half_cycle{.height = 0, .duration = kInfinity};
   double time = 0;
@@ -187,15 +187,15 @@ HalfCycle Flow::half_cycle(double speed) const {
       const double until = span * state.v / (state.v - end.v);
       half_cycle.height = std::max(half_cycle.height, advance(state, until).y - wall);
     }
-    const auto hit = beyond(end.y);
-    if (hit == Side::left) {
-      const double until = impact_time(state, span, Side::left);
+    const auto hit = wall_passed_at(end.y);
+    if (hit == WallSide::left) {
+      const double until = impact_time(state, span, WallSide::left);
       half_cycle.impact_speed = -advance(state, until).v;
       half_cycle.duration = time + until;
       break;
     }
     if (hit) {  // the motion meets the right wall
-      half_cycle.height = system_.right()->position - wall;
+      half_cycle.height = system_.right_wall()->position - wall;
       break;
     }
     time += span;
@@ -204,7 +204,7 @@ HalfCycle Flow::half_cycle(double speed) const {
   return half_cycle;
 }
 
-double Flow::impact_time(const State& from, double time, Side side) const {
+double Flow::impact_time(const State& from, double time, WallSide side) const {
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
   // Initial guess: the time at which the chord of the path meets the wall; half of the time step

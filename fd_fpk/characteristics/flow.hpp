@@ -14,9 +14,9 @@ struct State {
 };
 
 /// The left or the right end of the displacement axis, at which there may be a wall.
-enum class Side { left, right };
+enum class WallSide { left, right };
 /// The sign of the velocity of a motion away from the wall on that side.
-constexpr double inward_sign(Side side) { return side == Side::left ? 1 : -1; }
+constexpr double inward_sign(WallSide side) { return side == WallSide::left ? 1 : -1; }
 
 /// The interval of displacements that a motion with the energy of a state would reach without
 /// losses. Each end of the interval is a turning point or a wall.
@@ -41,17 +41,17 @@ class Flow {
   /// @pre the damping dissipates energy everywhere: f v >= 0
   explicit Flow(const problem::System& system);
 
-  const std::optional<problem::Wall>& wall(Side side) const {
-    return side == Side::left ? system_.left() : system_.right();
+  const std::optional<problem::Wall>& wall(WallSide side) const {
+    return side == WallSide::left ? system_.left_wall() : system_.right_wall();
   }
   /// Distance of the displacement y from the wall; negative behind the wall. @pre the wall exists
-  double distance(double y, Side side) const;
+  double distance(double y, WallSide side) const;
   /// The wall behind which the displacement y is; empty if y is between the walls.
-  std::optional<Side> beyond(double y) const;
+  std::optional<WallSide> wall_passed_at(double y) const;
 
   double acceleration(const State& at) const;
   /// The relative rate at which the flow contracts areas of the phase plane, df/dv (Liouville).
-  double contraction(const State& at) const;
+  double contraction_rate(const State& at) const;
   double force(double y) const { return force_(y); }
   double energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }
   double potential(double y) const { return potential_(y); }
@@ -77,17 +77,17 @@ class Flow {
 
   /// The time after which a flight from the state `from` meets the wall.
   /// @pre the state is behind the wall at the end of `time`
-  double impact_time(const State& from, double time, Side side) const;
+  double impact_time(const State& from, double time, WallSide side) const;
 
  private:
   /// The two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), of the
   /// equation linearised by the tangents of the forces.
-  struct Modes {
+  struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };
-  Modes modes(const State& at) const;
+  OverdampedModes overdamped_modes(const State& at) const;
   State advance_overdamped(const State& from, double time) const;
-  double end_of_accessible_interval(double y, double energy, Side side) const;
+  double end_of_accessible_interval(double y, double energy, WallSide side) const;
 
   problem::System system_;
   numerics::Polynomial force_, tangent_, potential_, damping_, damping_slope_;

@@ -8,23 +8,25 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // The force on the mass at rest, positive towards the wall.
-double force_towards_wall(const Flow& flow, Side side) {
+double force_towards_wall(const Flow& flow, WallSide side) {
   return inward_sign(side) * flow.force(flow.wall(side)->position);
 }
 
 // A half-cycle of small amplitude from the wall, up to the next impact or until the motion is
-// overdamped. The data are the fraction of the time with v < 0, weighted by exp(-rate t), and the
-// impact rate.
-struct SmallMotion {
+// overdamped. The data are the fraction of the time with v < 0, weighted by exp(-impulse_rate t),
+// and the impact rate.
+struct SmallHalfCycle {
   double fraction_below;
   double impact_rate;
 };
-SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate) {
+SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
+                                double impulse_rate) {
   constexpr double kAtRest = 1e-6;
   constexpr int kFiner = 10;  // factor by which steps are shortened
   constexpr long kMostSteps = 20000;
   const double wall = flow.wall(side)->position;
-  const SmallMotion creeping{.fraction_below = side == Side::left ? 1.0 : 0.0, .impact_rate = 0};
+  const SmallHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
+                                .impact_rate = 0};
   State state{wall, inward_sign(side) * speed};
   const double least = flow.potential(wall);
   double below = 0, time = 0;
@@ -33,17 +35,17 @@ SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate)
     if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
     double span = flow.max_step(state, flow.accessible_interval(state)) / kFiner;
     State end = flow.advance(state, span);
-    const bool impact = flow.beyond(end.y) == side;
+    const bool impact = flow.wall_passed_at(end.y) == side;
     if (impact) {
       span = flow.impact_time(state, span, side);
       end = {wall, flow.advance(state, span).v};
     }
     if (state.v + end.v < 0) {
-      below += std::exp(-rate * time) * -std::expm1(-rate * span);
+      below += std::exp(-impulse_rate * time) * -std::expm1(-impulse_rate * span);
     }
     time += span;
     if (impact) {
-      return {.fraction_below = below / -std::expm1(-rate * time), .impact_rate = 1 / time};
+      return {.fraction_below = below / -std::expm1(-impulse_rate * time), .impact_rate = 1 / time};
     }
     state = end;
   }
@@ -52,19 +54,20 @@ SmallMotion small_motion(const Flow& flow, Side side, double speed, double rate)
 
 // Indices of the columns of cells next to y: one column if y is a wall, two columns if y is a face
 // between cells.
-std::vector<int> columns_at(const Axis& axis, double y) {
+std::vector<int> cell_columns_at(const Axis& axis, double y) {
   std::vector<int> columns;
-  for (int i = 0; i < axis.cells(); ++i) {
-    if (axis.face(i) <= y && y <= axis.face(i + 1)) columns.push_back(i);
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    if (axis.face_position(i) <= y && y <= axis.face_position(i + 1)) columns.push_back(i);
   }
   return columns;
 }
 
-void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& point) {
+void assign_cells(const Flow& flow, const Grid& grid, double impulse_rate, RestPoint& point) {
   const int middle = grid.nv() / 2;
-  const double v = grid.x2.face(middle + 1);
-  const auto columns = columns_at(grid.x1, point.y);
-  const double low = grid.x1.face(columns.front()), high = grid.x1.face(columns.back() + 1);
+  const double v = grid.x2.face_position(middle + 1);
+  const auto columns = cell_columns_at(grid.x1, point.y);
+  const double low = grid.x1.face_position(columns.front()),
+               high = grid.x1.face_position(columns.back() + 1);
   const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
   // The escape energy: the smallest energy on the boundary of the innermost cells, without the
   // parts on walls.
@@ -72,8 +75,8 @@ void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& po
   for (const double end : {low, high}) {
     if (end != point.y) point.escape_energy = std::min(point.escape_energy, flow.potential(end));
   }
-  const auto at_wall = [&]() -> std::optional<Side> {
-    for (const Side side : {Side::left, Side::right}) {
+  const auto at_wall = [&]() -> std::optional<WallSide> {
+    for (const WallSide side : {WallSide::left, WallSide::right}) {
       if (flow.wall(side) && flow.wall(side)->position == point.y) return side;
     }
     return std::nullopt;
@@ -81,12 +84,12 @@ void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& po
   double below = 0.5;
   if (at_wall && !point.contact) {
     constexpr double kSmall = 0.1;
-    const auto motion = small_motion(flow, *at_wall, kSmall * v, rate);
+    const auto motion = small_half_cycle(flow, *at_wall, kSmall * v, impulse_rate);
     below = motion.fraction_below;
     point.impact_rate = motion.impact_rate;
   }
   for (const int i : columns) {
-    const double part = grid.x1.width(i) / (high - low);
+    const double part = grid.x1.cell_width(i) / (high - low);
     point.cells.push_back({cell(i, middle - 1), below * part});
     point.cells.push_back({cell(i, middle), (1 - below) * part});
   }
@@ -97,12 +100,12 @@ void assign_cells(const Flow& flow, const Grid& grid, double rate, RestPoint& po
 std::vector<RestPoint> rest_points(const Flow& flow) {
   std::vector<RestPoint> points;
   const auto& potential_extrema = flow.potential_extrema();
-  const auto at_wall = [&](Side side) {
+  const auto at_wall = [&](WallSide side) {
     if (!flow.wall(side)) return;
     const double wall = flow.wall(side)->position, g = force_towards_wall(flow, side);
     // For an equilibrium at a wall, the potential half way to the next extremum determines whether
     // the equilibrium is stable.
-    const double beside = side == Side::left
+    const double beside = side == WallSide::left
                               ? (potential_extrema.empty() ? wall + 1 : potential_extrema.front())
                               : (potential_extrema.empty() ? wall - 1 : potential_extrema.back());
     const bool stable =
@@ -112,24 +115,24 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
     if (g > 0 && flow.wall(side)->restitution < 1) point.contact = side;
     points.push_back(point);
   };
-  at_wall(Side::left);
+  at_wall(WallSide::left);
   for (const double turn : potential_extrema) {
     // At a minimum of U the force g changes sign from - to +.
     const double next = [&] {
       for (const double other : potential_extrema) {
         if (other > turn) return other;
       }
-      return flow.wall(Side::right) ? flow.wall(Side::right)->position : turn + 1;
+      return flow.wall(WallSide::right) ? flow.wall(WallSide::right)->position : turn + 1;
     }();
     if (flow.force((turn + next) / 2) > 0) points.push_back({.y = turn});
   }
-  at_wall(Side::right);
+  at_wall(WallSide::right);
   return points;
 }
 
-std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double rate) {
+std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double impulse_rate) {
   auto points = rest_points(flow);
-  for (RestPoint& point : points) assign_cells(flow, grid, rate, point);
+  for (RestPoint& point : points) assign_cells(flow, grid, impulse_rate, point);
   return points;
 }
 
@@ -139,9 +142,10 @@ double relative_core_width(double deviation, double typical_amplitude) {
   return kCore * ratio * ratio;
 }
 
-Cascade cascade(double speed, double force_towards_wall, double restitution, double rate) {
+ImpactCascade impact_cascade(double speed, double force_towards_wall, double restitution,
+                             double impulse_rate) {
   const double r = restitution;
-  return {.rest_probability = std::exp(-rate * 2 * speed / (force_towards_wall * (1 - r))),
+  return {.rest_probability = std::exp(-impulse_rate * 2 * speed / (force_towards_wall * (1 - r))),
           .momentum = speed / (1 - r),
           .energy = speed * speed / (1 - r * r)};
 }

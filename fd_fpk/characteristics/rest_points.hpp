@@ -20,7 +20,7 @@ struct CellFraction {
 /// stationary law has an atom at the point of contact.
 struct RestPoint {
   double y;
-  std::optional<Side> contact = {};  ///< the wall of the contact; empty for an equilibrium
+  std::optional<WallSide> contact = {};  ///< the wall of the contact; empty for an equilibrium
   /// The innermost cells around the rest point. For an equilibrium, the residual motion about it is
   /// distributed over these cells in proportion to the time spent in each. For contact, motion that
   /// starts in these cells comes to rest.
@@ -32,8 +32,8 @@ struct RestPoint {
 };
 
 /// All rest points of the motion, by increasing y, with their innermost cells.
-/// @param rate arrival rate of impulses, per unit time
-std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double rate);
+/// @param impulse_rate arrival rate of impulses, per unit time
+std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double impulse_rate);
 
 /// All rest points of the motion, by increasing y, without their innermost cells.
 std::vector<RestPoint> rest_points(const Flow& flow);
@@ -43,18 +43,19 @@ std::vector<RestPoint> rest_points(const Flow& flow);
 /// several decay times, the mass at rest is most of the mass, and the standard deviation s and the
 /// mean are small compared with A: s / A is proportional to the square root of the number of
 /// impulses per decay time, mean / A to (s / A)^2. The width of these cells is a thousandth of the
-/// mean, and less than that of the narrowest bins next to 0, 8e-4 s (compare/axes.cpp).
+/// mean, and less than that of the narrowest bins next to 0, 8e-4 s (compare/comparison_axes.cpp).
 double relative_core_width(double deviation, double typical_amplitude);
 
 /// The cascade of impacts with which a motion off a wall comes to rest in contact. The acceleration
 /// a towards the wall is nearly constant. For an initial speed u the impact speeds are r^n u, n =
 /// 0, 1, .., and the total time is 2 u / (a (1 - r)).
-struct Cascade {
+struct ImpactCascade {
   double rest_probability;  ///< probability that the motion comes to rest before the next impulse
   double momentum;          ///< sum of the impact speeds over all impacts
   double energy;            ///< sum of the squared impact speeds over all impacts
 };
 /// @param force_towards_wall the acceleration towards the wall, > 0
-Cascade cascade(double speed, double force_towards_wall, double restitution, double rate);
+ImpactCascade impact_cascade(double speed, double force_towards_wall, double restitution,
+                             double impulse_rate);
 
 }  // namespace fpkcheck::fd_fpk

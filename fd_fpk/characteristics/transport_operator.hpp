@@ -17,7 +17,7 @@ struct ImpactSums {
 };
 struct WallImpacts {
   ImpactSums left, right;
-  ImpactSums& at(Side side) { return side == Side::left ? left : right; }
+  ImpactSums& sums_at(WallSide side) { return side == WallSide::left ? left : right; }
 };
 
 /// The transport operator p = T q. T maps the density q of the state after an impulse to the
@@ -38,7 +38,8 @@ class TransportOperator {
  public:
   /// @param characteristics,law must outlive the operator
   TransportOperator(const Characteristics& characteristics, const problem::ImpulseLaw& law)
-      : characteristics_(characteristics), emissions_(characteristics.emissions(law)) {}
+      : characteristics_(characteristics),
+        departures_from_contacts_(characteristics.departures_from_contacts(law)) {}
 
   /// @param masses of the density q
   /// @param slopes of q
@@ -47,7 +48,7 @@ class TransportOperator {
 
  private:
   const Characteristics& characteristics_;
-  std::vector<Emission> emissions_;
+  std::vector<ContactDepartures> departures_from_contacts_;
 };
 
 }  // namespace fpkcheck::fd_fpk

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fd_fpk/linear/captured_exception.hpp"
+#include "fd_fpk/linear/callback_exception.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -10,29 +10,29 @@ namespace {
 
 using namespace sundials_owned;
 
-struct GmresCallbacks {
+struct GmresCallbackData {
   const LinearMap& a;
   const ApproximateSolve& approximate_solve;
   const Deadline& deadline;
   bool deadline_exceeded = false;
-  CapturedException thrown = {};
+  CallbackException thrown = {};
 };
 
 int times(void* data, N_Vector v, N_Vector z) {
-  auto& callbacks = *static_cast<GmresCallbacks*>(data);
+  auto& callbacks = *static_cast<GmresCallbackData*>(data);
   return callbacks.thrown.invoke([&] {
     callbacks.deadline_exceeded = callbacks.deadline.has_passed();
-    if (callbacks.deadline_exceeded) return CapturedException::kUnrecoverable;
-    view(z) = callbacks.a(view(v));
+    if (callbacks.deadline_exceeded) return CallbackException::kUnrecoverable;
+    vector_view(z) = callbacks.a(vector_view(v));
     return 0;
   });
 }
 
 int precondition(void* data, N_Vector r, N_Vector z, sunrealtype, int) {
-  auto& callbacks = *static_cast<GmresCallbacks*>(data);
+  auto& callbacks = *static_cast<GmresCallbackData*>(data);
   return callbacks.thrown.invoke([&] {
-    view(z) = view(r);
-    callbacks.approximate_solve(view(z));
+    vector_view(z) = vector_view(r);
+    callbacks.approximate_solve(vector_view(z));
     return 0;
   });
 }
@@ -45,20 +45,21 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
   QuietContext context;
-  GmresCallbacks callbacks{a, approximate_solve, deadline};
+  GmresCallbackData callbacks{a, approximate_solve, deadline};
   const auto x = make_vector(Eigen::VectorXd::Zero(b.size()), context);
   const auto right = make_vector(b, context);
   const auto scale = make_vector(weights, context);
   const auto solver =
       make_owned(SUNLinSol_SPGMR(x.get(), SUN_PREC_RIGHT, kBasis, context), "a GMRES solver");
-  check(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts), "SUNLinSol_SPGMRSetMaxRestarts");
-  check(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
-  check(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),
-        "SUNLinSolSetPreconditioner");
-  check(SUNLinSolSetScalingVectors(solver.get(), scale.get(), scale.get()),
-        "SUNLinSolSetScalingVectors");
-  check(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
-  check(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
+  require_success(SUNLinSol_SPGMRSetMaxRestarts(solver.get(), kRestarts),
+                  "SUNLinSol_SPGMRSetMaxRestarts");
+  require_success(SUNLinSolSetATimes(solver.get(), &callbacks, times), "SUNLinSolSetATimes");
+  require_success(SUNLinSolSetPreconditioner(solver.get(), &callbacks, nullptr, precondition),
+                  "SUNLinSolSetPreconditioner");
+  require_success(SUNLinSolSetScalingVectors(solver.get(), scale.get(), scale.get()),
+                  "SUNLinSolSetScalingVectors");
+  require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
+  require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
   // A Krylov basis loses its orthogonality before the residual has fallen by much more than
   // kReduction. Further iterations then give no reduction on fine grids, so the solve restarts.
   constexpr double kReduction = 1e-7;
@@ -66,8 +67,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
   GmresResult result{std::nullopt};
   int flag = kSuccess;
   for (double reached = 1; reached > tolerance;) {
-    check(SUNLinSolSetZeroGuess(solver.get(), reached == 1 ? SUNTRUE : SUNFALSE),
-          "SUNLinSolSetZeroGuess");
+    require_success(SUNLinSolSetZeroGuess(solver.get(), reached == 1 ? SUNTRUE : SUNFALSE),
+                    "SUNLinSolSetZeroGuess");
     reached = std::max(tolerance, kReduction * reached);
     flag = SUNLinSolSolve(solver.get(), nullptr, x.get(), right.get(), reached * norm);
     callbacks.thrown.rethrow();
@@ -80,8 +81,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
     return result;
   }
   const bool reduced = flag == kSuccess || flag == SUNLS_RES_REDUCED;
-  if (reduced && view(x.get()).allFinite()) {
-    result.solution = view(x.get());
+  if (reduced && vector_view(x.get()).allFinite()) {
+    result.solution = vector_view(x.get());
   } else {
     result.failure =
         fmt::format("GMRES did not converge in {} iterations (flag {})", result.iterations, flag);

@@ -25,6 +25,6 @@ struct GmresResult {
 /// `a` and `approximate_solve`
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                   const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
-                  const Deadline& deadline = Deadline::none());
+                  const Deadline& deadline = Deadline::unlimited());
 
 }  // namespace fpkcheck::fd_fpk

@@ -4,21 +4,21 @@
 
 #include <stdexcept>
 
-#include "fd_fpk/linear/orderings.hpp"
+#include "fd_fpk/linear/fill_reducing_ordering.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
 
 // The three arrays of a sparse matrix, as arguments for KLU. The interface of KLU is not
 // const-correct, but KLU does not modify them.
-struct Arrays {
-  SparseColumns::StorageIndex* columns;
-  SparseColumns::StorageIndex* rows;
+struct MatrixArrays {
+  SparseColumnMatrix::StorageIndex* columns;
+  SparseColumnMatrix::StorageIndex* rows;
   double* values;
 
-  explicit Arrays(const SparseColumns& matrix)
-      : columns(const_cast<SparseColumns::StorageIndex*>(matrix.outerIndexPtr())),
-        rows(const_cast<SparseColumns::StorageIndex*>(matrix.innerIndexPtr())),
+  explicit MatrixArrays(const SparseColumnMatrix& matrix)
+      : columns(const_cast<SparseColumnMatrix::StorageIndex*>(matrix.outerIndexPtr())),
+        rows(const_cast<SparseColumnMatrix::StorageIndex*>(matrix.innerIndexPtr())),
         values(const_cast<double*>(matrix.valuePtr())) {}
 };
 
@@ -46,13 +46,13 @@ KluFactorisation::~KluFactorisation() = default;
 KluFactorisation::KluFactorisation(KluFactorisation&&) noexcept = default;
 KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = default;
 
-bool KluFactorisation::factor(const SparseColumns& matrix) {
+bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
   if (refactor(matrix)) return true;
-  const Arrays arrays(matrix);
+  const MatrixArrays arrays(matrix);
   auto& [common, symbolic, numeric] = *handles_;
   klu_l_free_numeric(&numeric, &common);
   if (symbolic == nullptr) {
-    auto found = ordering(matrix);
+    auto found = fill_reducing_ordering(matrix);
     symbolic = found.empty() ? klu_l_analyze(matrix.cols(), arrays.columns, arrays.rows, &common)
                              : klu_l_analyze_given(matrix.cols(), arrays.columns, arrays.rows,
                                                    found.data(), found.data(), &common);
@@ -65,11 +65,11 @@ bool KluFactorisation::factor(const SparseColumns& matrix) {
 
 // Factors the matrix with the pivots of the last factorisation. Returns false if there was no
 // factorisation, or if the pivot growth makes the factors inaccurate.
-bool KluFactorisation::refactor(const SparseColumns& matrix) {
+bool KluFactorisation::refactor(const SparseColumnMatrix& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;
   if (numeric == nullptr) return false;
-  const Arrays arrays(matrix);
+  const MatrixArrays arrays(matrix);
   return klu_l_refactor(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
          common.status == KLU_OK &&
          klu_l_rgrowth(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
@@ -83,12 +83,12 @@ void KluFactorisation::solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const {
   }
 }
 
-long KluFactorisation::entries() const {
+long KluFactorisation::factor_entry_count() const {
   const auto* numeric = handles_->numeric;
   return numeric == nullptr ? 0 : static_cast<long>(numeric->lnz + numeric->unz);
 }
 
-std::string KluFactorisation::failure() const {
+std::string KluFactorisation::failure_reason() const {
   if (handles_->numeric != nullptr && handles_->common.status == KLU_OK) return "";
   switch (handles_->common.status) {
     case KLU_OUT_OF_MEMORY:

@@ -20,18 +20,18 @@ class KluFactorisation {
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
   /// Factors `matrix`. Returns false on failure; then solve_in_place must not be called.
-  bool factor(const SparseColumns& matrix);
+  bool factorise(const SparseColumnMatrix& matrix);
   /// The reason why the factorisation failed, and what to do; empty after a success.
-  std::string failure() const;
+  std::string failure_reason() const;
   /// Number of entries of both triangular factors.
-  long entries() const;
+  long factor_entry_count() const;
 
   /// Replaces b by the solution x of A x = b.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
   struct Handles;
-  bool refactor(const SparseColumns& matrix);
+  bool refactor(const SparseColumnMatrix& matrix);
   std::unique_ptr<Handles> handles_;
 };
 

@@ -2,27 +2,27 @@
 
 #include <cmath>
 
-#include "fd_fpk/linear/captured_exception.hpp"
+#include "fd_fpk/linear/callback_exception.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 // Data that the callbacks of CVODE use; a member of LinearCvode::Handles.
-struct Callbacks {
-  LinearSystem system;
+struct CvodeCallbackData {
+  LinearOdeSystem system;
   std::string message = {};
-  CapturedException thrown = {};
+  CallbackException thrown = {};
 };
 
 namespace {
 
 using namespace sundials_owned;
 
-Callbacks& callbacks_in(void* data) { return *static_cast<Callbacks*>(data); }
+CvodeCallbackData& callbacks_in(void* data) { return *static_cast<CvodeCallbackData*>(data); }
 
-int write_product(Callbacks& callbacks, N_Vector v, N_Vector lv) {
+int write_product(CvodeCallbackData& callbacks, N_Vector v, N_Vector lv) {
   return callbacks.thrown.invoke([&] {
-    view(lv) = callbacks.system.times(view(v));
+    vector_view(lv) = callbacks.system.times(vector_view(v));
     return 0;
   });
 }
@@ -40,15 +40,15 @@ int factor(sunrealtype, N_Vector, N_Vector, sunbooleantype, sunbooleantype* curr
   auto& callbacks = callbacks_in(data);
   *current = SUNTRUE;
   return callbacks.thrown.invoke(
-      [&] { return callbacks.system.factor(gamma) ? 0 : CapturedException::kUnrecoverable; });
+      [&] { return callbacks.system.factor(gamma) ? 0 : CallbackException::kUnrecoverable; });
 }
 
 int precondition(sunrealtype, N_Vector, N_Vector, N_Vector r, N_Vector z, sunrealtype, sunrealtype,
                  int, void* data) {
   auto& callbacks = callbacks_in(data);
   return callbacks.thrown.invoke([&] {
-    view(z) = view(r);
-    callbacks.system.solve(view(z));
+    vector_view(z) = vector_view(r);
+    callbacks.system.solve(vector_view(z));
     return 0;
   });
 }
@@ -63,14 +63,14 @@ void store_message(const char* function, const char* text, void* data) {
 
 }  // namespace
 
-LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner) {
+LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner) {
   return {.times = [&op](const Eigen::VectorXd& p) { return op * p; },
-          .factor = [&preconditioner](double gamma) { return preconditioner.factor(gamma); },
+          .factor = [&preconditioner](double gamma) { return preconditioner.factorise(gamma); },
           .solve = [&preconditioner](
                        Eigen::Ref<Eigen::VectorXd> b) { preconditioner.solve_in_place(b); }};
 }
 
-LinearSystem with_deadline(const Deadline& deadline, LinearSystem system) {
+LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system) {
   system.times = [&deadline, times = std::move(system.times)](const Eigen::VectorXd& p) {
     if (deadline.has_passed()) throw DeadlineExceeded();
     return times(p);
@@ -80,12 +80,12 @@ LinearSystem with_deadline(const Deadline& deadline, LinearSystem system) {
 
 struct LinearCvode::Handles {
   QuietContext context;
-  Callbacks callbacks;
+  CvodeCallbackData callbacks;
   Owned<N_Vector> averages;
   Owned<SUNLinearSolver> gmres;
   Owned<void*> cvode;
 
-  Handles(LinearSystem system, const Eigen::VectorXd& start)
+  Handles(LinearOdeSystem system, const Eigen::VectorXd& start)
       : callbacks{std::move(system)},
         averages(make_vector(start, context)),
         gmres(make_owned(SUNLinSol_SPGMR(averages.get(), SUN_PREC_RIGHT, 100, context),
@@ -95,48 +95,51 @@ struct LinearCvode::Handles {
   using Count = int(void* cvode, long* count);
   long count(Count get, const char* call) const {
     long number = 0;
-    check(get(cvode.get(), &number), call);
+    require_success(get(cvode.get(), &number), call);
     return number;
   }
 };
 
-LinearCvode::LinearCvode(LinearSystem system, const Eigen::VectorXd& start,
+LinearCvode::LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start,
                          const BdfControl& control)
     : handles_(std::make_unique<Handles>(std::move(system), start)) {
   void* const cvode = handles_->cvode.get();
   void* const data = &handles_->callbacks;
-  check(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
+  require_success(CVodeInit(cvode, right_hand_side, 0.0, handles_->averages.get()), "CVodeInit");
   set_error_handler<store_message>(cvode, handles_->context, data);
-  check(CVodeSetUserData(cvode, data), "CVodeSetUserData");
+  require_success(CVodeSetUserData(cvode, data), "CVodeSetUserData");
   if (const auto& of_cells = control.absolute_tolerances) {
     const Owned<N_Vector> tolerances =
         make_vector(*of_cells, handles_->context);  // CVODE copies it
-    check(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
-          "CVodeSVtolerances");
+    require_success(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
+                    "CVodeSVtolerances");
   } else {
-    check(CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
-          "CVodeSStolerances");
+    require_success(
+        CVodeSStolerances(cvode, control.relative_tolerance, control.absolute_tolerance),
+        "CVodeSStolerances");
   }
-  check(CVodeSetMaxOrd(cvode, control.max_order), "CVodeSetMaxOrd");
-  check(CVodeSetLinearSolver(cvode, handles_->gmres.get(), nullptr), "CVodeSetLinearSolver");
-  check(CVodeSetJacTimes(cvode, nullptr, times), "CVodeSetJacTimes");
-  check(CVodeSetPreconditioner(cvode, factor, precondition), "CVodeSetPreconditioner");
-  check(CVodeSetEpsLin(cvode, control.linear_tolerance), "CVodeSetEpsLin");
+  require_success(CVodeSetMaxOrd(cvode, control.max_order), "CVodeSetMaxOrd");
+  require_success(CVodeSetLinearSolver(cvode, handles_->gmres.get(), nullptr),
+                  "CVodeSetLinearSolver");
+  require_success(CVodeSetJacTimes(cvode, nullptr, times), "CVodeSetJacTimes");
+  require_success(CVodeSetPreconditioner(cvode, factor, precondition), "CVodeSetPreconditioner");
+  require_success(CVodeSetEpsLin(cvode, control.linear_tolerance), "CVodeSetEpsLin");
   if (const auto& step = control.first_step)
-    check(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
-  if (const auto& step = control.max_step) check(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
+    require_success(CVodeSetInitStep(cvode, *step), "CVodeSetInitStep");
+  if (const auto& step = control.max_step)
+    require_success(CVodeSetMaxStep(cvode, *step), "CVodeSetMaxStep");
   if (const auto& growth = control.step_growth) {
-    check(CVodeSetEtaMaxFirstStep(cvode, *growth), "CVodeSetEtaMaxFirstStep");
-    check(CVodeSetEtaMaxEarlyStep(cvode, *growth), "CVodeSetEtaMaxEarlyStep");
-    check(CVodeSetEtaMax(cvode, *growth), "CVodeSetEtaMax");
+    require_success(CVodeSetEtaMaxFirstStep(cvode, *growth), "CVodeSetEtaMaxFirstStep");
+    require_success(CVodeSetEtaMaxEarlyStep(cvode, *growth), "CVodeSetEtaMaxEarlyStep");
+    require_success(CVodeSetEtaMax(cvode, *growth), "CVodeSetEtaMax");
   }
   if (const auto& time = control.stop_time)
-    check(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
+    require_success(CVodeSetStopTime(cvode, *time), "CVodeSetStopTime");
   if (const auto& steps = control.max_steps) {
-    check(CVodeSetMaxNumSteps(cvode, *steps), "CVodeSetMaxNumSteps");
+    require_success(CVodeSetMaxNumSteps(cvode, *steps), "CVodeSetMaxNumSteps");
   }
   if (const auto& steps = control.steps_per_factorisation) {
-    check(CVodeSetLSetupFrequency(cvode, *steps), "CVodeSetLSetupFrequency");
+    require_success(CVodeSetLSetupFrequency(cvode, *steps), "CVodeSetLSetupFrequency");
   }
 }
 
@@ -150,27 +153,29 @@ LinearCvode::StepResult LinearCvode::run(double time, int task) {
 }
 
 void LinearCvode::set_linear_tolerance(double tolerance) {
-  check(CVodeSetEpsLin(handles_->cvode.get(), tolerance), "CVodeSetEpsLin");
+  require_success(CVodeSetEpsLin(handles_->cvode.get(), tolerance), "CVodeSetEpsLin");
 }
 
-LinearCvode::StepResult LinearCvode::step() { return run(HUGE_VAL, CV_ONE_STEP); }
+LinearCvode::StepResult LinearCvode::take_step() { return run(HUGE_VAL, CV_ONE_STEP); }
 LinearCvode::StepResult LinearCvode::advance(double time) { return run(time, CV_NORMAL); }
 
 Eigen::Map<const Eigen::VectorXd> LinearCvode::averages() const {
-  const auto all = view(handles_->averages.get());
+  const auto all = vector_view(handles_->averages.get());
   return {all.data(), all.size()};
 }
 
-const std::string& LinearCvode::message() const { return handles_->callbacks.message; }
+const std::string& LinearCvode::error_message() const { return handles_->callbacks.message; }
 
-long LinearCvode::steps() const { return handles_->count(CVodeGetNumSteps, "CVodeGetNumSteps"); }
-long LinearCvode::factorisations() const {
+long LinearCvode::step_count() const {
+  return handles_->count(CVodeGetNumSteps, "CVodeGetNumSteps");
+}
+long LinearCvode::factorisation_count() const {
   return handles_->count(CVodeGetNumPrecEvals, "CVodeGetNumPrecEvals");
 }
-long LinearCvode::rhs_evaluations() const {
+long LinearCvode::rhs_evaluation_count() const {
   return handles_->count(CVodeGetNumRhsEvals, "CVodeGetNumRhsEvals");
 }
-long LinearCvode::krylov_iterations() const {
+long LinearCvode::krylov_iteration_count() const {
   return handles_->count(CVodeGetNumLinIters, "CVodeGetNumLinIters");
 }
 

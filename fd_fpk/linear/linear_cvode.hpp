@@ -13,14 +13,14 @@ namespace fpkcheck::fd_fpk {
 
 /// The linear system dP/dt = L P: products with L, and approximate solutions of systems
 /// with I - gamma L.
-struct LinearSystem {
+struct LinearOdeSystem {
   LinearMap times;  ///< returns L P
   /// factors I - gamma L for `solve`; returns false on failure
   std::function<bool(double gamma)> factor;
   ApproximateSolve solve;  ///< solves with the gamma of the last call of `factor`
 };
 /// @param op,preconditioner must outlive the returned system
-LinearSystem linear_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
+LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
 
 /// Exception that a product throws after the deadline, inside a time step. Products must check the
 /// deadline, because one time step may contain many products.
@@ -28,7 +28,7 @@ struct DeadlineExceeded {};
 
 /// The given system, with products that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
-LinearSystem with_deadline(const Deadline& deadline, LinearSystem system);
+LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system);
 
 /// Settings of CVODE's step control. For absent values the defaults of CVODE hold.
 struct BdfControl {
@@ -56,33 +56,33 @@ struct BdfControl {
 class LinearCvode {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
-  LinearCvode(LinearSystem system, const Eigen::VectorXd& start, const BdfControl& control);
+  LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start, const BdfControl& control);
   ~LinearCvode();
   LinearCvode(const LinearCvode&) = delete;
   LinearCvode& operator=(const LinearCvode&) = delete;
 
   struct StepResult {
-    int flag;  ///< flag of CVODE; negative if CVODE stopped, see message()
+    int flag;  ///< flag of CVODE; negative if CVODE stopped, see error_message()
     double time;
   };
   /// Sets BdfControl::linear_tolerance from the next step on.
   void set_linear_tolerance(double tolerance);
   /// Takes one internal step of CVODE.
   /// @throws every exception of the system
-  StepResult step();
+  StepResult take_step();
   /// Advances to `time`; the averages at this time are interpolated.
   /// @throws every exception of the system
   StepResult advance(double time);
 
   Eigen::Map<const Eigen::VectorXd> averages() const;
   /// The last error message that CVODE reported.
-  const std::string& message() const;
+  const std::string& error_message() const;
 
   /// Counters of CVODE since the initial time.
-  long steps() const;
-  long factorisations() const;
-  long rhs_evaluations() const;
-  long krylov_iterations() const;
+  long step_count() const;
+  long factorisation_count() const;
+  long rhs_evaluation_count() const;
+  long krylov_iteration_count() const;
 
  private:
   struct Handles;

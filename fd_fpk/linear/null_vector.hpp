@@ -23,7 +23,8 @@ struct NullVector {
 /// the singular system is consistent at every step.
 /// @param deadline time limit of the GMRES iteration
 NullVector null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                       const Eigen::VectorXd& start, const Deadline& deadline = Deadline::none());
+                       const Eigen::VectorXd& start,
+                       const Deadline& deadline = Deadline::unlimited());
 
 /// The null vector with mass 1 by inverse iteration with KLU factors of the whole matrix L. For
 /// unstable operators, which no simple preconditioner approximates. A solver that does not test

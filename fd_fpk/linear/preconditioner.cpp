@@ -21,11 +21,11 @@ constexpr int kOrder = 3;
 // the diffusion coefficient is therefore limited such that these waves decay at about
 // exchange_rate. The drift, with which impulses of nonzero mean keep the oscillator off the wall,
 // is limited only if the rate of the drift for these waves is many times exchange_rate.
-Excitation local_approximation(const Excitation& excitation, const Axis& x2) {
+Excitation drift_diffusion_approximation(const Excitation& excitation, const Axis& x2) {
   constexpr double kOvershoot = 1.5;
-  const double step = x2.smallest_width();
+  const double step = x2.smallest_cell_width();
   // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger values.
-  const double overshoot_of_drift = x2.widths().maxCoeff() > 1.5 * step ? 3 : 10;
+  const double overshoot_of_drift = x2.cell_widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
   const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;
   return {.drift = excitation.drift + std::clamp(excitation.exchange_drift, -fastest, fastest),
@@ -47,18 +47,18 @@ Preconditioner::Preconditioner(const problem::System& system, double loss,
                                const Grid& grid, int order)
     : loss_(loss) {
   const bool centred = order % 2 == 0;
-  approximation_ =
-      scale_and_shift(1,
-                      fokker_planck_operator(system, local_approximation(excitation, grid.x2),
-                                             impact, grid, centred ? order : kOrder,
-                                             centred ? Weighting::full : Weighting::lumped)
-                          .local,
-                      -loss);
+  approximation_ = scale_and_shift(
+      1,
+      fokker_planck_operator(system, drift_diffusion_approximation(excitation, grid.x2), impact,
+                             grid, centred ? order : kOrder,
+                             centred ? ProductAveraging::full : ProductAveraging::lumped)
+          .local,
+      -loss);
 }
 
-bool Preconditioner::factor_with_klu(const SparseColumns& matrix) {
+bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
   const Stopwatch stopwatch;
-  const bool succeeded = klu_.factor(matrix);
+  const bool succeeded = klu_.factorise(matrix);
   are_stationary_ = &matrix == &approximation_;
   matrix_scale_ = 1;
   ++factorisations_;
@@ -66,7 +66,7 @@ bool Preconditioner::factor_with_klu(const SparseColumns& matrix) {
   return succeeded;
 }
 
-bool Preconditioner::factor(double gamma) {
+bool Preconditioner::factorise(double gamma) {
   constexpr double kLong = 3;  // decay times
   if (are_stationary_ && gamma * loss_ >= kLong) {
     matrix_scale_ = -gamma;

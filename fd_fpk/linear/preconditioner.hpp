@@ -24,33 +24,33 @@ class Preconditioner {
   /// not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss rate of the mass loss: problem::Scales::slowest_decay_rate, if known
+  /// @param loss rate of the mass loss: problem::MotionScales::slowest_decay_rate, if known
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M. Returns false on failure; see failure(). If gamma is much longer than the
-  /// slowest decay time, I - gamma M is nearly -gamma M. Directly after factor_stationary() the
-  /// factors of M are then reused, and GMRES corrects for the difference.
-  bool factor(double gamma);
-  /// Factors M. Returns false on failure; see failure().
+  /// Factors I - gamma M. Returns false on failure; see failure_reason(). If gamma is much longer
+  /// than the slowest decay time, I - gamma M is nearly -gamma M. Directly after
+  /// factor_stationary() the factors of M are then reused, and GMRES corrects for the difference.
+  bool factorise(double gamma);
+  /// Factors M. Returns false on failure; see failure_reason().
   bool factor_stationary();
-  std::string failure() const { return klu_.failure(); }
+  std::string failure_reason() const { return klu_.failure_reason(); }
 
-  long factorisations() const { return factorisations_; }  ///< number of factorisations so far
+  long factorisation_count() const { return factorisations_; }  ///< number of factorisations so far
   /// Total time of the factorisations, in seconds.
   double factor_seconds() const { return factor_seconds_; }
   /// Number of entries of both triangular factors.
-  long entries() const { return klu_.entries(); }
+  long factor_entry_count() const { return klu_.factor_entry_count(); }
 
   /// Replaces the right-hand side b by the solution of the factored system.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:
-  bool factor_with_klu(const SparseColumns& matrix);
+  bool factor_with_klu(const SparseColumnMatrix& matrix);
 
   double loss_;
-  SparseColumns approximation_;  // the matrix M, with all diagonal entries stored
-  SparseColumns factored_;
+  SparseColumnMatrix approximation_;  // the matrix M, with all diagonal entries stored
+  SparseColumnMatrix factored_;
   KluFactorisation klu_;
   bool are_stationary_ = false;  // whether the factors are those of M
   double matrix_scale_ = 1;      // the requested matrix is this multiple of the factored matrix

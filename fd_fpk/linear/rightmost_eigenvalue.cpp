@@ -28,14 +28,15 @@ constexpr double kSame = 1e-7;
 // The linear operator (L - sigma)^-1, by KLU factors of L - sigma.
 class ShiftedInverse {
  public:
-  explicit ShiftedInverse(SparseColumns matrix) : matrix_(std::move(matrix)) {}
+  explicit ShiftedInverse(SparseColumnMatrix matrix) : matrix_(std::move(matrix)) {}
 
   Eigen::Index size() const { return matrix_.rows(); }
 
   void set_shift(double sigma) {
     // The pattern of nonzeros must not depend on the shift, since KLU reuses the ordering.
     ++factorisations_;
-    if (!klu_.factor(scale_and_shift(1, matrix_, -sigma))) throw std::runtime_error(klu_.failure());
+    if (!klu_.factorise(scale_and_shift(1, matrix_, -sigma)))
+      throw std::runtime_error(klu_.failure_reason());
     sigma_ = sigma;
   }
   double shift() const { return sigma_; }
@@ -45,11 +46,11 @@ class ShiftedInverse {
     ++solves_;
   }
 
-  long factorisations() const { return factorisations_; }
+  long factorisation_count() const { return factorisations_; }
   long solves() const { return solves_; }
 
  private:
-  SparseColumns matrix_;
+  SparseColumnMatrix matrix_;
   KluFactorisation klu_;
   double sigma_ = 0;
   long factorisations_ = 0;
@@ -57,14 +58,14 @@ class ShiftedInverse {
 };
 
 // The spectral transform T = constant + factor (L - sigma)^-1, in the interface of Spectra.
-class Transform {
+class SpectralTransform {
  public:
   using Scalar = double;
 
   /// Constructs the transform T = (L - sigma)^-1.
-  explicit Transform(const ShiftedInverse& inverse) : Transform(inverse, 0, 1) {}
+  explicit SpectralTransform(const ShiftedInverse& inverse) : SpectralTransform(inverse, 0, 1) {}
   /// Returns the Cayley transform T = C = 1 + 2 (sigma - m) (L - sigma)^-1.
-  static Transform cayley(const ShiftedInverse& inverse, double m) {
+  static SpectralTransform cayley(const ShiftedInverse& inverse, double m) {
     return {inverse, 1, 2 * (inverse.shift() - m)};
   }
 
@@ -84,7 +85,7 @@ class Transform {
   }
 
  private:
-  Transform(const ShiftedInverse& inverse, double constant, double factor)
+  SpectralTransform(const ShiftedInverse& inverse, double constant, double factor)
       : inverse_(inverse), constant_(constant), factor_(factor) {}
 
   const ShiftedInverse& inverse_;
@@ -99,8 +100,8 @@ struct EigenPairs {
 
 // Those of the `count` eigenpairs of L with the largest eigenvalues of the transform that have
 // converged.
-EigenPairs largest_eigenpairs(Transform& transform, int count, long restarts) {
-  Spectra::GenEigsSolver<Transform> solver(transform, count, kBasis);
+EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long restarts) {
+  Spectra::GenEigsSolver<SpectralTransform> solver(transform, count, kBasis);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
   EigenPairs pairs{{}, solver.eigenvectors()};
@@ -157,7 +158,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   constexpr double kLeftOfLast = 0.05;
   constexpr double kFastest = 8;
   constexpr int kMostTests = 4;
-  ShiftedInverse inverse(op.assembled());
+  ShiftedInverse inverse(op.assembled_matrix());
   RightmostEigenvalues result;
   try {
     const double unit = std::max(growth, frequency);
@@ -165,7 +166,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
     // eigenvalues have the order of the real parts.
     const double width = std::max(growth, kFastest * frequency);
     inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
-    Transform nearest(inverse);
+    SpectralTransform nearest(inverse);
     EigenPairs found =
         merge_by_real_part(largest_eigenpairs(nearest, kNearest, kRestarts), {}, unit);
     if (static_cast<int>(found.values.size()) <= count) {
@@ -183,7 +184,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
       const double next = found.values[count].real();
       const double m = std::max((last + next) / 2, last - kLeftOfLast * unit);
       inverse.set_shift(m + width);
-      Transform cayley = Transform::cayley(inverse, m);
+      SpectralTransform cayley = SpectralTransform::cayley(inverse, m);
       const EigenPairs right =
           largest_eigenpairs(cayley, count_with_conjugates(found, count) + kSpare, kTestRestarts);
       const EigenPairs all = merge_by_real_part(found, right, unit);
@@ -203,7 +204,7 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   } catch (const std::exception& error) {
     result.failure = error.what();
   }
-  result.factorisations = inverse.factorisations();
+  result.factorisations = inverse.factorisation_count();
   result.solves = inverse.solves();
   return result;
 }

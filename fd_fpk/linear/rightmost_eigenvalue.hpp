@@ -38,7 +38,7 @@ struct RightmostEigenvalues {
 /// growth rates or frequencies and decays hardly more slowly than the values found.
 ///
 /// @param growth expected rightmost real part: the largest rate of the excitation's symbol,
-/// largest_growth, or 0 for a stable excitation
+/// fastest_growing_wave, or 0 for a stable excitation
 /// @param frequency frequency of the oscillator, sqrt(k_eq), the unit of rates
 RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, double growth,
                                            double frequency, int count);

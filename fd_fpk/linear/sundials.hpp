@@ -51,7 +51,7 @@ Owned<Handle> make_owned(Handle handle, const char* name) {
 }
 
 /// @throws std::runtime_error when `flag` is negative
-inline void check(int flag, const char* call) {
+inline void require_success(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
 }
 
@@ -63,15 +63,15 @@ void set_error_handler([[maybe_unused]] void* cvode, [[maybe_unused]] QuietConte
   const SUNErrHandlerFn forward = [](int, const char* function, const char*, const char* text,
                                      SUNErrCode, void* handed,
                                      SUNContext) { handler(function, text, handed); };
-  check(SUNContext_PushErrHandler(context, forward, data), "SUNContext_PushErrHandler");
+  require_success(SUNContext_PushErrHandler(context, forward, data), "SUNContext_PushErrHandler");
 #else
   const CVErrHandlerFn forward = [](int, const char*, const char* function, char* text,
                                     void* handed) { handler(function, text, handed); };
-  check(CVodeSetErrHandlerFn(cvode, forward, data), "CVodeSetErrHandlerFn");
+  require_success(CVodeSetErrHandlerFn(cvode, forward, data), "CVodeSetErrHandlerFn");
 #endif
 }
 
-inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
+inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
@@ -80,14 +80,16 @@ inline Eigen::Map<Eigen::VectorXd> view(N_Vector v) {
 /// N_VDotProd_Serial adds one product at a time.
 inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
   auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
-  v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept { return view(a).dot(view(b)); };
+  v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {
+    return vector_view(a).dot(vector_view(b));
+  };
   // SUNDIALS 6 does not check clones for null. The exception thrown here leaks the clones that
   // SUNDIALS has made so far, since it does not support exceptions.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();
   };
-  view(v.get()) = values;
+  vector_view(v.get()) = values;
   return v;
 }
 

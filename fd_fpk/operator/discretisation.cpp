@@ -37,7 +37,7 @@ constexpr double kReach = 0.75;
 // Whether the cells of x1 may be graded as the cube of the cells of x2. On such uneven cells,
 // schemes of even orders and of order 7 oscillate.
 bool can_grade_cubically(const Options& options) {
-  return order_of(options) == 3 || order_of(options) == 5;
+  return transport_order(options) == 3 || transport_order(options) == 5;
 }
 
 // Whether single impulses are so small that the density at a wall has the singularity of white
@@ -46,7 +46,7 @@ bool can_grade_cubically(const Options& options) {
 // by the estimated error and the limit of the finest grids for case 1 with r = 0.3 .. 0.7, rates 30
 // .. 1e6, gaussian and exponential (build/release/benchmarks/fpkcheck_rates --restitutions
 // 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
-bool are_impulses_short(const problem::Problem& problem) {
+bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.is_present()) return false;
   return std::sqrt(problem.impulses.law().moment(2)) <
@@ -55,16 +55,16 @@ bool are_impulses_short(const problem::Problem& problem) {
 
 // Whether the excitation acts as white noise down to lengths that cells resolve: because the
 // equation replaces the impulses by white noise, or because the impulses are small.
-bool is_noise_like(const problem::Problem& problem, Equation equation) {
-  return equation == Equation::white || are_impulses_short(problem);
+bool is_effectively_white_noise(const problem::Problem& problem, Equation equation) {
+  return equation == Equation::white || are_impulses_small(problem);
 }
 
 // Whether the density at the wall is proportional to u^-beta (exact::wall_exponent) and cells may
 // be graded to this singularity.
-bool can_resolve_singularity(const problem::Problem& problem, const Options& options) {
+bool can_resolve_wall_singularity(const problem::Problem& problem, const Options& options) {
   const double r = problem.system.restitution();
   return options.impact == Impact::map && r < 1 && can_grade_cubically(options) &&
-         is_noise_like(problem, options.equation);
+         is_effectively_white_noise(problem, options.equation);
 }
 
 // Grading with which cells at the origin are narrower than cells far from the origin, by this
@@ -84,7 +84,8 @@ Grading grading(double factor, double deviation) {
 // an error estimate.
 Grading x1_grading(const problem::Problem& problem, const Options& options, double factor,
                    const Grading& of_x2, double deviation) {
-  if (factor == 1 || !can_resolve_singularity(problem, options)) return grading(factor, deviation);
+  if (factor == 1 || !can_resolve_wall_singularity(problem, options))
+    return grading(factor, deviation);
   const double d2 = problem.impulses.intensity() / 2;
   return {.reach = kLongReach * deviation, .core = std::pow(of_x2.core, 3) / d2};
 }
@@ -94,13 +95,14 @@ Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Optio
   if (!impulses.is_present()) return {};  // without impulses all equations coincide
   switch (options.equation) {
     case Equation::white:
-      return white_noise(impulses);
+      return white_noise_excitation(impulses);
     case Equation::km4:
-      return kramers_moyal(impulses, axis, regularisation_length);
+      return kramers_moyal_excitation(impulses, axis, regularisation_length);
     case Equation::km4_pade:
-      return kramers_moyal_pade(impulses, axis, centred_points(order_of(options)));
+      return kramers_moyal_pade_excitation(impulses, axis,
+                                           centred_stencil_size(transport_order(options)));
     case Equation::kf:
-      return jumps(impulses, axis);
+      return jump_excitation(impulses, axis);
   }
   return {};
 }
@@ -118,10 +120,11 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
                              const Axis& axis) {
   if (options.equation != Equation::km4 || !problem.impulses.is_present()) return 0;
   if (!options.regularisation_length) {
-    return default_regularisation_length(problem.impulses, axis, centred_points(order_of(options)));
+    return default_regularisation_length(problem.impulses, axis,
+                                         centred_stencil_size(transport_order(options)));
   }
   const double length = *options.regularisation_length;
-  return length > 0 ? length : axis.smallest_width();
+  return length > 0 ? length : axis.smallest_cell_width();
 }
 
 // Number of cells of an axis, as a double, since a box may need more cells than an int can
@@ -145,14 +148,14 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
 std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
                                 const Box& box, double nx, double nv) {
   if (options.impact == Impact::map) {
-    std::string collapse = problem::collapse_unsupported_reason(problem, options.equation);
+    std::string collapse = problem::inelastic_collapse_reason(problem, options.equation);
     if (!collapse.empty()) return collapse;
   }
-  if (!(nx * nv <= kMostCells)) {
+  if (!(nx * nv <= kMaxCells)) {
     return fmt::format(
         "the grid needs {:.9g} x {:.9g} cells, more than {}: use fewer cells (nx, nv) or a smaller "
         "box",
-        nx, nv, kMostCells);
+        nx, nv, kMaxCells);
   }
   if (!problem.impulses.is_present()) return "";
   if (options.equation == Equation::km4_pade && pade_length_squared(problem.impulses) <= 0) {
@@ -184,7 +187,7 @@ Gradings gradings(const problem::Problem& problem, const Options& options) {
 
 // The upper end of an axis with `more` additional cells; without these the axis has `cells` cells
 // and ends at `length`.
-double extended_end(int more, int cells, double length, const Grading& grading) {
+double extended_axis_end(int more, int cells, double length, const Grading& grading) {
   const double wanted = graded_cell_count(length, 1, grading) * (cells + more) / cells;
   double end = length;
   for (int n = 0; n < 20; ++n) {  // Newton's method: the function is convex and nearly linear
@@ -200,9 +203,9 @@ int additional_cells(int cells, double length, double factor, const Grading& gra
 }
 
 // The diffusion coefficient: the coefficient of p'' in the terms that act on the shortest lengths.
-double local_diffusion(const problem::Problem& problem, Equation equation) {
-  const bool local = equation == Equation::km4 || is_noise_like(problem, equation);
-  return problem.noise.diffusion() + (local ? problem.impulses.rate_moment(2) / 2 : 0);
+double diffusion_coefficient(const problem::Problem& problem, Equation equation) {
+  const bool local = equation == Equation::km4 || is_effectively_white_noise(problem, equation);
+  return problem.noise.diffusion() + (local ? problem.impulses.rate_times_moment(2) / 2 : 0);
 }
 
 // Gradings for problems outside the paper's class: at walls with losses and at x2 = 0. Whatever the
@@ -219,7 +222,7 @@ WallGradings wall_gradings(const problem::Problem& problem, const Options& optio
     return Grading{.reach = kLongReach * length, .core = kLongReach * length / (factor - 1)};
   };
   WallGradings gradings{.x1 = of(lengths.x1), .x2 = of(lengths.x2)};
-  const double diffusion = local_diffusion(problem, options.equation);
+  const double diffusion = diffusion_coefficient(problem, options.equation);
   if (diffusion > 0 && can_grade_cubically(options)) {
     gradings.x1.core = std::min(gradings.x1.core, std::pow(gradings.x2.core, 3) / diffusion);
   }
@@ -227,11 +230,11 @@ WallGradings wall_gradings(const problem::Problem& problem, const Options& optio
 }
 
 // The automatic value of origin_refinement() outside the paper's class.
-double refinement_at_walls(const problem::Problem& problem, const Options& options) {
-  if (!has_significant_losses(problem.system.left()) &&
-      !has_significant_losses(problem.system.right()))
+double automatic_refinement_at_walls(const problem::Problem& problem, const Options& options) {
+  if (!has_dissipative_impacts(problem.system.left_wall()) &&
+      !has_dissipative_impacts(problem.system.right_wall()))
     return 1;
-  const bool singular = local_diffusion(problem, options.equation) > 0;
+  const bool singular = diffusion_coefficient(problem, options.equation) > 0;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
 }
 
@@ -240,9 +243,9 @@ double refinement_at_walls(const problem::Problem& problem, const Options& optio
 std::vector<double> faces_between_walls(const problem::System& system, const Box& box, double step,
                                         const Grading& grading, std::optional<int> cells) {
   std::vector<RefinementPoint> refinement_points;
-  if (grading.reach > 0 && has_significant_losses(system.left()))
+  if (grading.reach > 0 && has_dissipative_impacts(system.left_wall()))
     refinement_points.push_back({box.x1_min, grading});
-  if (grading.reach > 0 && has_significant_losses(system.right()))
+  if (grading.reach > 0 && has_dissipative_impacts(system.right_wall()))
     refinement_points.push_back({box.x1_max, grading});
   if (cells) {
     double all = box.x1_max - box.x1_min;
@@ -251,7 +254,7 @@ std::vector<double> faces_between_walls(const problem::System& system, const Box
     }
     step = all / *cells * (1 + 1e-12);
   }
-  return faces_graded_to(box.x1_min, box.x1_max, step, refinement_points);
+  return faces_graded_to_points(box.x1_min, box.x1_max, step, refinement_points);
 }
 
 Discretisation discretise_general(const problem::Problem& problem, const Options& options,
@@ -260,7 +263,7 @@ Discretisation discretise_general(const problem::Problem& problem, const Options
   const double at_walls = origin_refinement(problem, options);
   const WallGradings gradings = wall_gradings(problem, options, at_walls, box.lengths);
   double width = (at_walls == 1 ? 1 : kGradedWidth) / options.refinement;
-  if (order_of(options) == kHighOrder) width *= kHighOrderWidthFactor;
+  if (transport_order(options) == kHighOrder) width *= kHighOrderWidthFactor;
   const double total_length = box.x1_max - box.x1_min;
   const double about = options.nx ? *options.nx
                                   : cell_count(total_length, width * kX1Step * box.lengths.x1, {},
@@ -278,8 +281,8 @@ Discretisation discretise_general(const problem::Problem& problem, const Options
   if (!failure.empty()) return failed_discretisation(box, std::move(failure), about * nv);
   Grid grid = symmetric_grid(std::move(faces),
                              graded_faces(box.x2_max, static_cast<int>(nv) / 2, gradings.x2),
-                             system.left() ? EndCondition::boundary : EndCondition::vacuum,
-                             system.right() ? EndCondition::boundary : EndCondition::vacuum);
+                             system.left_wall() ? EndCondition::boundary : EndCondition::vacuum,
+                             system.right_wall() ? EndCondition::boundary : EndCondition::vacuum);
   const double length = regularisation_length(problem, options, grid.x2);
   Excitation terms = excitation(problem, options, grid.x2, length);
   const double cells = grid.size();
@@ -292,13 +295,13 @@ Discretisation discretise_general(const problem::Problem& problem, const Options
 
 }  // namespace
 
-bool has_significant_losses(const std::optional<problem::Wall>& wall) {
+bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
   constexpr double kSmallJump = 0.1;
   return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
 }
 
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
-                                  const problem::Scales& scales) {
+                                  const problem::MotionScales& scales) {
   // fraction of the peak, below which densities may be numerical errors
   constexpr double kFaint = 1e-3;
   constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
@@ -314,15 +317,15 @@ LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& avera
     const int x1 = static_cast<int>(i);
     for (Eigen::Index j = 0; j < nv; ++j) {
       const int x2 = static_cast<int>(j);
-      const double area = grid.x1.width(x1) * grid.x2.width(x2), p = averages(i * nv + j);
+      const double area = grid.x1.cell_width(x1) * grid.x2.cell_width(x2), p = averages(i * nv + j);
       mass += area * p;
       if (i + 1 < nx) {
-        of_x1 += area *
-                 slope(p, averages((i + 1) * nv + j), grid.x1.centre(x1 + 1) - grid.x1.centre(x1));
+        of_x1 += area * slope(p, averages((i + 1) * nv + j),
+                              grid.x1.cell_centre(x1 + 1) - grid.x1.cell_centre(x1));
       }
       if (j + 1 < nv) {
-        of_x2 +=
-            area * slope(p, averages(i * nv + j + 1), grid.x2.centre(x2 + 1) - grid.x2.centre(x2));
+        of_x2 += area * slope(p, averages(i * nv + j + 1),
+                              grid.x2.cell_centre(x2 + 1) - grid.x2.cell_centre(x2));
       }
     }
   }
@@ -338,7 +341,7 @@ Box initial_box(const problem::Problem& problem, const Options& options) {
   return initial_box(problem, problem::scales(problem), options);
 }
 
-Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
+Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options) {
   const auto& law = problem.impulses.law();
   if (!problem::is_paper_oscillator(problem)) {
@@ -351,8 +354,8 @@ Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
                                : 0)),
         .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
         .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
-    if (system.left()) box.x1_min = system.left()->position;
-    if (system.right()) box.x1_max = system.right()->position;
+    if (system.left_wall()) box.x1_min = system.left_wall()->position;
+    if (system.right_wall()) box.x1_max = system.right_wall()->position;
     return box;
   }
   return {options.x1_max.value_or(scales.centre + kX1BoxDeviations * scales.displacement_deviation),
@@ -366,30 +369,30 @@ bool is_unbounded_at_origin(const problem::Problem& problem) {
   return problem::impulses_per_decay_time(problem) <= 2;
 }
 
-bool is_held_off_wall(const problem::Problem& problem) {
+bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem) {
   constexpr double kDeviations = 4;
   return problem::static_deflection(problem) >
          kDeviations * problem::equivalent_linearisation(problem).displacement_deviation;
 }
 
 int automatic_order(const problem::Problem& problem) {
-  const bool smooth = !has_significant_losses(problem.system.left()) &&
-                      !has_significant_losses(problem.system.right());
+  const bool smooth = !has_dissipative_impacts(problem.system.left_wall()) &&
+                      !has_dissipative_impacts(problem.system.right_wall());
   return smooth && !problem::is_paper_oscillator(problem) ? kHighOrder : kDefaultOrder;
 }
 
 double origin_refinement(const problem::Problem& problem, const Options& options) {
   if (!problem::is_paper_oscillator(problem)) {
-    return options.origin_refinement.value_or(refinement_at_walls(problem, options));
+    return options.origin_refinement.value_or(automatic_refinement_at_walls(problem, options));
   }
   constexpr double kSmallJump = 0.1;
   const double r = problem.system.restitution();
   const bool jumps = 1 / (r * r) - 1 > kSmallJump;
   // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
   // cell represents the spike as a mass. Under white noise the density has no spike.
-  const bool singular = can_resolve_singularity(problem, options);
-  const bool narrow =
-      jumps && !is_held_off_wall(problem) && (singular || !is_unbounded_at_origin(problem));
+  const bool singular = can_resolve_wall_singularity(problem, options);
+  const bool narrow = jumps && !has_rare_impacts_by_mean_impulse(problem) &&
+                      (singular || !is_unbounded_at_origin(problem));
   return options.origin_refinement.value_or(!narrow    ? 1
                                             : singular ? kOriginRefinementUnderWhiteNoise
                                                        : kOriginRefinement);
@@ -401,8 +404,8 @@ BoxExtension extend_box(const problem::Problem& problem, const Options& options,
   const int nx = grid.nx(), half = grid.nv() / 2;
   const int more_x1 = additional_cells(nx, grid.x1_max(), factor_x1, of_x1);
   const int more_x2 = additional_cells(half, grid.x2_max(), factor_x2, of_x2);
-  return {.box = {.x1_max = extended_end(more_x1, nx, grid.x1_max(), of_x1),
-                  .x2_max = extended_end(more_x2, half, grid.x2_max(), of_x2)},
+  return {.box = {.x1_max = extended_axis_end(more_x1, nx, grid.x1_max(), of_x1),
+                  .x2_max = extended_axis_end(more_x2, half, grid.x2_max(), of_x2)},
           .nx = nx + more_x1,
           .nv = 2 * (half + more_x2)};
 }
@@ -439,20 +442,21 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on) {
   return fokker_planck_operator(problem.system, on.excitation, options.impact, on.grid,
-                                order_of(options));
+                                transport_order(options));
 }
 
-UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
-                                         double step) {
-  const int points = centred_points(order_of(options));
-  const double length = regularisation_length(problem, options, Axis::uniform(0, step, 1));
-  int reach = stencil_half_width(length, step, points);
+ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
+                                                const Options& options, double cell_width) {
+  const int points = centred_stencil_size(transport_order(options));
+  const double length =
+      regularisation_length(problem, options, Axis::with_uniform_cells(0, cell_width, 1));
+  int reach = stencil_half_width(length, cell_width, points);
   if (options.equation == Equation::km4_pade) {
     // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(
-        std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / step));
+        std::ceil(kPadeReach * std::sqrt(pade_length_squared(problem.impulses)) / cell_width));
   }
-  Axis axis = Axis::uniform(0, step, 2 * reach + 1);
+  Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
   Excitation terms = excitation(problem, options, axis, length);
   return {std::move(axis), std::move(terms)};
 }

@@ -27,7 +27,7 @@ struct Box {
 
 /// Maximum number of cells of a grid. At this number the factors of the preconditioner and the
 /// vectors of GMRES take about two gigabytes of memory.
-inline constexpr int kMostCells = 100000;
+inline constexpr int kMaxCells = 100000;
 
 /// The grid, and the excitation discretised on the grid.
 struct Discretisation {
@@ -45,11 +45,11 @@ bool is_unbounded_at_origin(const problem::Problem& problem);
 
 /// Whether there is a wall at which the relative jump of the density at x2 = 0, 1/r^2 - 1, exceeds
 /// a tenth.
-bool has_significant_losses(const std::optional<problem::Wall>& wall);
+bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
 
 /// Whether a nonzero mean of the impulses keeps the oscillator so far from the wall that impacts
 /// are rare.
-bool is_held_off_wall(const problem::Problem& problem);
+bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem);
 
 /// Automatic ratio of the cell width far from the origin to the cell width at the origin, for grids
 /// refined at the origin.
@@ -92,23 +92,23 @@ BoxExtension extend_box(const problem::Problem& problem, const Options& options,
 FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
                                             const Discretisation& on);
 
-/// The excitation on a uniform velocity axis, as input of largest_growth. The axis has cells of the
-/// given width and is so long that the middle row of the matrix contains no end stencils: this row
-/// is the row of an unbounded axis. The regularisation length is that of the options, or the
-/// default for cells of this width.
-struct UnboundedExcitation {
+/// The excitation on a uniform velocity axis, as input of fastest_growing_wave. The axis has cells
+/// of the given width and is so long that the middle row of the matrix contains no end stencils:
+/// this row is the row of an unbounded axis. The regularisation length is that of the options, or
+/// the default for cells of this width.
+struct ExcitationWithoutWalls {
   Axis axis;
   Excitation excitation;
 };
-UnboundedExcitation unbounded_excitation(const problem::Problem& problem, const Options& options,
-                                         double step);
+ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
+                                                const Options& options, double cell_width);
 
 /// The box before any widening. Ends that the options set are kept. The automatic box extends over
 /// 6 standard deviations of equivalent linearisation in x1, from the static deflection, and over 7
 /// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Outside the paper's
-/// class the box has the limits of problem::Scales, or ends at the walls.
+/// class the box has the limits of problem::MotionScales, or ends at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
-Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
+Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options);
 
 /// The length scales of a density on a coarse grid, from the Fisher information of the density:
@@ -116,6 +116,6 @@ Box initial_box(const problem::Problem& problem, const problem::Scales& scales,
 /// length scales of every other density, such as that of several wells or of a ring, are shorter
 /// than its standard deviations.
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
-                                  const problem::Scales& scales);
+                                  const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

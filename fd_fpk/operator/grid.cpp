@@ -5,9 +5,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-Eigen::VectorXd Grid::areas() const {
+Eigen::VectorXd Grid::cell_areas() const {
   Eigen::VectorXd areas(size());
-  Eigen::Map<Eigen::MatrixXd>(areas.data(), nv(), nx()) = x2.widths() * x1.widths().transpose();
+  Eigen::Map<Eigen::MatrixXd>(areas.data(), nv(), nx()) =
+      x2.cell_widths() * x1.cell_widths().transpose();
   return areas;
 }
 
@@ -32,8 +33,8 @@ transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& ave
 WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
   WallDensity wall{0, 0};
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
-  const bool open_left = grid.x1.left() == EndCondition::vacuum;
-  const bool open_right = grid.x1.right() == EndCondition::vacuum;
+  const bool open_left = grid.x1.left_end_condition() == EndCondition::vacuum;
+  const bool open_right = grid.x1.right_end_condition() == EndCondition::vacuum;
   for (Eigen::Index j = 0; j < nv; ++j) {
     if (open_right) wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
     if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(averages(j)));

@@ -15,21 +15,22 @@ struct Grid {
   Axis x1;  ///< an end with the condition `boundary` is an impact wall
   Axis x2;
 
-  int nx() const { return x1.cells(); }
-  int nv() const { return x2.cells(); }  ///< even
+  int nx() const { return x1.cell_count(); }
+  int nv() const { return x2.cell_count(); }  ///< even
   int size() const { return nx() * nv(); }
   double x1_min() const { return x1.faces().front(); }
   double x1_max() const { return x1.faces().back(); }
   double x2_max() const { return x2.faces().back(); }
   /// Areas of all cells, shape (size).
-  Eigen::VectorXd areas() const;
+  Eigen::VectorXd cell_areas() const;
   /// The axis of speeds: the half x2 >= 0 of the velocity axis, in increasing order from 0.
-  Axis speeds() const { return x2.from(nv() / 2); }
+  Axis speed_axis() const { return x2.part_from_face(nv() / 2); }
 };
 
-/// @param positive_x2 faces of x2 >= 0, increasing from 0; the function adds their mirror images
+/// @param positive_x2_faces faces of x2 >= 0, increasing from 0; the function adds their mirror
+/// images
 /// @param left,right end conditions of x1
-Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
+Grid symmetric_grid(std::vector<double> x1_faces, const std::vector<double>& positive_x2_faces,
                     EndCondition left = EndCondition::boundary,
                     EndCondition right = EndCondition::vacuum);
 

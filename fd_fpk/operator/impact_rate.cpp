@@ -19,7 +19,7 @@ const std::array<double, kPoints> kFractions{0.5 - kOffset, 0.5, 0.5 + kOffset};
 constexpr std::array<double, kPoints> kWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 double quadrature_node(const Axis& axis, int cell, int point) {
-  return axis.face(cell) + kFractions[point] * axis.width(cell);
+  return axis.face_position(cell) + kFractions[point] * axis.cell_width(cell);
 }
 
 // A wall and coordinates relative to the wall: the distance d = sign (x - position) >= 0, and the
@@ -34,23 +34,23 @@ struct WallCoordinates {
 class TestFunctionBalance {
  public:
   TestFunctionBalance(const problem::System& system, const Excitation& excitation,
-                      problem::Impact impact, const Grid& grid, int order)
+                      problem::Impact impact, const Grid& grid, int scheme_order)
       : system_(system),
         excitation_(excitation),
         impact_(impact),
         grid_(grid),
-        order_(order),
-        of_x1_(point_values(grid.x1, weighting_points(order), kFractions)),
-        of_x2_(point_values(grid.x2, weighting_points(order), kFractions)) {}
+        order_(scheme_order),
+        of_x1_(point_value_operator(grid.x1, averaging_stencil_size(scheme_order), kFractions)),
+        of_x2_(point_value_operator(grid.x2, averaging_stencil_size(scheme_order), kFractions)) {}
 
-  double rate(End end, const Eigen::VectorXd& averages, const Eigen::VectorXd& change) const {
-    const bool left = end == End::left;
-    const problem::Wall& wall = left ? *system_.left() : *system_.right();
+  double rate(AxisEnd end, const Eigen::VectorXd& averages, const Eigen::VectorXd& change) const {
+    const bool left = end == AxisEnd::left;
+    const problem::Wall& wall = left ? *system_.left_wall() : *system_.right_wall();
     const WallCoordinates from{wall.position, left ? 1.0 : -1.0};
     const WallTestFunction h(excitation_.diffusion, from.sign * force(wall.position, 0),
                              wall.restitution);
     double balance = integral(averages, [&](double x, double v) {
-      return h.remainder(from.distance(x), from.speed(v), from.sign * force(x, v));
+      return h.backward_remainder(from.distance(x), from.speed(v), from.sign * force(x, v));
     });
     Eigen::VectorXd source = -change;
     if (excitation_.exchange.size() > 0) {
@@ -58,8 +58,9 @@ class TestFunctionBalance {
     }
     balance -=
         integral(source, [&](double x, double v) { return h(from.distance(x), from.speed(v)); });
-    if (const auto& other = left ? system_.right() : system_.left()) {
-      balance -= mean_gain_at_wall(*other, left ? End::right : End::left, from, h, averages);
+    if (const auto& other = left ? system_.right_wall() : system_.left_wall()) {
+      balance -=
+          mean_gain_at_wall(*other, left ? AxisEnd::right : AxisEnd::left, from, h, averages);
     }
     const double log_of_loss =
         impact_ == problem::Impact::map ? std::log(wall.restitution) : wall.restitution - 1;
@@ -75,7 +76,8 @@ class TestFunctionBalance {
   }
 
   double force(double x, double v) const {
-    return system_.force()(x) + v * (system_.damping_polynomial()(x) + system_.rayleigh() * v * v) -
+    return system_.restoring_force()(x) +
+           v * (system_.damping_polynomial()(x) + system_.rayleigh_coefficient() * v * v) -
            excitation_.drift;
   }
 
@@ -94,22 +96,23 @@ class TestFunctionBalance {
             of_cell += kWeights[b] * p(j * kPoints + b, i * kPoints + a) *
                        weight(x, quadrature_node(grid_.x2, j, b));
           }
-          of_column += grid_.x2.width(j) * of_cell;
+          of_column += grid_.x2.cell_width(j) * of_cell;
         }
-        sum += grid_.x1.width(i) * kWeights[a] * of_column;
+        sum += grid_.x1.cell_width(i) * kWeights[a] * of_column;
       }
     }
     return sum;
   }
 
   // The rate of change of E[h] due to impacts at the other wall.
-  double mean_gain_at_wall(const problem::Wall& other, End end, const WallCoordinates& from,
+  double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;
-    const AxisOperator to_wall =
-        end == End::left ? first_face_value(grid_.x1, order_) : last_face_value(grid_.x1, order_);
-    const Eigen::VectorXd p = point_values(grid_.x2, weighting_points(order_), kFractions, half) *
-                              (columns(averages) * to_wall.transpose());
+    const AxisOperator to_wall = end == AxisEnd::left ? first_face_value_operator(grid_.x1, order_)
+                                                      : last_face_value_operator(grid_.x1, order_);
+    const Eigen::VectorXd p =
+        point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
+        (columns(averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
     // Under the paper's impact to first order in 1-r, a flux f into the wall leaves the wall as the
     // flux f(w) + (1-r) d(w f)/dw. The integral of this flux times h is evaluated by parts.
@@ -117,14 +120,14 @@ class TestFunctionBalance {
       const double before = h(distance, u);
       return impact_ == problem::Impact::map
                  ? h(distance, -r * u) - before
-                 : h(distance, -u) + (1 - r) * u * h.slope(distance, -u) - before;
+                 : h(distance, -u) + (1 - r) * u * h.velocity_derivative(distance, -u) - before;
     };
-    const int first = end == End::left ? 0 : half;
+    const int first = end == AxisEnd::left ? 0 : half;
     double sum = 0;
     for (int j = first; j < first + half; ++j) {
       for (int b = 0; b < kPoints; ++b) {
         const double v = quadrature_node(grid_.x2, j, b);
-        sum += grid_.x2.width(j) * kWeights[b] * std::abs(v) * p(j * kPoints + b) *
+        sum += grid_.x2.cell_width(j) * kWeights[b] * std::abs(v) * p(j * kPoints + b) *
                raise(from.speed(v));
       }
     }
@@ -143,22 +146,22 @@ class TestFunctionBalance {
 
 double impact_rate(const problem::System& system, const Excitation& excitation,
                    problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
-                   const Eigen::VectorXd& change, int order) {
+                   const Eigen::VectorXd& change, int scheme_order) {
   std::optional<TestFunctionBalance> balance;
-  const auto of = [&](const std::optional<problem::Wall>& wall, End end) {
+  const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    if (excitation.diffusion == 0 || !has_significant_losses(*wall))
-      return impact_flux(grid, averages, order, 1, end);
-    if (!balance) balance.emplace(system, excitation, impact, grid, order);
+    if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall))
+      return impact_flux(grid, averages, scheme_order, 1, end);
+    if (!balance) balance.emplace(system, excitation, impact, grid, scheme_order);
     return balance->rate(end, averages, change);
   };
-  return of(system.left(), End::left) + of(system.right(), End::right);
+  return of(system.left_wall(), AxisEnd::left) + of(system.right_wall(), AxisEnd::right);
 }
 
 double flux_into_walls(const problem::System& system, const Grid& grid,
-                       const Eigen::VectorXd& averages, int order) {
-  return (system.left() ? impact_flux(grid, averages, order, 1) : 0) +
-         (system.right() ? impact_flux(grid, averages, order, 1, End::right) : 0);
+                       const Eigen::VectorXd& averages, int scheme_order) {
+  return (system.left_wall() ? impact_flux(grid, averages, scheme_order, 1) : 0) +
+         (system.right_wall() ? impact_flux(grid, averages, scheme_order, 1, AxisEnd::right) : 0);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -30,14 +30,14 @@ namespace fpkcheck::fd_fpk {
 ///
 /// @param excitation the excitation on the x2 axis of the grid, as in the operator that determined
 /// the averages
-/// @param change the rate of change of the averages; 0 for a stationary density
+/// @param rate_of_change the rate of change of the averages; 0 for a stationary density
 double impact_rate(const problem::System& system, const Excitation& excitation,
                    problem::Impact impact, const Grid& grid, const Eigen::VectorXd& averages,
-                   const Eigen::VectorXd& change, int order);
+                   const Eigen::VectorXd& rate_of_change, int scheme_order);
 
 /// The flux of probability into the walls, with the density at the walls extrapolated as in the
 /// operator. For densities that are bounded at the walls, with or without white noise.
 double flux_into_walls(const problem::System& system, const Grid& grid,
-                       const Eigen::VectorXd& averages, int order);
+                       const Eigen::VectorXd& averages, int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

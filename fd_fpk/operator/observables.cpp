@@ -22,30 +22,33 @@ numerics::Polynomial monomial(int power, double factor = 1) {
 }
 
 // Integral of a polynomial times a marginal density given by cell averages.
-double integral(const Axis& axis, const Eigen::VectorXd& marginal, int order,
-                const numerics::Polynomial& weight) {
-  return axis.widths().dot(weighted_averages(axis, weighting_points(order), weight) * marginal);
+double integrate_marginal(const Axis& axis, const Eigen::VectorXd& marginal, int scheme_order,
+                          const numerics::Polynomial& weight) {
+  return axis.cell_widths().dot(
+      weighted_average_operator(axis, averaging_stencil_size(scheme_order), weight) * marginal);
 }
 
 // Integral of a product of polynomials, one of x1 and one of x2, times the joint density.
-double joint_integral(const Grid& grid, const Eigen::VectorXd& averages, int order,
-                      const numerics::Polynomial& of_x1, const numerics::Polynomial& of_x2) {
-  const int points = weighting_points(order);
+double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                               const numerics::Polynomial& of_x1,
+                               const numerics::Polynomial& of_x2) {
+  const int points = averaging_stencil_size(scheme_order);
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   const Eigen::RowVectorXd v =
-      grid.x2.widths().transpose() * weighted_averages(grid.x2, points, of_x2);
+      grid.x2.cell_widths().transpose() * weighted_average_operator(grid.x2, points, of_x2);
   const Eigen::RowVectorXd x =
-      grid.x1.widths().transpose() * weighted_averages(grid.x1, points, of_x1);
+      grid.x1.cell_widths().transpose() * weighted_average_operator(grid.x1, points, of_x1);
   return v * p * x.transpose();
 }
 
-Eigen::VectorXd normal_averages(const Axis& axis, double deviation, double centre) {
+Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double centre) {
   const auto cdf = [&](double x) {
     return 0.5 * std::erfc(-(x - centre) / (deviation * std::sqrt(2.0)));
   };
-  Eigen::VectorXd averages(axis.cells());
-  for (int i = 0; i < axis.cells(); ++i) averages(i) = cdf(axis.face(i + 1)) - cdf(axis.face(i));
-  return averages.cwiseQuotient(axis.widths());
+  Eigen::VectorXd averages(axis.cell_count());
+  for (int i = 0; i < axis.cell_count(); ++i)
+    averages(i) = cdf(axis.face_position(i + 1)) - cdf(axis.face_position(i));
+  return averages.cwiseQuotient(axis.cell_widths());
 }
 
 }  // namespace
@@ -53,26 +56,31 @@ Eigen::VectorXd normal_averages(const Axis& axis, double deviation, double centr
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
   // Column i of the mapped matrix contains the velocity cells at cell i of x1.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  return {p.transpose() * grid.x2.widths(), p * grid.x1.widths()};
+  return {p.transpose() * grid.x2.cell_widths(), p * grid.x1.cell_widths()};
 }
 
-transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order) {
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
   const auto [y, v] = marginals(grid, averages);
-  const auto of_y = [&, &y = y](int n) { return integral(grid.x1, y, order, monomial(n)); };
-  const auto of_v = [&, &v = v](int n) { return integral(grid.x2, v, order, monomial(n)); };
+  const auto of_y = [&, &y = y](int n) {
+    return integrate_marginal(grid.x1, y, scheme_order, monomial(n));
+  };
+  const auto of_v = [&, &v = v](int n) {
+    return integrate_marginal(grid.x2, v, scheme_order, monomial(n));
+  };
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }
 
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
-                                    const Eigen::VectorXd& averages, int order) {
-  transform::Moments result = moments(grid, averages, order);
+                                    const Eigen::VectorXd& averages, int scheme_order) {
+  transform::Moments result = moments(grid, averages, scheme_order);
   if (frame.is_identity()) return result;
   const Eigen::VectorXd y = marginals(grid, averages).y;
   // The displacement y = frame.origin + sign x as a polynomial of x.
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
-    return integral(grid.x1, y, order,
-                    numerics::Polynomial(monomial_of_y).compose_affine(frame.origin, frame.sign()));
+    return integrate_marginal(
+        grid.x1, y, scheme_order,
+        numerics::Polynomial(monomial_of_y).compose_affine(frame.origin, frame.sign()));
   };
   result.y1 = of_y(y1);
   result.y2 = of_y(y2);
@@ -92,16 +100,17 @@ namespace {
 std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
                                                bool last, double x, bool of_impulses) {
   const double end = last ? axis.faces().back() : axis.faces().front();
-  const double mean = integral(axis, marginal, 1, monomial(1)) / axis.widths().dot(marginal);
+  const double mean =
+      integrate_marginal(axis, marginal, 1, monomial(1)) / axis.cell_widths().dot(marginal);
   struct Sample {
     double distance, log;  // distance from the end of the axis; logarithm of the density there
   };
   const auto sample = [&](double part) {
     const double at = end + part * (mean - end);
     int cell = 0;
-    while (cell + 1 < axis.cells() && axis.face(cell + 1) < at) ++cell;
+    while (cell + 1 < axis.cell_count() && axis.face_position(cell + 1) < at) ++cell;
     constexpr double kNothing = 1e-300;
-    return Sample{std::abs(axis.centre(cell) - end),
+    return Sample{std::abs(axis.cell_centre(cell) - end),
                   std::log(std::max(kNothing, std::abs(marginal(cell))))};
   };
   const Sample far = sample(0.6), middle = sample(0.4), near = sample(0.2);
@@ -142,8 +151,10 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
     beyond.v4 += of_v[4];
   }
   for (const bool last : {false, true}) {
-    if ((last ? grid.x1.right() : grid.x1.left()) == EndCondition::boundary) continue;
-    const double end = problem.frame.y(last ? grid.x1_max() : grid.x1_min());
+    if ((last ? grid.x1.right_end_condition() : grid.x1.left_end_condition()) ==
+        EndCondition::boundary)
+      continue;
+    const double end = problem.frame.physical_y(last ? grid.x1_max() : grid.x1_min());
     const auto of_y = missing_marginal_moments(grid.x1, y, last, end, false);
     // If mass at large velocities is missing, mass at large displacements is missing too.
     const double second = beyond.v2 / moments_in_box.v2 / 2,
@@ -155,99 +166,107 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   return beyond;
 }
 
-double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order) {
+double physical_mixed_moment(const problem::Frame& frame, const Grid& grid,
+                             const Eigen::VectorXd& averages, int scheme_order) {
   const numerics::Polynomial y =
       numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.sign());
-  return frame.sign() * joint_integral(grid, averages, order, y, monomial(1));
+  return frame.sign() * integrate_joint_density(grid, averages, scheme_order, y, monomial(1));
 }
 
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order) {
+                   int scheme_order) {
   const auto [y, v] = marginals(grid, averages);
-  return integral(grid.x2, v, order, monomial(2, 0.5)) +
-         integral(grid.x1, y, order, system.potential());
+  return integrate_marginal(grid.x2, v, scheme_order, monomial(2, 0.5)) +
+         integrate_marginal(grid.x1, y, scheme_order, system.potential());
 }
 
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
-                   End end) {
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                   int speed_exponent, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  if (end == End::right) {
-    const Eigen::VectorXd wall = p * last_face_value(grid.x1, order).transpose();
+  if (end == AxisEnd::right) {
+    const Eigen::VectorXd wall = p * last_face_value_operator(grid.x1, scheme_order).transpose();
     const int outgoing = grid.nv() / 2;
-    const AxisOperator weighted =
-        weighted_averages(grid.x2, weighting_points(order), monomial(power), outgoing);
-    return grid.x2.widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
+    const AxisOperator weighted = weighted_average_operator(
+        grid.x2, averaging_stencil_size(scheme_order), monomial(speed_exponent), outgoing);
+    return grid.x2.cell_widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
   }
-  const Eigen::VectorXd wall = p * first_face_value(grid.x1, order).transpose();
-  // the polynomial that equals |v|^power for v < 0
-  const auto speed = monomial(power, power % 2 == 0 ? 1 : -1);
+  const Eigen::VectorXd wall = p * first_face_value_operator(grid.x1, scheme_order).transpose();
+  // the polynomial that equals |v|^speed_exponent for v < 0
+  const auto speed = monomial(speed_exponent, speed_exponent % 2 == 0 ? 1 : -1);
   const int half = grid.nv() / 2;
-  const AxisOperator weighted = weighted_averages(grid.x2, weighting_points(order), speed, half);
-  return grid.x2.widths().head(half).dot((weighted * wall).head(half));
+  const AxisOperator weighted =
+      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), speed, half);
+  return grid.x2.cell_widths().head(half).dot((weighted * wall).head(half));
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
-                          const Grid& grid, const Eigen::VectorXd& averages, int order) {
-  if (system.damping_is_constant()) return system.damping() * moments.v2;
-  return joint_integral(grid, averages, order, system.damping_polynomial(), monomial(2)) +
-         system.rayleigh() * moments.v4;
+                          const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
+  if (system.has_constant_damping()) return system.damping() * moments.v2;
+  return integrate_joint_density(grid, averages, scheme_order, system.damping_polynomial(),
+                                 monomial(2)) +
+         system.rayleigh_coefficient() * moments.v4;
 }
 
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
-                                  const Grid& grid, const Eigen::VectorXd& averages, int order) {
+                                  const Grid& grid, const Eigen::VectorXd& averages,
+                                  int scheme_order) {
   problem::EnergyTerms terms{
       .mean_velocity = moments.v1, .mean_square_velocity = moments.v2, .impact_energy_flux = 0};
-  if (system.left()) terms.impact_energy_flux = impact_flux(grid, averages, order, 3);
-  if (system.right()) terms.right_energy_flux = impact_flux(grid, averages, order, 3, End::right);
-  terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, order);
+  if (system.left_wall()) terms.impact_energy_flux = impact_flux(grid, averages, scheme_order, 3);
+  if (system.right_wall())
+    terms.right_energy_flux = impact_flux(grid, averages, scheme_order, 3, AxisEnd::right);
+  terms.mean_damping_power = mean_damping_power(system, moments, grid, averages, scheme_order);
   return terms;
 }
 
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
-                       const Eigen::VectorXd& averages, int order) {
+                       const Eigen::VectorXd& averages, int scheme_order) {
   return problem::energy_residual(
       problem, impact,
-      energy_terms(problem.system, moments(grid, averages, order), grid, averages, order));
+      energy_terms(problem.system, moments(grid, averages, scheme_order), grid, averages,
+                   scheme_order));
 }
 
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
-                                              const Eigen::VectorXd& averages, int order,
-                                              const MomentumAtWalls& walls) {
+                                              const Eigen::VectorXd& averages, int scheme_order,
+                                              const WallMomentumTransfer& walls) {
   const auto [y, v] = marginals(grid, averages);
-  const auto& force = problem.system.force();
+  const auto& force = problem.system.restoring_force();
   const problem::System& system = problem.system;
   problem::VirialTerms for_virial{
-      .mean_displacement = integral(grid.x1, y, order, monomial(1)) + walls.displacement_at_rest,
-      .mean_square_velocity = integral(grid.x2, v, order, monomial(2)),
-      .mean_virial = integral(grid.x1, y, order, force.times_argument())};
-  problem::MomentumTerms for_momentum{.mean_force = integral(grid.x1, y, order, force),
-                                      .impact_momentum = walls.left_momentum};
+      .mean_displacement =
+          integrate_marginal(grid.x1, y, scheme_order, monomial(1)) + walls.displacement_at_rest,
+      .mean_square_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(2)),
+      .mean_virial = integrate_marginal(grid.x1, y, scheme_order, force.multiplied_by_argument())};
+  problem::MomentumTerms for_momentum{
+      .mean_force = integrate_marginal(grid.x1, y, scheme_order, force),
+      .impact_momentum = walls.left_momentum};
   for_virial.right_momentum = for_momentum.right_momentum = walls.right_momentum;
-  if (system.rayleigh() != 0) {
+  if (system.rayleigh_coefficient() != 0) {
     for_virial.mean_y_cubed_velocity =
-        joint_integral(grid, averages, order, monomial(1), monomial(3));
-    for_momentum.mean_cubed_velocity = integral(grid.x2, v, order, monomial(3));
+        integrate_joint_density(grid, averages, scheme_order, monomial(1), monomial(3));
+    for_momentum.mean_cubed_velocity = integrate_marginal(grid.x2, v, scheme_order, monomial(3));
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
   if (!problem::is_paper_oscillator(problem)) {
     for (int i = 0; i < grid.nx(); ++i) {
       for_momentum.mean_absolute_force +=
-          y[i] * grid.x1.width(i) * std::abs(force(grid.x1.centre(i)));
+          y[i] * grid.x1.cell_width(i) * std::abs(force(grid.x1.cell_centre(i)));
     }
   }
-  if (system.left() || system.right() || problem.impulses.rate_moment(1) != 0) {
+  if (system.left_wall() || system.right_wall() || problem.impulses.rate_times_moment(1) != 0) {
     residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
   }
   return residuals;
 }
 
-MomentumAtWalls momentum_at_walls(const problem::System& system, const Grid& grid,
-                                  const Eigen::VectorXd& averages, int order) {
-  MomentumAtWalls walls;
-  if (system.left()) walls.left_momentum = impact_flux(grid, averages, order, 2);
-  if (system.right()) walls.right_momentum = impact_flux(grid, averages, order, 2, End::right);
+WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
+                                            const Eigen::VectorXd& averages, int scheme_order) {
+  WallMomentumTransfer walls;
+  if (system.left_wall()) walls.left_momentum = impact_flux(grid, averages, scheme_order, 2);
+  if (system.right_wall())
+    walls.right_momentum = impact_flux(grid, averages, scheme_order, 2, AxisEnd::right);
   return walls;
 }
 
@@ -256,7 +275,7 @@ WallDensity relative_wall_density(const problem::Problem& problem, const Grid& g
   return relative_wall_density(problem::scales(problem), grid, averages);
 }
 
-WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
+WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
   // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
@@ -266,12 +285,12 @@ WallDensity relative_wall_density(const problem::Scales& scales, const Grid& gri
 
 Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {
   const Eigen::VectorXd y =
-      normal_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
+      normal_cell_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
   const Eigen::VectorXd v =
-      normal_averages(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
+      normal_cell_averages(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
   Eigen::VectorXd averages(grid.size());
   Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
-  return averages / grid.areas().dot(averages);
+  return averages / grid.cell_areas().dot(averages);
 }
 
 Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
@@ -279,12 +298,12 @@ Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
   return cell_averages({displacement_deviation, velocity_deviation}, grid);
 }
 
-Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem) {
-  return gaussian_start(grid, problem, problem::scales(problem));
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem) {
+  return initial_gaussian(grid, problem, problem::scales(problem));
 }
 
-Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
-                               const problem::Scales& scales) {
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem,
+                                 const problem::MotionScales& scales) {
   if (problem::is_paper_oscillator(problem)) {
     return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
   }

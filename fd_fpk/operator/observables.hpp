@@ -21,12 +21,13 @@ Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 /// The moments E[x^n] and E[x'^n] of a density given by cell averages, in the coordinates of the
 /// grid. The quadrature has the order of accuracy of the operator. Where the wall coordinates are
 /// the physical coordinates, x is y.
-transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int order);
+transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
-/// The moments E[y^n] and E[y'^n] in physical coordinates, y = frame.y(x) and y' = frame.v(x'), of
-/// a density given by cell averages in the coordinates x of the grid.
+/// The moments E[y^n] and E[y'^n] in physical coordinates, y = frame.physical_y(x) and y' =
+/// frame.physical_velocity(x'), of a density given by cell averages in the coordinates x of the
+/// grid.
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
-                                    const Eigen::VectorXd& averages, int order);
+                                    const Eigen::VectorXd& averages, int scheme_order);
 
 /// Estimated magnitude of the moments that the finite box misses: those of the tails outside the
 /// box, extrapolated from the marginal densities, and those of the motion that would return from
@@ -38,39 +39,40 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
 
 /// The mixed moment E[y y'] in physical coordinates, of a density given by cell averages; 0 for a
 /// stationary density.
-double physical_yv(const problem::Frame& frame, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order);
+double physical_mixed_moment(const problem::Frame& frame, const Grid& grid,
+                             const Eigen::VectorXd& averages, int scheme_order);
 
 /// The mean energy E[v^2]/2 + E[U(y)]. The potential U of the spring is averaged over cells in the
 /// same way as the operator averages the force. The mean energy is linear in the cell averages: the
 /// mean energy of the rate of change of a density is the rate of change of the energy.
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
-                   int order);
+                   int scheme_order);
 
 /// Speed moment of the density at a wall: int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n p(b, v) dv
-/// at the end b, where n >= 1 is the argument `power`. The density at the wall is extrapolated as
-/// in the operator. The impact rate is the moment with n = 1. The energy balance contains the
-/// moment with n = 3.
-double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int order, int power,
-                   End end = End::left);
+/// at the end b, where n >= 1 is the argument `speed_exponent`. The density at the wall is
+/// extrapolated as in the operator. The impact rate is the moment with n = 1. The energy balance
+/// contains the moment with n = 3.
+double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
+                   int speed_exponent, AxisEnd end = AxisEnd::left);
 
 /// The mean power of the damping force, E[v f], of a density given by cell averages. The moments
 /// are those of the same density, in the coordinates of the grid.
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
-                          const Grid& grid, const Eigen::VectorXd& averages, int order);
+                          const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
 /// The terms of the power balance of a density given by cell averages. The moments are those of the
 /// same density, in the coordinates of the grid.
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
-                                  const Grid& grid, const Eigen::VectorXd& averages, int order);
+                                  const Grid& grid, const Eigen::VectorXd& averages,
+                                  int scheme_order);
 
 /// The residual of the power balance, problem::energy_residual, of a density given by cell
 /// averages.
 double energy_residual(const problem::Problem& problem, problem::Impact impact, const Grid& grid,
-                       const Eigen::VectorXd& averages, int order);
+                       const Eigen::VectorXd& averages, int scheme_order);
 
 /// Momentum that impacts and contact transfer to the walls per unit time.
-struct MomentumAtWalls {
+struct WallMomentumTransfer {
   /// int_{v<0} v^2 p(0, v) dv, plus the momentum of impulses on mass at rest in contact
   double left_momentum = 0;
   double right_momentum = 0;  ///< the same momentum at the right wall
@@ -84,18 +86,18 @@ struct MomentumAtWalls {
 /// of mean zero, there is no momentum residual, because both sides of the balance are 0.
 /// @param walls momentum transferred to the walls; ignored for problems without a wall
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
-                                              const Eigen::VectorXd& averages, int order,
-                                              const MomentumAtWalls& walls);
+                                              const Eigen::VectorXd& averages, int scheme_order,
+                                              const WallMomentumTransfer& walls);
 /// The momentum that a density given by cell averages transfers to the walls per unit time.
-MomentumAtWalls momentum_at_walls(const problem::System& system, const Grid& grid,
-                                  const Eigen::VectorXd& averages, int order);
+WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
+                                            const Eigen::VectorXd& averages, int scheme_order);
 
 /// Density on the walls of the box, relative to the smaller of two peaks: that of the density, and
 /// that of equivalent linearisation. The second peak is needed because a spike at the rest point
 /// would make a significant density on the walls appear negligible.
 WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
                                   const Eigen::VectorXd& averages);
-WallDensity relative_wall_density(const problem::Scales& scales, const Grid& grid,
+WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 
 /// A Gaussian density of independent x and x'.
@@ -113,9 +115,10 @@ Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
 
 /// Cell averages, normalised to mass 1, of the density of equivalent linearisation on the
 /// half-plane. This density is the initial density of time steps and of iterations. Outside the
-/// paper's class the initial density is the Gaussian of problem::Scales, truncated at the walls.
-Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem);
-Eigen::VectorXd gaussian_start(const Grid& grid, const problem::Problem& problem,
-                               const problem::Scales& scales);
+/// paper's class the initial density is the Gaussian of problem::MotionScales, truncated at the
+/// walls.
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem);
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem,
+                                 const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

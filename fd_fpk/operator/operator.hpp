@@ -14,13 +14,14 @@ class System;
 namespace fpkcheck::fd_fpk {
 
 /// Sparse matrix of compressed columns with 64-bit indices, the input format of KLU.
-using SparseColumns = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
+using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
 /// The semi-discrete equation dP/dt = L P for the cell averages P of p(y, y') on the half-plane, L
 /// = local + 1 (x) exchange. The operator conserves mass: the row vector of cell areas times L is
 /// zero, so that the mass, the sum of area times P over all cells, is constant.
 struct FokkerPlanckOperator {
-  SparseColumns local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
+  SparseColumnMatrix
+      local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
   /// term of the velocity jumps at fixed x1, shape (nv, nv); empty without jumps
   Eigen::MatrixXd exchange;
   Eigen::VectorXd areas;  ///< areas of the cells, shape (size)
@@ -28,22 +29,22 @@ struct FokkerPlanckOperator {
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
   /// The whole operator as one sparse matrix. Entries of `exchange` at the level of rounding errors
   /// are dropped.
-  SparseColumns assembled() const;
+  SparseColumnMatrix assembled_matrix() const;
   /// The largest rate at which a cell loses or gains mass: the maximum over all columns of |sum of
   /// area times entry| / area of the cell of the column.
-  double leak() const;
+  double max_mass_loss_rate() const;
   /// Total mass of a density given by cell averages.
-  double mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
+  double total_mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
   /// The stationarity residual ||L P||_1 / ||P||_1, per unit time: the relative rate of change of
   /// the density with cell averages P.
-  double residual(const Eigen::VectorXd& averages) const;
+  double stationarity_residual(const Eigen::VectorXd& averages) const;
 };
 
 /// How the averages of x2 p and of the force times p over a cell are computed from averages of p.
 /// full: to the order of the operator, from several cells. lumped: as the product of the average of
 /// p with x2 or the force at the centre of the cell; this product is accurate to second order and
 /// uses no neighbouring cells.
-enum class Weighting { full, lumped };
+enum class ProductAveraging { full, lumped };
 
 /// The operator of paper (15) with the chosen excitation, and with the impact condition at each
 /// wall at an end of x1:
@@ -53,22 +54,23 @@ enum class Weighting { full, lumped };
 /// with g the restoring force of System, and c(x1), c_vv its damping.
 ///
 /// @param impact map or delta
-/// @param order of the transport terms: odd orders have upwind-biased stencils, even orders centred
-/// stencils. The derivatives of the excitation are centred, of the next even order.
+/// @param scheme_order of the transport terms: odd orders have upwind-biased stencils, even orders
+/// centred stencils. The derivatives of the excitation are centred, of the next even order.
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Excitation& excitation, problem::Impact impact,
-                                            const Grid& grid, int order,
-                                            Weighting weighting = Weighting::full);
+                                            const Grid& grid, int scheme_order,
+                                            ProductAveraging averaging = ProductAveraging::full);
 
 /// The left or the right end of the x1 axis.
-enum class End { left, right };
+enum class AxisEnd { left, right };
 
 /// The flux of probability into a wall as a matrix on P, shape (nv/2, nx nv). Row i of the product
 /// is the average of u p(0+, -u), or of u p(b-, u) at the end b, over cell i of the axis of the
 /// speed u into the wall, with u increasing from 0.
-SparseColumns wall_flux(const Grid& grid, int order, End end = End::left);
+SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
+                                    AxisEnd end = AxisEnd::left);
 
 /// The matrix factor A + shift I, with the identity matrix I.
-SparseColumns scale_and_shift(double factor, const SparseColumns& a, double shift);
+SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift);
 
 }  // namespace fpkcheck::fd_fpk

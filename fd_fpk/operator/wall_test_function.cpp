@@ -13,10 +13,10 @@ namespace {
 // Table of phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, with cubic Hermite
 // interpolation. The differential equations give the derivatives that this interpolation requires.
 // The interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
-class Profiles {
+class ProfileTable {
  public:
-  static const Profiles& table() {
-    static const Profiles profiles;
+  static const ProfileTable& table() {
+    static const ProfileTable profiles;
     return profiles;
   }
 
@@ -107,7 +107,7 @@ class Profiles {
            x * x * ((1 + 2 * y) * right.*value - y * kStep * slope(node(k + 1), right));
   }
 
-  Profiles() : nodes_(kLast + 1) {
+  ProfileTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
     // Runge-Kutta steps go towards smaller s, because homogeneous solutions decay in this
@@ -142,26 +142,26 @@ class Profiles {
 WallTestFunction::WallTestFunction(double diffusion, double force, double restitution)
     : diffusion_(diffusion),
       force_(force),
-      v_coefficient_(-Profiles::table().chi_slope_below() / (1 + restitution)) {}
+      v_coefficient_(-ProfileTable::table().chi_slope_below() / (1 + restitution)) {}
 
-double WallTestFunction::length(double y) const { return std::cbrt(diffusion_ * y); }
+double WallTestFunction::velocity_scale(double y) const { return std::cbrt(diffusion_ * y); }
 
 double WallTestFunction::operator()(double y, double v) const {
-  const auto& table = Profiles::table();
-  const double l = length(y), s = v / l;
+  const auto& table = ProfileTable::table();
+  const double l = velocity_scale(y), s = v / l;
   const double chi = table.theta(s) + s * (table.chi_slope(s) + v_coefficient_);
   return std::log(y) / 3 + table.phi(s) + force_ / diffusion_ * l * chi;
 }
 
-double WallTestFunction::slope(double y, double v) const {
-  const auto& table = Profiles::table();
-  const double l = length(y), s = v / l;
+double WallTestFunction::velocity_derivative(double y, double v) const {
+  const auto& table = ProfileTable::table();
+  const double l = velocity_scale(y), s = v / l;
   return table.phi_slope(s) / l + force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }
 
-double WallTestFunction::remainder(double y, double v, double force) const {
-  const auto& table = Profiles::table();
-  const double l = length(y), s = v / l;
+double WallTestFunction::backward_remainder(double y, double v, double force) const {
+  const auto& table = ProfileTable::table();
+  const double l = velocity_scale(y), s = v / l;
   return (force - force_) * table.phi_slope(s) / l +
          force * force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }

@@ -33,15 +33,15 @@ class WallTestFunction {
   /// @pre y > 0
   double operator()(double y, double v) const;
   /// The remainder F h_v - F_0 f_v of the backward equation, at a point with the force F.
-  double remainder(double y, double v, double force) const;
+  double backward_remainder(double y, double v, double force) const;
   /// The derivative h_v of the test function with respect to the velocity.
-  double slope(double y, double v) const;
+  double velocity_derivative(double y, double v) const;
 
   /// The difference f(0, u) - f(0, -u) at the wall, the same for every speed u.
   static constexpr double kStepAtWall = std::numbers::pi / std::numbers::sqrt3;
 
  private:
-  double length(double y) const;
+  double velocity_scale(double y) const;
 
   double diffusion_, force_;
   double v_coefficient_;  // coefficient of v in f_1, in units of F_0 / D

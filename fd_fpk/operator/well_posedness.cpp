@@ -16,32 +16,33 @@ double round_up(double length) {
 
 // The fastest growing wave over all cell widths of the axis. All widths are checked, since the
 // excitation may be unstable on wide cells and stable on narrow cells.
-Growth largest_growth(const problem::Problem& problem, const Options& options,
-                      const Discretisation& on) {
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
+                                        const Discretisation& on) {
   const Axis& x2 = on.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
   // the only excitation that may be unstable; the Pade approximant is always stable
   if (options.equation == Equation::km4) {
     as_used.regularisation_length = on.regularisation_length;
-    widths = critical_widths(x2, problem.impulses.law(), on.regularisation_length);
+    widths = critical_cell_widths(x2, problem.impulses.law(), on.regularisation_length);
   }
-  Growth largest = largest_growth(problem, as_used, x2.smallest_width());
+  FastestGrowingWave largest = fastest_growing_wave(problem, as_used, x2.smallest_cell_width());
   for (const double width : widths) {
-    const Growth growth = largest_growth(problem, as_used, width);
+    const FastestGrowingWave growth = fastest_growing_wave(problem, as_used, width);
     if (growth.rate > largest.rate) largest = growth;
   }
   return largest;
 }
 
 // Text that advises a regularisation length for the cells of an axis.
-std::string advice(const problem::ImpulseTrain& impulses, const Axis& axis, int points) {
+std::string regularisation_advice(const problem::ImpulseTrain& impulses, const Axis& axis,
+                                  int points) {
   constexpr double kNearly = 0.99;
   const auto& law = impulses.law();
   const double by_default = default_regularisation_length(impulses, axis, points);
   const double of_law = shortest_regularisation_length(law);
-  const double shortest =
-      shortest_regularisation_length(impulses, critical_widths(axis, law, of_law), points, of_law);
+  const double shortest = shortest_regularisation_length(
+      impulses, critical_cell_widths(axis, law, of_law), points, of_law);
   if (shortest > kNearly * by_default) {
     return fmt::format(
         "leave out the regularisation length: the default on these cells is {:.3g}, and a much "
@@ -55,9 +56,10 @@ std::string advice(const problem::ImpulseTrain& impulses, const Axis& axis, int 
 
 }  // namespace
 
-Growth largest_growth(const problem::Problem& problem, const Options& options, double step) {
-  const auto [axis, excitation] = unbounded_excitation(problem, options, step);
-  return largest_growth(axis, excitation, centred_points(order_of(options)));
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
+                                        double cell_width) {
+  const auto [axis, excitation] = excitation_without_walls(problem, options, cell_width);
+  return fastest_growing_wave(axis, excitation, centred_stencil_size(transport_order(options)));
 }
 
 WellPosedness check_well_posedness(const problem::Problem& problem, const Options& options,
@@ -65,14 +67,15 @@ WellPosedness check_well_posedness(const problem::Problem& problem, const Option
   if (options.equation != Equation::km4 && options.equation != Equation::km4_pade) return {};
   const auto& impulses = problem.impulses;
   if (!impulses.is_present()) return {};
-  WellPosedness result{.growth = largest_growth(problem, options, discretisation),
+  WellPosedness result{.growth = fastest_growing_wave(problem, options, discretisation),
                        .ill_posed_reason = {}};
   if (!is_unstable(result.growth, impulses)) return result;
   result.ill_posed_reason = fmt::format(
       "the series truncated after the fourth derivative is ill-posed: with a fourth difference of "
       "step {2:.3g} waves grow at rate {0:.3g} at wavenumber {1:.3g}; {3}",
       result.growth.rate, result.growth.wavenumber, discretisation.regularisation_length,
-      advice(impulses, discretisation.grid.x2, centred_points(order_of(options))));
+      regularisation_advice(impulses, discretisation.grid.x2,
+                            centred_stencil_size(transport_order(options))));
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace fpkcheck::fd_fpk {
 /// Result of the stability check of the discretised excitation.
 struct WellPosedness {
   /// the fastest growing wave; zero for equations that are well-posed for any cell width
-  Growth growth{0, 0};
+  FastestGrowingWave growth{0, 0};
   /// The reason why the scheme is ill-posed, and what to do; empty if the scheme is well-posed.
   std::string ill_posed_reason;
 };
@@ -19,6 +19,7 @@ WellPosedness check_well_posedness(const problem::Problem& problem, const Option
 
 /// The fastest growing wave of the excitation that the options select, on velocity cells of the
 /// given width.
-Growth largest_growth(const problem::Problem& problem, const Options& options, double step);
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
+                                        double cell_width);
 
 }  // namespace fpkcheck::fd_fpk

@@ -10,7 +10,7 @@
 #include "fd_fpk/characteristics/contact_grid.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/features.hpp"
@@ -31,7 +31,7 @@ struct GridSolution {
   StationaryMasses found;
 };
 
-GridSolution solve_in_box(const problem::Problem& problem, const problem::Scales& scales,
+GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& options, const Box& box, const Deadline& deadline) {
   Grid grid = problem::is_paper_oscillator(problem) ? characteristic_grid(problem, options, box)
                                                     : contact_grid(problem, scales, options, box);
@@ -56,7 +56,7 @@ MarginalMasses marginal_masses(const GridSolution& on) {
 // accumulates in these cells.
 constexpr double kMaxMassAtEnd = 1e-6;
 double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
-  const double in_y = on.grid.x1.right() == EndCondition::vacuum
+  const double in_y = on.grid.x1.right_end_condition() == EndCondition::vacuum
                           ? marginal_masses.of_y(marginal_masses.of_y.size() - 1)
                           : 0;
   return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
@@ -67,19 +67,19 @@ double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses
 // the cells at the end contain more than `negligible`.
 double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
-  int last = axis.cells();
+  int last = axis.cell_count();
   while (last > 1) {
     beyond += std::abs(masses(last - 1));
     if (beyond > negligible) break;
     --last;
   }
-  return axis.face(last);
+  return axis.face_position(last);
 }
 
 // A box that contains all but a negligible part of the mass, determined on wide cells. After the
 // deadline, a box that contains all but kMaxMassAtEnd suffices; with more mass at its ends a box
 // would be rejected.
-Box characteristics_box(const problem::Problem& problem, const problem::Scales& scales,
+Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
@@ -89,7 +89,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::Scales& 
   constexpr int kMostTimes = 6;
   Box box = problem::is_paper_oscillator(problem) ? initial_characteristic_box(problem, options)
                                                   : initial_contact_box(problem, scales, options);
-  const bool given_y = options.x1_max || problem.system.right(),
+  const bool given_y = options.x1_max || problem.system.right_wall(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
   Options coarse = options;
@@ -101,7 +101,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::Scales& 
     if (!on.found.masses) return box;
     const MarginalMasses masses = marginal_masses(on);
     const double y = end_of_support(on.grid.x1, masses.of_y, kNegligible);
-    const double v = end_of_support(on.grid.speeds(), masses.of_speed, kNegligible);
+    const double v = end_of_support(on.grid.speed_axis(), masses.of_speed, kNegligible);
     const bool wider_y = !given_y && y >= box.x1_max;
     const bool wider_v = !given_v && v >= box.x2_max;
     const double beyond = mass_at_end(on, masses);
@@ -128,7 +128,7 @@ void add_atoms(const problem::Problem& problem, const GridSolution& on,
     const double probability = on.found.at_rest[k];
     solution.atoms.push_back(
         {.y = point.y, .probability = probability, .standard_error = {}, .error_estimate = {}});
-    const double y = problem.frame.y(point.y);
+    const double y = problem.frame.physical_y(point.y);
     moments.y1 += probability * y;
     moments.y2 += probability * y * y;
     moments.y4 += probability * y * y * y * y;
@@ -136,14 +136,14 @@ void add_atoms(const problem::Problem& problem, const GridSolution& on,
   }
 }
 
-void fill_in_results(const problem::Problem& problem, const problem::Scales& scales,
-                     const GridSolution& on, const Eigen::VectorXd& averages, Result& result) {
+void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
+                 const GridSolution& on, const Eigen::VectorXd& averages, Result& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
   const auto& [left, right] = on.found.impacts;
   solution.density = grid_density(on.grid, averages);
   solution.moments = physical_moments(problem.frame, on.grid, averages, kOrderOfObservables);
-  solution.mass = on.grid.areas().dot(averages);
+  solution.mass = on.grid.cell_areas().dot(averages);
   solution.min_density = averages.minCoeff() / averages.maxCoeff();
   add_atoms(problem, on, solution);
   summary.wall = relative_wall_density(scales, on.grid, averages);
@@ -178,8 +178,9 @@ void fill_in_results(const problem::Problem& problem, const problem::Scales& sca
 
 }  // namespace
 
-Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Options& options, const Deadline& deadline) {
+Result solve_along_characteristics(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, const Options& options,
+                                   const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
   const Box box = characteristics_box(problem, scales, options, deadline);
@@ -190,7 +191,7 @@ Result solve_along_characteristics(const problem::Problem& problem, const proble
   summary.x1_max = on.grid.x1_max();
   summary.x2_max = on.grid.x2_max();
   summary.refinement = options.refinement;
-  summary.transport = Transport::characteristics;
+  summary.transport = TransportScheme::characteristics;
   summary.visits = on.found.visits;
   summary.krylov_iterations = on.found.iterations;
   summary.krylov_seconds = stopwatch.seconds();
@@ -200,7 +201,7 @@ Result solve_along_characteristics(const problem::Problem& problem, const proble
     return result;
   }
   summary.residual = on.found.residual * problem.impulses.arrival_rate() / scales.frequency;
-  fill_in_results(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.areas()), result);
+  set_results(problem, scales, on, on.found.masses->cwiseQuotient(on.grid.cell_areas()), result);
   solution.status = Status::ok;
   if (const double beyond = mass_at_end(on, marginal_masses(on)); beyond > kMaxMassAtEnd) {
     solution.status = Status::failed;

@@ -14,7 +14,8 @@ namespace fpkcheck::fd_fpk {
 /// jump. For rare impulses the transport dominates, and the transport along characteristics is
 /// exact. The density may be unbounded at the origin. Status and options are treated as by
 /// solve_on_one_grid.
-Result solve_along_characteristics(const problem::Problem& problem, const problem::Scales& scales,
-                                   const Options& options, const Deadline& deadline);
+Result solve_along_characteristics(const problem::Problem& problem,
+                                   const problem::MotionScales& scales, const Options& options,
+                                   const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -5,7 +5,7 @@
 
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -14,7 +14,7 @@ namespace {
 // Factor by which GMRES must reduce the residual.
 constexpr double kLeastReduction = 1e-4;
 
-DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Scales& scales,
+DirectSolution solve_on_grid(const problem::Problem& problem, const problem::MotionScales& scales,
                              const Options& options, const Box& box, const Deadline& deadline) {
   Discretisation discretisation = discretise(problem, options, box);
   if (!discretisation.failure.empty()) {
@@ -26,11 +26,13 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Sca
   const Grid& grid = discretisation.grid;
   FokkerPlanckOperator op = fokker_planck_operator(problem, options, discretisation);
   Preconditioner preconditioner(problem.system, scales.slowest_decay_rate,
-                                discretisation.excitation, options.impact, grid, order_of(options));
-  const Eigen::VectorXd start = gaussian_start(grid, problem, scales);
+                                discretisation.excitation, options.impact, grid,
+                                transport_order(options));
+  const Eigen::VectorXd start = initial_gaussian(grid, problem, scales);
   auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, start, deadline);
-  const bool converged = averages && op.residual(*averages) < kLeastReduction * op.residual(start);
+  const bool converged = averages && op.stationarity_residual(*averages) <
+                                         kLeastReduction * op.stationarity_residual(start);
   return {.discretisation = std::move(discretisation),
           .scales = scales,
           .refinement = options.refinement,
@@ -47,7 +49,7 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Sca
 // Solves in `box`, and moves the ends of the box that the options leave free outwards until the
 // density at these ends is negligible. After the deadline, an acceptable density suffices.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
-                                        const problem::Scales& scales, const Options& options,
+                                        const problem::MotionScales& scales, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
@@ -72,7 +74,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     const bool is_acceptable =
         wall.x1 <= kMaxWallDensity && wall.x2 <= kMaxWallDensity && wall.x1_low <= kMaxWallDensity;
     if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
-    if (problem.system.left()) {
+    if (problem.system.left_wall()) {
       if (widen_x1) box.x1_max *= kWidening;
     } else {  // without an impact wall the box widens about its middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
@@ -89,7 +91,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
 // standard deviations then smooths the density and causes ripples at the ends of the box. The
 // function therefore solves again on grids based on the computed length scales, until these
 // converge.
-void find_box_and_lengths(const problem::Problem& problem, const problem::Scales& scales,
+void find_box_and_lengths(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
   constexpr double kSame = 0.9;
@@ -110,9 +112,9 @@ bool is_resolved(const problem::Problem& problem, const Options& options,
                  const DirectSolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
   const double energy = energy_residual(problem, options.impact, direct.discretisation.grid,
-                                        averages, order_of(options));
+                                        averages, transport_order(options));
   return kAutomaticGridLimits.is_density_accepted(averages.minCoeff() / averages.maxCoeff()) &&
-         kAutomaticGridLimits.is_imbalance_accepted(energy);
+         kAutomaticGridLimits.is_power_residual_accepted(energy);
 }
 
 }  // namespace
@@ -122,7 +124,7 @@ Box stationary_box(const problem::Problem& problem, const Options& options,
   return stationary_box(problem, problem::scales(problem), options, deadline);
 }
 
-Box stationary_box(const problem::Problem& problem, const problem::Scales& scales,
+Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
                    const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
@@ -150,7 +152,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
   constexpr double kRefinement = 1.5;
   // approximate ratio of the times on the refined and the previous grid
   constexpr double kTimeRatio = 5;
-  const problem::Scales& scales = scales_and_box.scales;
+  const problem::MotionScales& scales = scales_and_box.scales;
   Box box =
       scales_and_box.box ? *scales_and_box.box : stationary_box(problem, scales, options, deadline);
   Options on_grid = options;

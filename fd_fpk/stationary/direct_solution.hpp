@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 /// A discrete operator, its grid and its null vector.
 struct DirectSolution {
   Discretisation discretisation;
-  problem::Scales scales;
+  problem::MotionScales scales;
   double refinement = 1;         ///< the factor Options::refinement that was used
   double origin_refinement = 1;  ///< the ratio Options::origin_refinement that was used
   FokkerPlanckOperator op = {};
@@ -30,7 +30,7 @@ struct DirectSolution {
 
 /// Properties of a problem that do not depend on its grid.
 struct ScalesAndBox {
-  problem::Scales scales;
+  problem::MotionScales scales;
   /// The result of stationary_box. If the box is absent, solve_directly computes the box.
   std::optional<Box> box = {};
 };
@@ -41,7 +41,7 @@ struct ScalesAndBox {
 /// kMaxWallDensity. Outside the paper's class the box contains the length scales of the density.
 Box stationary_box(const problem::Problem& problem, const Options& options,
                    const Deadline& deadline);
-Box stationary_box(const problem::Problem& problem, const problem::Scales& scales,
+Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
                    const Options& options, const Deadline& deadline);
 
 /// The direct solution in a box at whose ends the density is negligible, on a grid that resolves

@@ -19,7 +19,7 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-const transform::GridDensity& grid_of(const Solution& solution) {
+const transform::GridDensity& grid_density_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
@@ -43,14 +43,14 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
 // densities of two grids never agree.
 transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
   constexpr double kNarrowest = 0.02;  // smallest width of a bin, in units of the root mean square
-  const auto& [y_edges, v_edges, averages] = grid_of(finer.solution);
+  const auto& [y_edges, v_edges, averages] = grid_density_of(finer.solution);
   const auto& moments = finer.solution.moments;
   // The root mean square of y may exceed the extent of the grid, if the motion is far from y = 0.
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
   const auto of = [&](const Result& result) {
-    transform::GridLevel level = transform::level(result.solution, y, v);
+    transform::GridLevel level = transform::grid_level(result.solution, y, v);
     level.impact_rate = result.summary.impact_rate;
     return level;
   };
@@ -67,8 +67,8 @@ Options with_refined_cells(Options options, double factor) {
   return options;
 }
 
-Options direct(Options options) {
-  options.stepper = Stepper::direct;
+Options with_direct_solver(Options options) {
+  options.stepper = StationarySolver::direct;
   return options;
 }
 
@@ -83,7 +83,7 @@ Options with_box_of(Options options, const Summary& summary) {
 // their solutions would include more than the discretisation error.
 Options with_used_grid(Options options, const Summary& summary) {
   options.refinement = summary.refinement;
-  if (options.transport != Transport::characteristics) {
+  if (options.transport != TransportScheme::characteristics) {
     options.origin_refinement = summary.origin_refinement;
   }
   return with_box_of(options, summary);
@@ -93,8 +93,8 @@ Options with_used_grid(Options options, const Summary& summary) {
 // the density is linear inside each cell.
 int order_of_convergence(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
-  return options.transport == Transport::characteristics ? kAlongCharacteristics
-                                                         : order_of(options);
+  return options.transport == TransportScheme::characteristics ? kAlongCharacteristics
+                                                               : transport_order(options);
 }
 
 // Largest relative error of the second moments.
@@ -106,14 +106,14 @@ double largest_error(const ErrorEstimate& error, const Moments& moments) {
   return std::max({error.y_l1, error.ydot_l1, second_moment_error(error.moments, moments)});
 }
 
-double l1(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
+double largest_l1_error(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
 
 void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
   fine.summary.error = error;
   for (std::size_t k = 0; k < error.rest_probabilities.size(); ++k) {
     fine.solution.atoms[k].error_estimate = error.rest_probabilities[k];
   }
-  if (error.has_limit) {
+  if (error.has_richardson_limit) {
     fine.solution.extrapolation = {*coarser.density, error.factor};
   }
 }
@@ -126,7 +126,7 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
   Moments moved;
   const auto& [solution, summary] = in_box;
   if (!summary.enlarged_box) return moved;
-  Options options = direct(of_cells);
+  Options options = with_direct_solver(of_cells);
   options.x1_max = summary.enlarged_box->box.x1_max;
   options.x2_max = summary.enlarged_box->box.x2_max;
   options.nx = summary.enlarged_box->nx;
@@ -147,7 +147,7 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
 // to E[v^2], and so to E[y^2], and the mean force to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
-  if (summary.transport != Transport::characteristics) return error;
+  if (summary.transport != TransportScheme::characteristics) return error;
   const double power = std::abs(solution.energy_residual);
   const double momentum = std::abs(summary.balances.momentum.value_or(0));
   const auto at_least = [&, &moments = solution.moments](double Moments::*moment, double part) {
@@ -162,8 +162,9 @@ Moments raise_to_balance_residuals(Moments error, const Result& fine) {
 }
 
 // The error estimate from solutions on three grids, plus the truncation error of the box.
-ErrorEstimate estimate(const Options& options, const Result& coarse, const Result& middle,
-                       const Result& fine, const Moments& box_truncation) {
+ErrorEstimate estimate_with_box_truncation(const Options& options, const Result& coarse,
+                                           const Result& middle, const Result& fine,
+                                           const Moments& box_truncation) {
   ErrorEstimate error = estimate_error(coarse, middle, fine, order_of_convergence(options));
   error.moments = raise_to_balance_residuals(error.moments, fine);
   for (const auto& named : transform::kMoments) {
@@ -203,7 +204,7 @@ bool have_same_cells(const Summary& first, const Summary& second) {
 double expected_seconds(const Summary& on) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
   return on.nx * on.nv *
-         (on.transport == Transport::characteristics ? kAlongCharacteristics : kOfCell);
+         (on.transport == TransportScheme::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
 // Whether the solutions on all further grids up to the requested accuracy are expected to take at
@@ -214,11 +215,11 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
   const double order =
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
-  const double missing = std::max(
-      1.0, std::ceil(std::log(l1(error) / accuracy) / (order * std::log(kRefinementRatio))));
+  const double missing = std::max(1.0, std::ceil(std::log(largest_l1_error(error) / accuracy) /
+                                                 (order * std::log(kRefinementRatio))));
   // Time of all further grids in units of the time of the last grid: the sum of a geometric series.
   const double levels = kTimeRatio * (std::pow(kTimeRatio, missing) - 1) / (kTimeRatio - 1);
-  return kTimeFraction * levels * expected_seconds(last) <= deadline.total_seconds();
+  return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
 }
 
 }  // namespace
@@ -229,7 +230,7 @@ bool is_better(const Result& first, const Result& second) {
   };
   if (rank(first) != rank(second)) return rank(first) > rank(second);
   return first.summary.error && second.summary.error &&
-         l1(*first.summary.error) < l1(*second.summary.error);
+         largest_l1_error(*first.summary.error) < largest_l1_error(*second.summary.error);
 }
 
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
@@ -241,11 +242,11 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
           .ydot_l1 = known.error.ydot_l1,
           .moments = known.error.moments,
           .observed_order = known.orders.l1,
-          .extrapolated = transform::limit(fine.solution.moments, last, known.factor),
+          .extrapolated = transform::richardson_limit(fine.solution.moments, last, known.factor),
           .factor = known.factor,
           .rest_probabilities = known.rest_probabilities,
           .impact_rate = known.impact_rate,
-          .has_limit = transform::has_limit(known.orders.l1, order)};
+          .has_richardson_limit = transform::has_richardson_limit(known.orders.l1, order)};
 }
 
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options) {
@@ -254,16 +255,16 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   const Options used = with_used_grid(options, fine.summary);
   // The solutions on the coarser grids are always computed: each takes less time than the first
   // solution, and no solution may lack an error estimate.
-  const Result middle = solve(direct(with_refined_cells(used, 1 / kRefinementRatio)));
+  const Result middle = solve(with_direct_solver(with_refined_cells(used, 1 / kRefinementRatio)));
   const Options coarsest =
-      direct(with_refined_cells(used, 1 / (kRefinementRatio * kRefinementRatio)));
+      with_direct_solver(with_refined_cells(used, 1 / (kRefinementRatio * kRefinementRatio)));
   const Result coarse = solve(coarsest);
   const bool same = have_same_cells(coarse.summary, middle.summary) ||
                     have_same_cells(middle.summary, fine.summary);
   if (middle.solution.density && coarse.solution.density && !same) {
-    add_estimate(
-        fine, middle.solution,
-        estimate(options, coarse, middle, fine, box_truncation_error(solve, coarsest, coarse)));
+    add_estimate(fine, middle.solution,
+                 estimate_with_box_truncation(options, coarse, middle, fine,
+                                              box_truncation_error(solve, coarsest, coarse)));
   }
   check_error(options, fine);
   return fine;
@@ -278,14 +279,15 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   // Solutions on the three grids together take about 1 + 1/2.5 + 1/6 times as long as that on the
   // finest grid. A solution in the larger box takes twice as long as that on the finest grid.
   double seconds = stopwatch.seconds() / (best.summary.enlarged_box ? 1.9 : 1.6);
-  Options level = direct(with_used_grid(options, best.summary));
+  Options level = with_direct_solver(with_used_grid(options, best.summary));
   // The solutions on the two coarser of the last three grids.
   const Options before = with_refined_cells(level, 1 / kRefinementRatio);
   Result middle = best;
   std::optional<Result> coarse;
   // If the box is too small, finer cells do not help.
   while (best.solution.status != Status::failed &&
-         (l1(*best.summary.error) > goal.accuracy || (goal.until_ok && !best.solution.is_ok()))) {
+         (largest_l1_error(*best.summary.error) > goal.accuracy ||
+          (goal.until_ok && !best.solution.is_ok()))) {
     // If the requested accuracy is not attainable in time, the grid is refined only while the
     // solution is not `ok`.
     if (best.solution.is_ok() && !is_accuracy_attainable(*best.summary.error, middle.summary,
@@ -302,7 +304,8 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
     if (!coarse) coarse = solve(before);
     if (!coarse->solution.density) break;
     add_estimate(fine, middle.solution,
-                 estimate(options, *coarse, middle, fine, best.summary.error->box_truncation));
+                 estimate_with_box_truncation(options, *coarse, middle, fine,
+                                              best.summary.error->box_truncation));
     check_error(options, fine);
     coarse = std::exchange(middle, fine);
     if (is_better(fine, best)) best = std::move(fine);
@@ -339,7 +342,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                               slower * seconds));
     }
     const Stopwatch of_level;
-    Result result = solve(direct(level));
+    Result result = solve(with_direct_solver(level));
     slower = std::max(kTimeRatio, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();
     if (!result.solution.density) {
@@ -347,7 +350,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
     }
     if (!box_found) {
       last[2] = std::move(result);
-      box_truncation = box_truncation_error(solve, direct(level), *last[2]);
+      box_truncation = box_truncation_error(solve, with_direct_solver(level), *last[2]);
       const double excess = second_moment_error(box_truncation, last[2]->solution.moments) /
                             (kWalls * *options.tolerance);
       const bool free = !options.x1_max || !options.x2_max;
@@ -362,10 +365,11 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       last[2] = std::move(result);
     }
     if (last[0] && !have_same_cells(last[0]->summary, last[1]->summary)) {
-      const auto error = estimate(options, *last[0], *last[1], *last[2], box_truncation);
+      const auto error =
+          estimate_with_box_truncation(options, *last[0], *last[1], *last[2], box_truncation);
       add_estimate(*last[2], last[1]->solution, error);
       if (largest_error(error, last[2]->solution.moments) <= *options.tolerance) {
-        if (options.stepper == Stepper::direct) {
+        if (options.stepper == StationarySolver::direct) {
           check_error(options, *last[2]);
           return *last[2];
         }
@@ -376,8 +380,8 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         check_error(options, stepped);
         return stepped;
       }
-      if (options.transport != Transport::characteristics &&
-          error.observed_order < order_of(options) - kOrdersMissing &&
+      if (options.transport != TransportScheme::characteristics &&
+          error.observed_order < transport_order(options) - kOrdersMissing &&
           last[2]->summary.origin_refinement == 1) {
         level.origin_refinement = kOriginRefinement;
         estimated = std::move(last[2]);

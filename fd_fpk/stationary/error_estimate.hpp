@@ -23,8 +23,8 @@ using SolveOnOneGrid = std::function<Result(const Options&)>;
 
 /// The solution on the grid of the options, with an error estimate. The estimate uses direct
 /// solutions on two coarser grids, whose cells are wider by transform::kRefinementRatio and by its
-/// square. The solution includes the extrapolated moments if transform::has_limit accepts the
-/// observed order of convergence.
+/// square. The solution includes the extrapolated moments if transform::has_richardson_limit
+/// accepts the observed order of convergence.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
 
 /// Target for the estimated L1 error on an automatic grid, if the time limit permits.

@@ -9,9 +9,10 @@
 
 namespace fpkcheck::fd_fpk {
 
-March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& start, double tolerance, double decay_time,
-                            const Deadline& deadline) {
+PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
+                                            Preconditioner& preconditioner,
+                                            const Eigen::VectorXd& start, double tolerance,
+                                            double decay_time, const Deadline& deadline) {
   constexpr long kMaxSteps = 200;
   // Limits of the time step, in decay times. The upper limit is necessary because rounding errors
   // in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
@@ -41,9 +42,9 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
 
   const Stopwatch stopwatch;
   const double factored_before = preconditioner.factor_seconds();
-  March march;
-  march.residual = op.residual(start);
-  LinearCvode cvode(with_deadline(deadline, linear_system(op, preconditioner)), start,
+  PseudoTransientResult march;
+  march.residual = op.stationarity_residual(start);
+  LinearCvode cvode(with_deadline(deadline, linear_ode_system(op, preconditioner)), start,
                     {.max_order = 1,
                      .relative_tolerance = kRelativeTolerance,
                      .absolute_tolerance = absolute_tolerance,
@@ -57,28 +58,28 @@ March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& prec
     cvode.set_linear_tolerance(linear_tolerance(march.residual));
     int flag = 0;
     try {
-      flag = cvode.step().flag;
+      flag = cvode.take_step().flag;
     } catch (const DeadlineExceeded&) {
       march.out_of_time = true;
       break;
     }
-    march.steps = cvode.steps();
+    march.steps = cvode.step_count();
     if (flag < 0) {
-      march.reason =
-          fmt::format("CVODE failed at step {} (flag {}): {}", march.steps, flag, cvode.message());
+      march.reason = fmt::format("CVODE failed at step {} (flag {}): {}", march.steps, flag,
+                                 cvode.error_message());
       break;
     }
-    march.residual = op.residual(cvode.averages());
+    march.residual = op.stationarity_residual(cvode.averages());
     if (march.residual > tolerance && !deadline.has_time_for(of_step.seconds())) {
       march.out_of_time = true;
       break;
     }
   }
-  march.rhs_evaluations = cvode.rhs_evaluations();
-  march.krylov_iterations = cvode.krylov_iterations();
+  march.rhs_evaluations = cvode.rhs_evaluation_count();
+  march.krylov_iterations = cvode.krylov_iteration_count();
   march.krylov_seconds = stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
   // The density is normalised to mass 1 again, because the residual of GMRES changes the mass.
-  march.averages = cvode.averages() / op.mass(cvode.averages());
+  march.averages = cvode.averages() / op.total_mass(cvode.averages());
   return march;
 }
 

@@ -10,12 +10,12 @@
 namespace fpkcheck::fd_fpk {
 
 /// Result of time stepping to the stationary density.
-struct March {
-  Eigen::VectorXd averages;    ///< the last density
-  std::string reason;          ///< error message of CVODE; empty if CVODE did not stop
-  bool out_of_time = false;    ///< whether the next step would have ended after the deadline
-  double residual = 0;         ///< residual of `averages`, FokkerPlanckOperator::residual
-  long steps = 0;              ///< internal steps of CVODE
+struct PseudoTransientResult {
+  Eigen::VectorXd averages;  ///< the last density
+  std::string reason;        ///< error message of CVODE; empty if CVODE did not stop
+  bool out_of_time = false;  ///< whether the next step would have ended after the deadline
+  double residual = 0;  ///< residual of `averages`, FokkerPlanckOperator::stationarity_residual
+  long steps = 0;       ///< internal steps of CVODE
   long rhs_evaluations = 0;    ///< number of products L P evaluated for CVODE
   long krylov_iterations = 0;  ///< total iterations of GMRES
   /// time in seconds without factorisations, nearly all of which GMRES takes
@@ -35,8 +35,9 @@ struct March {
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time the longest decay time of the problem
 /// @throws std::runtime_error when SUNDIALS cannot be set up (no memory)
-March march_to_stationarity(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& start, double tolerance, double decay_time,
-                            const Deadline& deadline);
+PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
+                                            Preconditioner& preconditioner,
+                                            const Eigen::VectorXd& start, double tolerance,
+                                            double decay_time, const Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
 
 namespace fpkcheck::fd_fpk {
 using transform::Status;

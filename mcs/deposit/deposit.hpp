@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "mcs/deposit/grid.hpp"
+#include "mcs/deposit/deposit_grid.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -17,7 +17,7 @@ namespace fpkcheck::mcs {
 /// With DepositGrid::shifts the lattice stays empty and `flow` includes the terms of the lattice.
 /// y'' is the second derivative of the flight's polynomial, (y-, v-) is the state of this
 /// polynomial at the impact, and v+ is the velocity after the impact.
-struct Deposit {
+struct DepositedSums {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (y functions, flow_pitch); rows are padded
   std::vector<double> lattice;  ///< shape (y functions, lattice_pitch); rows are padded
@@ -32,8 +32,8 @@ struct Deposit {
 
   static constexpr int kBinOffset = 2;
 
-  Deposit() = default;
-  explicit Deposit(const DepositGrid& grid)
+  DepositedSums() = default;
+  explicit DepositedSums(const DepositGrid& grid)
       : flow_pitch(grid.v_functions() + kPadding),
         lattice_pitch(grid.lattice_points),
         flow(static_cast<std::size_t>(grid.y_functions() * flow_pitch)),

@@ -16,14 +16,14 @@ using Real8 = simd::VectorTypes<8>::Real;
 
 /// Values at t of eight polynomials, by Horner's rule.
 template <int kDegree>
-FPKCHECK_INLINE Real8 polynomials(const double* coefficients, double t) {
+FPKCHECK_INLINE Real8 evaluate_polynomials(const double* coefficients, double t) {
   Real8 sum = simd::load<Real8>(coefficients);
 #pragma GCC unroll 8
   for (int n = 1; n <= kDegree; ++n) sum = sum * t + simd::load<Real8>(coefficients + 8 * n);
   return sum;
 }
 
-FPKCHECK_INLINE void add(double* to, const Real8& terms) {
+FPKCHECK_INLINE void add_in_place(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
@@ -42,11 +42,11 @@ FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePieces& pieces, double
   // rounding.
   int span = pieces.span_of_cell()[place > last ? last : place];
   span += span + 1 < pieces.spans() && inside >= pieces.breaks()[span + 1] ? 1 : 0;
-  const double* const c = pieces.coefficients() + pieces.place()[span];
-  const double t = (inside - pieces.breaks()[span]) * pieces.per_length()[span];
-  SplineValues f{polynomials<5>(c, t), Real8{}, pieces.first()[span]};
+  const double* const c = pieces.coefficients() + pieces.coefficient_offsets()[span];
+  const double t = (inside - pieces.breaks()[span]) * pieces.reciprocal_lengths()[span];
+  SplineValues f{evaluate_polynomials<5>(c, t), Real8{}, pieces.first_spline_indices()[span]};
   // Beyond the ends the splines are constant, with slope 0.
-  if (inside == x) f.slope = polynomials<4>(c + 6 * 8, t);
+  if (inside == x) f.slope = evaluate_polynomials<4>(c + 6 * 8, t);
   return f;
 }
 
@@ -55,12 +55,13 @@ FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cu
   const double cells = (x - bins.first) / bins.spacing;
   if (!(cells >= -1.0 && cells < bins.count)) return;
   const int cell = static_cast<int>(cells + 1.0) - 1;
-  add(sums + cell - 1 + Deposit::kBinOffset, weight * polynomials<3>(cubics, cells - cell));
+  add_in_place(sums + cell - 1 + DepositedSums::kBinOffset,
+               weight * evaluate_polynomials<3>(cubics, cells - cell));
 }
 
 /// Deposits lambda B_i(y) on the velocity lattice at v, by Lagrange interpolation with eight
 /// points.
-FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposit, int first,
+FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, DepositedSums& deposit, int first,
                                         const Real8& rates, double v) {
   const DepositGrid& grid = plan.grid;
   double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
@@ -68,19 +69,19 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, Deposit& deposi
   cells = cells > 0 ? (cells < last ? cells : last) : 0;
   int cell = static_cast<int>(cells);
   cell = cell < 3 ? 3 : cell > grid.lattice_points - 5 ? grid.lattice_points - 5 : cell;
-  const Real8 stencil = polynomials<7>(plan.lagrange.data(), cells - cell);
+  const Real8 stencil = evaluate_polynomials<7>(plan.lagrange.data(), cells - cell);
   double* line = deposit.lattice.data() + first * deposit.lattice_pitch + cell - 3;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add(line, simd::lane(rates, i) * stencil);
+    add_in_place(line, simd::lane_value(rates, i) * stencil);
     line += deposit.lattice_pitch;
   }
 }
 
 /// Deposits one sample of (y, v): adds its terms to the sums of a deposit.
 /// @param a second derivative of the flight's polynomial
-FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, double y, double v,
-                                    double a, double weight) {
+FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& deposit, double y,
+                                    double v, double a, double weight) {
   const SplineValues in_y = evaluate_splines(plan.y, y), in_v = evaluate_splines(plan.v, v);
   // y' B_i' B_j - lambda B_i B_j + y'' B_i B_j'
   const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
@@ -88,7 +89,8 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add(row, simd::lane(of_value, i) * in_v.value + simd::lane(of_slope, i) * in_v.slope);
+    add_in_place(row, simd::lane_value(of_value, i) * in_v.value +
+                          simd::lane_value(of_slope, i) * in_v.slope);
     row += deposit.flow_pitch;
   }
   const DepositGrid& grid = plan.grid;
@@ -101,7 +103,7 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
       double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
 #pragma GCC unroll 6
       for (int i = 0; i < 6; ++i) {
-        add(line, (simd::lane(rates, i) * shift.probability) * after.value);
+        add_in_place(line, (simd::lane_value(rates, i) * shift.probability) * after.value);
         line += deposit.flow_pitch;
       }
     }
@@ -116,18 +118,19 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, Deposit& deposit, d
 
 /// Deposits the jump h(0, v+) - h(y-, v-) at one impact, to first order in y-, which differs from 0
 /// by rounding only.
-FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, Deposit& deposit, double y_before,
-                                    double v_before, double v_after, double weight) {
+FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, DepositedSums& deposit,
+                                    double y_before, double v_before, double v_after,
+                                    double weight) {
   const double per_sample = weight / plan.sampling_interval;
   const SplineValues before = evaluate_splines(plan.v, v_before),
                      after = evaluate_splines(plan.v, v_after);
   const SplineValues wall = evaluate_splines(plan.y, 0.0);
   double* row = deposit.flow.data();
-  add(row + after.first, per_sample * after.value);
+  add_in_place(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
   for (int i = 0; i < 2; ++i) {  // only these two splines have a value or slope at the wall
-    const double at = simd::lane(wall.value, i) + y_before * simd::lane(wall.slope, i);
-    add(row + before.first, (-per_sample * at) * before.value);
+    const double at = simd::lane_value(wall.value, i) + y_before * simd::lane_value(wall.slope, i);
+    add_in_place(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;
   }
   deposit.impacts[0] -= weight * v_before;

@@ -39,7 +39,7 @@ Interval score_interval(double mean, double error, double t) {
 
 }  // namespace
 
-double expected_l1(const BinErrors& errors) {
+double expected_l1_error(const BinErrors& errors) {
   double sum = 0;
   for (const auto& bin : errors) {
     sum += std::sqrt(2 / std::numbers::pi *
@@ -50,10 +50,10 @@ double expected_l1(const BinErrors& errors) {
 
 // Multiplier bootstrap: a replicate multiplies the error contribution of each stream by a random
 // normal factor. The L1 norms of the replicates have the distribution of the L1 sampling error.
-SamplingL1 sampling_l1(const BinErrors& errors) {
+L1SamplingError l1_sampling_error(const BinErrors& errors) {
   constexpr int kReplicates = 400;
   constexpr std::uint64_t kSeed = 20240501;  // arbitrary, but fixed: runs are reproducible
-  SamplingL1 result{.expected = expected_l1(errors), .quantile_99 = 0};
+  L1SamplingError result{.expected = expected_l1_error(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
   boost::random::mt19937_64 engine(kSeed);
   boost::random::normal_distribution<double> normal;
@@ -85,7 +85,7 @@ std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simu
 
 MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
                                    transform::Variable variable, double effective_samples) {
-  const auto& edges = simulation.plan().bins(variable).edges();
+  const auto& edges = simulation.plan().bin_finder(variable).edges();
   const auto sums = bin_sums(simulation, variable);
   MarginalEstimate result;
   auto& [marginal, errors] = result;
@@ -106,14 +106,14 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
     marginal.density.push_back(density);
     marginal.lower.push_back(interval.lower);
     marginal.upper.push_back(interval.upper);
-    errors.push_back(weights.errors(densities));
+    errors.push_back(weights.error_contributions(densities));
     for (double& part : errors.back()) part *= width;
   }
   return result;
 }
 
 JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights) {
-  const Plan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan();
   JointEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
   transform::GridDensity& density = joint.density;
   std::vector<double> values(simulation.streams().size());

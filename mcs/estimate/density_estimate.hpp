@@ -7,19 +7,19 @@
 namespace fpkcheck::mcs {
 
 /// Contributions of the streams to the sampling error of the probability of each bin
-/// (StreamWeights::errors), shape (bins, streams).
+/// (StreamWeights::error_contributions), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
 /// Expected L1 sampling error of a marginal: sum over bins of sqrt(2/pi) * standard error.
-double expected_l1(const BinErrors& errors);
+double expected_l1_error(const BinErrors& errors);
 
 /// Distribution of the L1 sampling error of a marginal.
-struct SamplingL1 {
-  double expected = 0;     ///< expected value, expected_l1()
+struct L1SamplingError {
+  double expected = 0;     ///< expected value, expected_l1_error()
   double quantile_99 = 0;  ///< 99 % quantile, with the correlation of neighbouring bins
 };
 
-SamplingL1 sampling_l1(const BinErrors& errors);
+L1SamplingError l1_sampling_error(const BinErrors& errors);
 
 /// Probabilities that the variable is below each bin edge, estimated from each stream.
 /// @return shape (streams, edges)

@@ -19,7 +19,7 @@ struct Quantile {
 };
 
 /// Rate of upward crossings of the level of y, or of peaks above this level, per unit time.
-struct LevelRate {
+struct LevelEventRate {
   double level;
   Estimate rate;
 };

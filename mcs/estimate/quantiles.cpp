@@ -63,7 +63,7 @@ std::vector<Quantile> to_physical_coordinates(const problem::Frame& frame,
                                               transform::Variable variable,
                                               std::vector<Quantile> quantiles) {
   const auto to_physical = [&](double x) {
-    return variable == transform::Variable::y ? frame.y(x) : frame.v(x);
+    return variable == transform::Variable::y ? frame.physical_y(x) : frame.physical_velocity(x);
   };
   for (Quantile& q : quantiles) {
     q = {q.probability, to_physical(q.value), to_physical(q.lower), to_physical(q.upper)};
@@ -79,7 +79,7 @@ std::vector<Quantile> to_physical_coordinates(const problem::Frame& frame,
 
 std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
                                          transform::Variable variable) {
-  const auto& edges = simulation.plan().bins(variable).edges();
+  const auto& edges = simulation.plan().bin_finder(variable).edges();
   const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {

@@ -47,8 +47,8 @@ double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
   return mean;
 }
 
-std::vector<double> moments(const Simulation& simulation, int p, int q) {
-  return each(simulation.streams(), [&](const StreamRecord& record) {
+std::vector<double> stream_moments(const Simulation& simulation, int p, int q) {
+  return value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
     return physical_moment(simulation, record, p, q);
   });
 }
@@ -58,14 +58,14 @@ std::vector<double> excess_powers(const Simulation& simulation) {
   // expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is the change of y
   // and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
-  return each(simulation.streams(), [&](const StreamRecord& record) {
+  return value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
     return record.work / simulation.stream_time() - expected;
   });
 }
 
-double effective_samples(const Simulation& simulation, int p, int q) {
-  const auto [mean, error] = plain_estimate(moments(simulation, p, q));
-  const double second = plain_estimate(moments(simulation, 2 * p, 2 * q)).mean;
+double effective_sample_count(const Simulation& simulation, int p, int q) {
+  const auto [mean, error] = plain_estimate(stream_moments(simulation, p, q));
+  const double second = plain_estimate(stream_moments(simulation, 2 * p, 2 * q)).mean;
   return (second - mean * mean) / (error * error);
 }
 

@@ -19,13 +19,13 @@ double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
 
 /// Mean of y^p y'^q in every stream, (p, q) among kPowers, in physical coordinates.
-std::vector<double> moments(const Simulation& simulation, int p, int q);
+std::vector<double> stream_moments(const Simulation& simulation, int p, int q);
 
 /// Excess power of every stream: power of the drawn impulses of the stream less its expectation.
 std::vector<double> excess_powers(const Simulation& simulation);
 
 /// Number of effective samples Var(x) / SE^2 of x = y^p y'^q: the number of independent draws whose
 /// mean has the same standard error.
-double effective_samples(const Simulation& simulation, int p, int q);
+double effective_sample_count(const Simulation& simulation, int p, int q);
 
 }  // namespace fpkcheck::mcs

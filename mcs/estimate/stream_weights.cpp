@@ -60,11 +60,11 @@ Estimate StreamWeights::estimate(std::span<const double> values) const {
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;
-  for (const double error : errors(values)) square += error * error;
+  for (const double error : error_contributions(values)) square += error * error;
   return {x_bar + weighted, std::sqrt(square)};
 }
 
-std::vector<double> StreamWeights::errors(std::span<const double> values) const {
+std::vector<double> StreamWeights::error_contributions(std::span<const double> values) const {
   const double x_bar = mean(values);
   double product = 0, weight_square = 0;
   for (std::size_t s = 0; s < size(); ++s) {

@@ -38,7 +38,7 @@ class StreamWeights {
   /// Contribution of each stream to the sampling error of estimate(values). The sum of their
   /// squares is the squared standard error. The sum of their products with the contributions to
   /// another mean is the covariance of both means.
-  std::vector<double> errors(std::span<const double> values) const;
+  std::vector<double> error_contributions(std::span<const double> values) const;
 
   /// Half-width of a 95 % confidence interval, in standard errors (Student's t).
   double interval_factor() const;

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "mcs/impulses/excitation.hpp"
-#include "mcs/impulses/uniforms.hpp"
+#include "mcs/impulses/uniform_numbers.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -14,13 +14,13 @@ struct ImpulseBlock {
 
 // Makes a block of impulses from random numbers. One function, compiled for three instruction sets.
 namespace baseline {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
 }
 namespace avx2 {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
 }
 namespace avx512 {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const Uniforms& uniforms);
+ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
 }
 
 }  // namespace fpkcheck::mcs

@@ -2,7 +2,8 @@
 
 namespace fpkcheck::mcs {
 
-ImpulseBlock baseline::make_impulse_block(const Excitation& excitation, const Uniforms& uniforms) {
+ImpulseBlock baseline::make_impulse_block(const Excitation& excitation,
+                                          const UniformNumbers& uniforms) {
   return make_impulse_block_in_lanes(excitation, uniforms);
 }
 

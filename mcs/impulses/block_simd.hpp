@@ -13,31 +13,31 @@ constexpr int kLaneCount = 8;
 using Real8 = simd::VectorTypes<kLaneCount>::Real;
 
 template <class Law>
-FPKCHECK_INLINE void make_amplitudes(const Excitation& excitation, const Uniforms& u,
+FPKCHECK_INLINE void draw_amplitudes(const Excitation& excitation, const UniformNumbers& u,
                                      ImpulseBlock& block) {
-  if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
+  if constexpr (std::is_base_of_v<DrawnFromQuantileFunction, StandardAmplitude<Law>>) {
     for (std::size_t k = 0; k < kBlockSize; ++k) {
       block.amplitude[k] = excitation.mean + excitation.width * (*excitation.pieces)(u.second[k]);
     }
     return;
   } else {
     for (int k = 0; k < kBlockSize; k += kLaneCount) {
-      const Real8 standard = StandardAmplitude<Law>::of(simd::load<Real8>(&u.second[k]),
-                                                        simd::load<Real8>(&u.third[k]));
+      const Real8 standard = StandardAmplitude<Law>::draw(simd::load<Real8>(&u.second[k]),
+                                                          simd::load<Real8>(&u.third[k]));
       simd::store<Real8>(excitation.mean + excitation.width * standard, &block.amplitude[k]);
     }
   }
 }
 
 template <class... Laws>
-FPKCHECK_INLINE void make_amplitudes_of(LawList<Laws...>, const Excitation& excitation,
-                                        const Uniforms& u, ImpulseBlock& block) {
+FPKCHECK_INLINE void draw_amplitudes_of_law(LawList<Laws...>, const Excitation& excitation,
+                                            const UniformNumbers& u, ImpulseBlock& block) {
   int index = 0;
-  ((index++ == excitation.law ? make_amplitudes<Laws>(excitation, u, block) : void()), ...);
+  ((index++ == excitation.law ? draw_amplitudes<Laws>(excitation, u, block) : void()), ...);
 }
 
 FPKCHECK_INLINE ImpulseBlock make_impulse_block_in_lanes(const Excitation& excitation,
-                                                         const Uniforms& u) {
+                                                         const UniformNumbers& u) {
   ImpulseBlock block;
   const bool poisson = excitation.arrivals == Excitation::Arrivals::poisson;
   for (int k = 0; k < kBlockSize; k += kLaneCount) {
@@ -46,7 +46,7 @@ FPKCHECK_INLINE ImpulseBlock make_impulse_block_in_lanes(const Excitation& excit
                            : simd::broadcast<Real8>(excitation.interval);
     simd::store<Real8>(wait, &block.waiting[k]);
   }
-  make_amplitudes_of(DrawnLaws(), excitation, u, block);
+  draw_amplitudes_of_law(DrawnLaws(), excitation, u, block);
   return block;
 }
 

@@ -13,15 +13,15 @@ namespace {
 
 template <class... Laws>
 std::variant<Laws...> one_of(LawList<Laws...>);
-static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw::Kind>,
+static_assert(std::is_same_v<decltype(one_of(DrawnLaws())), problem::ImpulseLaw::LawVariant>,
               "a law without a StandardAmplitude, or in another order");
 
-int law_index(const problem::ImpulseLaw::Kind& law) { return static_cast<int>(law.index()); }
+int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<int>(law.index()); }
 
 // The atoms of a law, and the intervals on which its density is linear.
 template <class Law>
-std::vector<AmplitudeRange> amplitude_ranges(const Law& law) {
-  std::vector<AmplitudeRange> ranges;
+std::vector<AmplitudeInterval> amplitude_ranges(const Law& law) {
+  std::vector<AmplitudeInterval> ranges;
   for (const auto& [amplitude, probability] : law.atoms()) {
     ranges.push_back({.from = amplitude, .to = amplitude, .probability = probability});
   }
@@ -37,18 +37,19 @@ std::vector<AmplitudeRange> amplitude_ranges(const Law& law) {
   return ranges;
 }
 
-// Quantile function of an amplitude law whose StandardAmplitude is DrawnFromPieces; null for other
-// laws.
-std::shared_ptr<const AmplitudePieces> make_pieces(const problem::ImpulseLaw::Kind& law) {
+// Quantile function of an amplitude law whose StandardAmplitude is DrawnFromQuantileFunction; null
+// for other laws.
+std::shared_ptr<const PiecewiseQuantileFunction> make_pieces(
+    const problem::ImpulseLaw::LawVariant& law) {
   return std::visit(
-      []<class Law>(const Law& kind) -> std::shared_ptr<const AmplitudePieces> {
-        if constexpr (std::is_base_of_v<DrawnFromPieces, StandardAmplitude<Law>>) {
+      []<class Law>(const Law& kind) -> std::shared_ptr<const PiecewiseQuantileFunction> {
+        if constexpr (std::is_base_of_v<DrawnFromQuantileFunction, StandardAmplitude<Law>>) {
           if constexpr (requires { kind.standardised_quantile(0.5, 0.5); }) {
-            return std::make_shared<const AmplitudePieces>(pieces_from_quantile(
+            return std::make_shared<const PiecewiseQuantileFunction>(interpolate_quantile_function(
                 [&](double p, double q) { return kind.standardised_quantile(p, q); }));
           } else {
-            return std::make_shared<const AmplitudePieces>(
-                pieces_from_ranges(amplitude_ranges(kind.standardised())));
+            return std::make_shared<const PiecewiseQuantileFunction>(
+                quantile_function_of_intervals(amplitude_ranges(kind.standardised())));
           }
         } else {
           return {};
@@ -84,11 +85,11 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
           .pieces = make_pieces(law)};
 }
 
-Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval) {
-  return periodic_gaussian_excitation(interval, impulses.rate_moment(1) * interval,
+Excitation white_noise_excitation(const problem::ImpulseTrain& impulses, double interval) {
+  return periodic_gaussian_excitation(interval, impulses.rate_times_moment(1) * interval,
                                       impulses.intensity() * interval, impulses.intensity() / 2);
 }
 
-Excitation standard_normal_excitation() { return periodic_gaussian_excitation(1, 0, 1, 0.5); }
+Excitation standard_normal_impulses() { return periodic_gaussian_excitation(1, 0, 1, 0.5); }
 
 }  // namespace fpkcheck::mcs

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "mcs/impulses/amplitude_pieces.hpp"
+#include "mcs/impulses/piecewise_quantile_function.hpp"
 
 namespace fpkcheck::problem {
 class ImpulseTrain;
@@ -32,9 +32,9 @@ struct Excitation {
   /// motion. Poisson impulses meet the stationary v, whose mean is 0: shift = 0. Evenly spaced
   /// kicks meet a v with another mean: shift = E[Y].
   double shift, work;
-  /// Quantile function of the law with mean 0 and width 1, for laws with DrawnFromPieces. Null for
-  /// all other laws.
-  std::shared_ptr<const AmplitudePieces> pieces = {};
+  /// Quantile function of the law with mean 0 and width 1, for laws with DrawnFromQuantileFunction.
+  /// Null for all other laws.
+  std::shared_ptr<const PiecewiseQuantileFunction> pieces = {};
 };
 
 /// The Poisson impulses of the problem, paper (3).
@@ -42,10 +42,10 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses);
 
 /// Gaussian white noise of the same mean and intensity as the impulses, approximated by evenly
 /// spaced kicks at the interval h with amplitudes N(lambda E[Y] h, lambda E[Y^2] h).
-Excitation white_excitation(const problem::ImpulseTrain& impulses, double interval);
+Excitation white_noise_excitation(const problem::ImpulseTrain& impulses, double interval);
 
 /// Impulses at unit intervals with standard normal amplitudes, which NoiseSource and the initial
 /// states use as random numbers.
-Excitation standard_normal_excitation();
+Excitation standard_normal_impulses();
 
 }  // namespace fpkcheck::mcs

@@ -6,9 +6,9 @@ namespace fpkcheck::mcs {
 
 void ImpulseSource::make_impulse_block() {
   static const auto make = simd::select_variant(
-      simd::available_variants().back().instructions, baseline::make_impulse_block,
+      simd::available_code_variants().back().instructions, baseline::make_impulse_block,
       avx2::make_impulse_block, avx512::make_impulse_block);
-  const Uniforms u = uniforms(seed_, stream_, Purpose::impulses, number_);
+  const UniformNumbers u = uniform_numbers(seed_, stream_, RandomNumberPurpose::impulses, number_);
   block_ = make(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
     block_.waiting[0] = u.first[0] * excitation_.interval;
@@ -22,9 +22,9 @@ void ImpulseSource::continue_from(std::uint64_t number) {
 }
 
 std::array<double, 2> ImpulseSource::standard_normals() const {
-  static const Excitation normal = standard_normal_excitation();
-  const ImpulseBlock block =
-      baseline::make_impulse_block(normal, uniforms(seed_, stream_, Purpose::start, 0));
+  static const Excitation normal = standard_normal_impulses();
+  const ImpulseBlock block = baseline::make_impulse_block(
+      normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::start, 0));
   return {block.amplitude[0], block.amplitude[1]};
 }
 

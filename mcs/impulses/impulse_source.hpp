@@ -23,7 +23,7 @@ class ImpulseSource {
   ImpulseSource(const problem::ImpulseTrain& impulses, std::uint64_t seed, std::uint32_t stream)
       : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
 
-  Impulse next() {
+  Impulse next_impulse() {
     const auto index = static_cast<std::size_t>(number_ % kBlockSize);
     if (index == 0) make_impulse_block();
     ++number_;

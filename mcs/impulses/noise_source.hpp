@@ -12,7 +12,7 @@ class NoiseSource {
  public:
   NoiseSource(std::uint64_t seed, std::uint32_t stream) : seed_(seed), stream_(stream) {}
 
-  double next() {
+  double next_normal() {
     const auto index = static_cast<std::size_t>(number_ % kBlockSize);
     if (index == 0) make_impulse_block();
     ++number_;

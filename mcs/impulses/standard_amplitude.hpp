@@ -15,9 +15,10 @@ struct UniformLaw;
 namespace fpkcheck::mcs {
 
 /// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers of
-/// (0, 1); u has more digits than w (Uniforms). Each law of problem::ImpulseLaw has one
-/// specialisation, a formula or DrawnFromPieces, and an entry in DrawnLaws. The types of the laws
-/// are declared only, since their headers must not be compiled for several instruction sets.
+/// (0, 1); u has more digits than w (UniformNumbers). Each law of problem::ImpulseLaw has one
+/// specialisation, a formula or DrawnFromQuantileFunction, and an entry in DrawnLaws. The types of
+/// the laws are declared only, since their headers must not be compiled for several instruction
+/// sets.
 template <class Law>
 struct StandardAmplitude;
 
@@ -26,7 +27,7 @@ struct StandardAmplitude;
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
+  FPKCHECK_INLINE static Real draw(const Real& u, const Real& w) {
     return simd::square_root(-2.0 * simd::logarithm(u)) *
            simd::sine_of_quarter_turns(2.0 * w - 1.0);
   }
@@ -35,7 +36,7 @@ struct StandardAmplitude<problem::GaussianLaw> {
 template <>
 struct StandardAmplitude<problem::LaplaceLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real of(const Real& u, const Real& w) {
+  FPKCHECK_INLINE static Real draw(const Real& u, const Real& w) {
     const Real size = -simd::logarithm(u);
     return simd::select(2.0 * w - 1.0 < 0.0, -size, size);
   }
@@ -44,7 +45,7 @@ struct StandardAmplitude<problem::LaplaceLaw> {
 template <>
 struct StandardAmplitude<problem::TwoPointLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real of(const Real&, const Real& w) {
+  FPKCHECK_INLINE static Real draw(const Real&, const Real& w) {
     return simd::select(2.0 * w - 1.0 < 0.0, simd::broadcast<Real>(-1.0),
                         simd::broadcast<Real>(1.0));
   }
@@ -53,7 +54,7 @@ struct StandardAmplitude<problem::TwoPointLaw> {
 template <>
 struct StandardAmplitude<problem::UniformLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
+  FPKCHECK_INLINE static Real draw(const Real& u, const Real&) {
     return 2.0 * u - 1.0;
   }
 };
@@ -61,23 +62,23 @@ struct StandardAmplitude<problem::UniformLaw> {
 template <>
 struct StandardAmplitude<problem::ExponentialLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real of(const Real& u, const Real&) {
+  FPKCHECK_INLINE static Real draw(const Real& u, const Real&) {
     return -1.0 - simd::logarithm(u);
   }
 };
 
-/// Base of StandardAmplitude for laws whose amplitudes are drawn from AmplitudePieces: laws with a
-/// standardised_quantile, with atoms or with a piecewise linear density.
-struct DrawnFromPieces {};
+/// Base of StandardAmplitude for laws whose amplitudes are drawn from PiecewiseQuantileFunction:
+/// laws with a standardised_quantile, with atoms or with a piecewise linear density.
+struct DrawnFromQuantileFunction {};
 template <>
-struct StandardAmplitude<problem::GammaLaw> : DrawnFromPieces {};
+struct StandardAmplitude<problem::GammaLaw> : DrawnFromQuantileFunction {};
 template <>
-struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromPieces {};
+struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromQuantileFunction {};
 
 template <class... Laws>
 struct LawList {};
 
-/// All amplitude laws, in the order of problem::ImpulseLaw::Kind.
+/// All amplitude laws, in the order of problem::ImpulseLaw::LawVariant.
 using DrawnLaws =
     LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
             problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::mcs {
 
-void avx2::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+void avx2::advance_streams(const MotionParameters& motion, Stream* const* streams, int width) {
   advance_with_width<4>(motion, streams, width);
 }
 

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::mcs {
 
-void avx512::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+void avx512::advance_streams(const MotionParameters& motion, Stream* const* streams, int width) {
   advance_with_width<8>(motion, streams, width);
 }
 

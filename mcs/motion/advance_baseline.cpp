@@ -2,7 +2,7 @@
 
 namespace fpkcheck::mcs {
 
-void baseline::advance_streams(const Motion& motion, Stream* const* streams, int width) {
+void baseline::advance_streams(const MotionParameters& motion, Stream* const* streams, int width) {
   advance_with_width<1, 2, 8>(motion, streams, width);
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 /// Applies one impulse, paper (3), and draws the next impulse.
 template <bool kRecords>
-void apply_impulse(const Motion& motion, Stream& stream) {
+void apply_impulse(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
   b.v += b.amplitude;
   if constexpr (kRecords) {
-    const double counted_weight = motion.splitting ? motion.splitting->weight(b) : 1.0;
+    const double counted_weight = motion.splitting ? motion.splitting->branch_weight(b) : 1.0;
     const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
     if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted_weight;
     if (turned(b.v, before) && b.y > 0)
@@ -35,7 +35,7 @@ void apply_impulse(const Motion& motion, Stream& stream) {
       drawn[2] += counted_weight * (b.amplitude * b.amplitude);
     }
   }
-  const Impulse next = stream.source.next();
+  const Impulse next = stream.source.next_impulse();
   b.until_impulse = next.waiting;
   b.amplitude = next.amplitude;
   if (kRecords && motion.splitting) motion.splitting->update_after_impulse(stream);
@@ -49,7 +49,7 @@ struct LaneState {
   template <class Number>
   using Array = LaneArray<Number, W>;
 
-  const Motion& motion;
+  const MotionParameters& motion;
   Stream* const* streams;
   double* cells[W];  // of the histogram of each stream
   Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
@@ -57,7 +57,7 @@ struct LaneState {
   Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
   Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 up to rounding
 
-  FPKCHECK_INLINE LaneState(const Motion& m, Stream* const* s) : motion(m), streams(s) {
+  FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s) : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
 
@@ -71,7 +71,7 @@ struct LaneState {
       a[2].at[i] = b.until_impulse;
       a[3].at[i] = b.until_sample;
       a[4].at[i] = b.remaining;
-      a[5].at[i] = motion.splitting ? motion.splitting->weight(b) : 1.0;
+      a[5].at[i] = motion.splitting ? motion.splitting->branch_weight(b) : 1.0;
     }
     y = simd::load<Real>(a[0].at);
     v = simd::load<Real>(a[1].at);
@@ -80,24 +80,25 @@ struct LaneState {
     remaining = simd::load<Real>(a[4].at);
     weight = simd::load<Real>(a[5].at);
   }
-  FPKCHECK_INLINE void store_branch(int i) const {
-    Branch& b = streams[i]->branch;
-    b.y = simd::lane(y, i);
-    b.v = simd::lane(v, i);
-    b.until_impulse = simd::lane(until_impulse, i);
-    b.until_sample = simd::lane(until_sample, i);
-    b.remaining = simd::lane(remaining, i);
+  FPKCHECK_INLINE void store_branch_of_lane(int lane) const {
+    Branch& b = streams[lane]->branch;
+    b.y = simd::lane_value(y, lane);
+    b.v = simd::lane_value(v, lane);
+    b.until_impulse = simd::lane_value(until_impulse, lane);
+    b.until_sample = simd::lane_value(until_sample, lane);
+    b.remaining = simd::lane_value(remaining, lane);
   }
 
   FPKCHECK_INLINE void store_sums() const {
     for (int i = 0; i < W; ++i) {
       StreamRecord& record = streams[i]->record;
-      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += simd::lane(powers[p], i);
-      record.samples += simd::lane(samples, i);
-      record.impacts += simd::lane(impacts, i);
-      record.impact_speed += simd::lane(impact_speed, i);
-      record.impact_energy += simd::lane(impact_energy, i);
-      record.flights += static_cast<std::uint64_t>(simd::lane(flights, i));
+      for (std::size_t p = 0; p < kPowers.size(); ++p)
+        record.powers[p] += simd::lane_value(powers[p], i);
+      record.samples += simd::lane_value(samples, i);
+      record.impacts += simd::lane_value(impacts, i);
+      record.impact_speed += simd::lane_value(impact_speed, i);
+      record.impact_energy += simd::lane_value(impact_energy, i);
+      record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
     }
   }
 
@@ -106,49 +107,50 @@ struct LaneState {
   FPKCHECK_INLINE void apply_impact(const Mask& active) {
     const Mask impact = active & (y <= 0.0) & (v < 0.0);
     if constexpr (kRecords) {
-      const Real counted_weight = simd::where(impact, weight);
+      const Real counted_weight = simd::select_or_zero(impact, weight);
       impacts = impacts + counted_weight;
       impact_speed = impact_speed - counted_weight * v;
       impact_energy = impact_energy + counted_weight * (v * v);
     }
     const Real after = simd::select(impact, -motion.oscillator.restitution * v, v);
-    if (kRecords && motion.deposit && simd::any(impact)) {
+    if (kRecords && motion.deposit && simd::any_lane_set(impact)) {
       for (int i = 0; i < W; ++i) {
-        if (simd::lane(impact, i) == 0) continue;
-        deposit_impact(*motion.deposit, streams[i]->record.deposit, simd::lane(beyond_wall, i),
-                       simd::lane(v, i), simd::lane(after, i), simd::lane(weight, i));
+        if (simd::lane_value(impact, i) == 0) continue;
+        deposit_impact(*motion.deposit, streams[i]->record.deposit,
+                       simd::lane_value(beyond_wall, i), simd::lane_value(v, i),
+                       simd::lane_value(after, i), simd::lane_value(weight, i));
       }
       beyond_wall = simd::select(impact, Real{}, beyond_wall);
     }
     v = after;
   }
 
-  FPKCHECK_INLINE void sample(const BasicFlight<Real>& flight, const Real& span) {
+  FPKCHECK_INLINE void record_samples(const BasicFlight<Real>& flight, const Real& span) {
     for (;;) {
       const Mask due = until_sample < span;
-      if (!simd::any(due)) break;
-      const Real time = simd::where(due, until_sample);
-      const BasicState<Real> at = flight.at(time);
-      count_sample(at, simd::where(due, weight));
-      if (motion.deposit) deposit(at, flight.polynomial_acceleration(time), due);
+      if (!simd::any_lane_set(due)) break;
+      const Real time = simd::select_or_zero(due, until_sample);
+      const BasicState<Real> at = flight.state_at_time(time);
+      count_sample(at, simd::select_or_zero(due, weight));
+      if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
       until_sample =
-          until_sample + simd::where(due, simd::broadcast<Real>(motion.sampling_interval));
+          until_sample + simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
     }
     until_sample = until_sample - span;
   }
 
   // Deposits one sample after another: here the SIMD lanes hold the splines of a single sample.
-  FPKCHECK_INLINE void deposit(const BasicState<Real>& at, const Real& acceleration,
-                               const Mask& due) const {
+  FPKCHECK_INLINE void deposit_due_samples(const BasicState<Real>& at, const Real& acceleration,
+                                           const Mask& due) const {
     Array<double> ys, vs, as;
     simd::store(simd::lanewise_max(at.y, Real{}), ys.at);
     simd::store(at.v, vs.at);
     simd::store(acceleration, as.at);
 #pragma GCC unroll 1
     for (int i = 0; i < W; ++i) {
-      if (simd::lane(due, i) == 0) continue;
+      if (simd::lane_value(due, i) == 0) continue;
       deposit_sample(*motion.deposit, streams[i]->record.deposit, ys.at[i], vs.at[i], as.at[i],
-                     simd::lane(weight, i));
+                     simd::lane_value(weight, i));
     }
   }
 
@@ -163,14 +165,15 @@ struct LaneState {
   }
 
   // Counts the maxima of y, at which the velocity changes its sign during a flight.
-  FPKCHECK_INLINE void find_peaks(const BasicFlight<Real>& flight, const Real& span,
-                                  const BasicState<Real>& end) {
+  FPKCHECK_INLINE void count_peaks(const BasicFlight<Real>& flight, const Real& span,
+                                   const BasicState<Real>& end) {
     const Mask peak = (v > 0.0) & (end.v < 0.0);
-    if (!simd::any(peak)) return;
-    const Real height = flight.at(flight.peak_time(span, end)).y;
+    if (!simd::any_lane_set(peak)) return;
+    const Real height = flight.state_at_time(flight.peak_time(span, end)).y;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane(v, i) > 0 && simd::lane(end.v, i) < 0) {
-        streams[i]->record.peaks[(*motion.y_bins)(simd::lane(height, i))] += simd::lane(weight, i);
+      if (simd::lane_value(v, i) > 0 && simd::lane_value(end.v, i) < 0) {
+        streams[i]->record.peaks[(*motion.y_bins)(simd::lane_value(height, i))] +=
+            simd::lane_value(weight, i);
       }
     }
   }
@@ -181,24 +184,25 @@ struct LaneState {
     const Mask impulse_now = active & (until_impulse <= 0.0);
     const bool splits = kRecords && motion.splitting;
     if (splits) {
-      if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
+      if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
+        return;
       for (int i = 0; i < W; ++i) {
-        store_branch(i);
+        store_branch_of_lane(i);
         Stream& stream = *streams[i];
-        if (simd::lane(impulse_now, i) != 0) apply_impulse<kRecords>(motion, stream);
+        if (simd::lane_value(impulse_now, i) != 0) apply_impulse<kRecords>(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
           resume_next_branch(stream);
       }
       load_branches();
       return;
     }
-    if (!simd::any(impulse_now)) return;
+    if (!simd::any_lane_set(impulse_now)) return;
     Array<double> ys, vs, untils;
     simd::store(y, ys.at);
     simd::store(v, vs.at);
     simd::store(until_impulse, untils.at);
     for (int i = 0; i < W; ++i) {
-      if (!(untils.at[i] <= 0) || simd::lane(impulse_now, i) == 0) continue;
+      if (!(untils.at[i] <= 0) || simd::lane_value(impulse_now, i) == 0) continue;
       Branch& b = streams[i]->branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
@@ -217,7 +221,7 @@ struct LaneState {
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
-      if (!simd::any(active)) break;
+      if (!simd::any_lane_set(active)) break;
       // Every iteration advances the time of a lane or ends at y = 0. There the impact reverses the
       // velocity, so the next iteration advances the time. At rest (y = v = 0) the time advances to
       // the next impulse.
@@ -225,20 +229,20 @@ struct LaneState {
       const BasicFlight<Real> flight(oscillator, {y, v});
       Real span = simd::lanewise_min(
           simd::lanewise_min(flight.max_step(motion.step), until_impulse), remaining);
-      span = simd::where(active, span);
-      BasicState<Real> end = flight.at(span);
+      span = simd::select_or_zero(active, span);
+      BasicState<Real> end = flight.state_at_time(span);
       const Mask impact = (end.y < 0.0) & (y > 0.0);
-      if (simd::any(impact)) {
+      if (simd::any_lane_set(impact)) {
         span = simd::select(impact, flight.impact_time(span, end, impact), span);
-        const BasicState<Real> at_wall = flight.at(span);
+        const BasicState<Real> at_wall = flight.state_at_time(span);
         end.v = simd::select(impact, at_wall.v, end.v);
         if (kRecords && motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
         end.y = simd::select(impact, Real{}, end.y);
       }
       if constexpr (kRecords) {
-        flights = flights + simd::where(active, simd::broadcast<Real>(1.0));
-        sample(flight, span);
-        find_peaks(flight, span, end);
+        flights = flights + simd::select_or_zero(active, simd::broadcast<Real>(1.0));
+        record_samples(flight, span);
+        count_peaks(flight, span, end);
       }
       remaining = remaining - span;
       until_impulse = until_impulse - span;
@@ -246,13 +250,13 @@ struct LaneState {
       v = end.v;
       apply_lane_events<kRecords>(active);
     }
-    for (int i = 0; i < W; ++i) store_branch(i);
+    for (int i = 0; i < W; ++i) store_branch_of_lane(i);
     if constexpr (kRecords) store_sums();
   }
 };
 
 template <int W>
-void advance_in_lanes(const Motion& motion, Stream* const* streams) {
+void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
   LaneState<W> lanes(motion, streams);
   if (motion.records) {
     lanes.template advance_streams<true>();
@@ -263,7 +267,7 @@ void advance_in_lanes(const Motion& motion, Stream* const* streams) {
 
 /// Calls advance_in_lanes() for `width`, which must be one of Widths.
 template <int... Widths>
-void advance_with_width(const Motion& motion, Stream* const* streams, int width) {
+void advance_with_width(const MotionParameters& motion, Stream* const* streams, int width) {
   ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);
 }
 

@@ -34,7 +34,9 @@ class BasicFlight {
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
   /// State (y, v) at the time s after the start of the flight.
-  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
+  FPKCHECK_INLINE BasicState<Real> state_at_time(const Real& s) const {
+    return state_at<kOrder>(a_, s);
+  }
 
   /// Second derivative y'' of the polynomial at the time s.
   FPKCHECK_INLINE Real polynomial_acceleration(const Real& s) const {
@@ -52,11 +54,11 @@ class BasicFlight {
   FPKCHECK_INLINE Real impact_time(const Real& end, const BasicState<Real>& at_end,
                                    const Mask& wanted) const {
     Real above{}, below = end;
-    Real s = first_guess(end, at_end);
+    Real s = initial_impact_time(end, at_end);
     Mask open = wanted;
     // Halley's method triples the number of correct digits per step; two steps usually suffice.
-    for (int iteration = 0; iteration < kMostIterations && simd::any(open); ++iteration) {
-      const BasicState<Real> state = at(s);
+    for (int iteration = 0; iteration < kMostIterations && simd::any_lane_set(open); ++iteration) {
+      const BasicState<Real> state = state_at_time(s);
       const Mask beyond = state.y < 0.0;
       above = simd::select(beyond, above, s);
       below = simd::select(beyond, s, below);
@@ -76,7 +78,7 @@ class BasicFlight {
   /// relative error of about 1e-5 in time causes an error of about 1e-10 in the maximum.
   FPKCHECK_INLINE Real peak_time(const Real& end, const BasicState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
-    const BasicState<Real> state = at(chord);
+    const BasicState<Real> state = state_at_time(chord);
     const Real newton = chord - state.v / acceleration(state);
     using Mask = decltype(newton >= 0.0);
     const Mask inside = (newton >= 0.0) & (newton <= end);
@@ -88,7 +90,7 @@ class BasicFlight {
 
   /// First approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v at both
   /// ends. If this value is outside the interval, the zero of the chord.
-  FPKCHECK_INLINE Real first_guess(const Real& end, const BasicState<Real>& at_end) const {
+  FPKCHECK_INLINE Real initial_impact_time(const Real& end, const BasicState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // > 0
     const Real u = a_[0] / drop;
     const Real u1 = 1.0 - u;

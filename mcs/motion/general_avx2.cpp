@@ -2,7 +2,8 @@
 
 namespace fpkcheck::mcs {
 
-void avx2::advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width) {
+void avx2::advance_general_streams(const GeneralMotionParameters& motion, Stream* const* streams,
+                                   int width) {
   advance_any_oscillator<4>(motion, streams, width);
 }
 

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::mcs {
 
-void avx512::advance_general_streams(const GeneralMotion& motion, Stream* const* streams,
+void avx512::advance_general_streams(const GeneralMotionParameters& motion, Stream* const* streams,
                                      int width) {
   advance_any_oscillator<8>(motion, streams, width);
 }

@@ -2,8 +2,8 @@
 
 namespace fpkcheck::mcs {
 
-void baseline::advance_general_streams(const GeneralMotion& motion, Stream* const* streams,
-                                       int width) {
+void baseline::advance_general_streams(const GeneralMotionParameters& motion,
+                                       Stream* const* streams, int width) {
   advance_any_oscillator<1, 2, 8>(motion, streams, width);
 }
 

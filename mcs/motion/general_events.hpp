@@ -8,14 +8,14 @@ namespace fpkcheck::mcs {
 namespace {
 
 /// Weight of the current branch of a stream.
-inline double branch_weight(const GeneralMotion& motion, const Stream& stream) {
-  return motion.splitting ? motion.splitting->weight(stream.branch) : 1.0;
+inline double branch_weight(const GeneralMotionParameters& motion, const Stream& stream) {
+  return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
 }
 
 /// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `before` to
 /// `after`.
-inline void count_turning_point(const GeneralMotion& motion, Stream& stream, double before,
-                                double after) {
+inline void count_turning_point(const GeneralMotionParameters& motion, Stream& stream,
+                                double before, double after) {
   if (!motion.records) return;
   const double y = stream.branch.y, counted_weight = branch_weight(motion, stream);
   if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted_weight;
@@ -25,7 +25,7 @@ inline void count_turning_point(const GeneralMotion& motion, Stream& stream, dou
 }
 
 /// Applies one impulse, paper (3), and draws the next impulse.
-inline void apply_general_impulse(const GeneralMotion& motion, Stream& stream) {
+inline void apply_general_impulse(const GeneralMotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
   b.v += b.amplitude;
@@ -36,7 +36,7 @@ inline void apply_general_impulse(const GeneralMotion& motion, Stream& stream) {
     stream.record.work +=
         branch_weight(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
   }
-  const Impulse next = stream.source.next();
+  const Impulse next = stream.source.next_impulse();
   b.until_impulse = next.waiting;
   b.amplitude = next.amplitude;
   if (motion.records && motion.splitting) motion.splitting->update_after_impulse(stream);
@@ -44,11 +44,11 @@ inline void apply_general_impulse(const GeneralMotion& motion, Stream& stream) {
 
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
 /// the kick and half of the interval after it.
-inline void apply_kick(const GeneralMotion& motion, Stream& stream) {
+inline void apply_kick(const GeneralMotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   GeneralBranch& g = stream.general;
-  const GeneralKicks& kicks = motion.kicks;
-  const double next = kick_interval(motion, b.y, b.v);
+  const NoiseKicks& kicks = motion.kicks;
+  const double next = time_to_next_kick(motion, b.y, b.v);
   const double time = (g.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
@@ -56,7 +56,7 @@ inline void apply_kick(const GeneralMotion& motion, Stream& stream) {
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double kick =
-      simd::square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next();
+      simd::square_root(2 * kicks.diffusion * time * mean_decay) * stream.noise.next_normal();
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;

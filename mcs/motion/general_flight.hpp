@@ -21,7 +21,7 @@ class GeneralFlight {
 
   /// Keeps the mass at its initial position in the given lanes.
   template <class Mask>
-  FPKCHECK_INLINE void keep_position(const Mask& in_contact) {
+  FPKCHECK_INLINE void hold_position(const Mask& in_contact) {
 #pragma GCC unroll 16
     for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
@@ -60,7 +60,9 @@ class GeneralFlight {
     return phase / frequency;
   }
 
-  FPKCHECK_INLINE BasicState<Real> at(const Real& s) const { return state_at<kOrder>(a_, s); }
+  FPKCHECK_INLINE BasicState<Real> state_at_time(const Real& s) const {
+    return state_at<kOrder>(a_, s);
+  }
 
   FPKCHECK_INLINE Real acceleration(const Real& s) const { return acceleration_at<kOrder>(a_, s); }
 
@@ -72,8 +74,8 @@ class GeneralFlight {
     Real low{}, high = end;
     Real s = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
     Mask open = wanted;
-    for (int n = 0; n < kMostIterations && simd::any(open); ++n) {
-      const Real v = at(s).v;
+    for (int n = 0; n < kMostIterations && simd::any_lane_set(open); ++n) {
+      const Real v = state_at_time(s).v;
       const Mask before = v * a_[1] > 0.0;
       low = simd::select(before, s, low);
       high = simd::select(before, high, s);
@@ -95,8 +97,8 @@ class GeneralFlight {
                                    const Real& guess, const Mask& wanted) const {
     Real s = guess;
     Mask open = wanted;
-    for (int n = 0; n < kMostIterations && simd::any(open); ++n) {
-      const BasicState<Real> state = at(s);
+    for (int n = 0; n < kMostIterations && simd::any_lane_set(open); ++n) {
+      const BasicState<Real> state = state_at_time(s);
       const Real distance = inside * (state.y - wall), speed = inside * state.v;
       const Mask before = distance > 0.0;
       low = simd::select(before, s, low);

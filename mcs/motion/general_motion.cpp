@@ -8,7 +8,7 @@
 
 namespace fpkcheck::mcs {
 
-double kick_interval(const GeneralMotion& motion, double y, double v) {
+double time_to_next_kick(const GeneralMotionParameters& motion, double y, double v) {
   const auto& [diffusion, damping, longest_interval, shortest_interval, has_lossy_wall] =
       motion.kicks;
   if (!has_lossy_wall) return longest_interval;
@@ -24,15 +24,15 @@ double kick_interval(const GeneralMotion& motion, double y, double v) {
   return std::clamp(std::max(in_velocity, in_distance), shortest_interval, longest_interval);
 }
 
-void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
+void advance(const GeneralMotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes) {
   for (Stream* stream : streams) {
     stream->branch.remaining = time;
-    if (motion.splitting && motion.records) motion.splitting->begin(*stream);
+    if (motion.splitting && motion.records) motion.splitting->split_initial_state(*stream);
   }
-  advance_in_simd_groups<GeneralMotion>(motion, streams, lanes, baseline::advance_general_streams,
-                                        avx2::advance_general_streams,
-                                        avx512::advance_general_streams);
+  advance_in_simd_groups<GeneralMotionParameters>(
+      motion, streams, lanes, baseline::advance_general_streams, avx2::advance_general_streams,
+      avx512::advance_general_streams);
 }
 
 }  // namespace fpkcheck::mcs

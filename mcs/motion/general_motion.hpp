@@ -3,7 +3,7 @@
 #include <span>
 
 #include "mcs/motion/general_oscillator.hpp"
-#include "mcs/streams/splitting.hpp"
+#include "mcs/streams/importance_splitting.hpp"
 #include "mcs/streams/stream.hpp"
 #include "numerics/simd/instruction_set.hpp"
 
@@ -11,15 +11,15 @@ namespace fpkcheck::mcs {
 
 /// Parameters of the motion, the sampling and the statistics for an oscillator outside the paper's
 /// class, the same for all streams.
-struct GeneralMotion {
+struct GeneralMotionParameters {
   GeneralOscillator oscillator;
-  GeneralKicks kicks;
+  NoiseKicks kicks;
   double step;               ///< limit of the Taylor step in radians
   double sampling_interval;  ///< time between samples
   const BinFinder* y_bins;
   const BinFinder* v_bins;
-  bool records = true;                   ///< false during the burn-in
-  const Splitting* splitting = nullptr;  ///< null: every stream is one branch
+  bool records = true;                             ///< false during the burn-in
+  const ImportanceSplitting* splitting = nullptr;  ///< null: every stream is one branch
 };
 
 /// Advances streams by the duration `time`, event by event, like advance() for the paper's class.
@@ -29,25 +29,28 @@ struct GeneralMotion {
 ///
 /// The result of a stream is independent of the other streams, of the number of streams and of the
 /// instruction set.
-void advance(const GeneralMotion& motion, std::span<Stream* const> streams, double time,
+void advance(const GeneralMotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes);
 
 /// Time from a kick of the noise at (y, v) to the next kick. Next to a wall with impact losses this
 /// time is a fraction of the time in which noise alone changes the motion, v^2/D or
 /// (distance^2/D)^(1/3). With a fixed interval the strength of the kicks would limit how near the
 /// oscillator comes to rest.
-double kick_interval(const GeneralMotion& motion, double y, double v);
+double time_to_next_kick(const GeneralMotionParameters& motion, double y, double v);
 
 // Advances `width` streams by their remaining time. One function, compiled for three instruction
 // sets.
 namespace baseline {
-void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotionParameters& motion, Stream* const* streams,
+                             int width);
 }
 namespace avx2 {
-void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotionParameters& motion, Stream* const* streams,
+                             int width);
 }
 namespace avx512 {
-void advance_general_streams(const GeneralMotion& motion, Stream* const* streams, int width);
+void advance_general_streams(const GeneralMotionParameters& motion, Stream* const* streams,
+                             int width);
 }
 
 }  // namespace fpkcheck::mcs

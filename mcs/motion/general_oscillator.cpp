@@ -14,7 +14,7 @@ namespace {
 // order, 1e-6 of E[y'^2] and of the time.
 constexpr double kRestSpeedFraction = 1e-3;
 
-double largest_damping(const problem::System& system, const problem::Scales& scales) {
+double largest_damping(const problem::System& system, const problem::MotionScales& scales) {
   const auto& c = system.damping_polynomial();
   double largest = 0;
   for (const double y : {scales.centre, scales.centre - scales.displacement_deviation,
@@ -22,25 +22,27 @@ double largest_damping(const problem::System& system, const problem::Scales& sca
     largest = std::max(largest, std::abs(c(y)));
   }
   const double v2 = scales.velocity_deviation * scales.velocity_deviation;
-  return largest + std::abs(system.rayleigh()) * v2;
+  return largest + std::abs(system.rayleigh_coefficient()) * v2;
 }
 
 }  // namespace
 
-GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
-                                     double mean_force, bool kicked) {
+GeneralOscillator make_general_oscillator(const problem::Problem& problem,
+                                          const problem::MotionScales& scales, double mean_force,
+                                          bool kicked) {
   const problem::System& system = problem.system;
   GeneralOscillator o;
-  for (std::size_t n = 0; n < o.force.size(); ++n) o.force[n] = system.force().coefficient(n);
+  for (std::size_t n = 0; n < o.force.size(); ++n)
+    o.force[n] = system.restoring_force().coefficient(n);
   o.force[0] -= mean_force;
   // Constant damping f = c y' is part of the kicks.
-  if (!(kicked && system.damping_is_constant())) {
+  if (!(kicked && system.has_constant_damping())) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);
     }
   }
-  o.rayleigh = system.rayleigh();
-  const auto degree = system.force().degree();
+  o.rayleigh = system.rayleigh_coefficient();
+  const auto degree = system.restoring_force().degree();
   const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
   using Kind = GeneralOscillator::Kind;
   o.kind = degree <= 1 && even_damping && o.rayleigh == 0 ? Kind::linear
@@ -51,31 +53,31 @@ GeneralOscillator general_oscillator(const problem::Problem& problem, const prob
   const double rate = scales.frequency + largest_damping(system, scales);
   const auto make_wall = [&](const problem::Wall& wall, double inwards) {
     GeneralWall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
-    w.contact_force = inwards * (system.force()(wall.position) - mean_force);
+    w.contact_force = inwards * (system.restoring_force()(wall.position) - mean_force);
     if (w.contact_force > 0) {
       w.rest_speed =
           kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
     }
     return w;
   };
-  if (system.left()) o.left = make_wall(*system.left(), 1);
-  if (system.right()) o.right = make_wall(*system.right(), -1);
+  if (system.left_wall()) o.left = make_wall(*system.left_wall(), 1);
+  if (system.right_wall()) o.right = make_wall(*system.right_wall(), -1);
   return o;
 }
 
-GeneralKicks general_kicks(const problem::Problem& problem, const problem::Scales& scales,
-                           double diffusion, double step) {
+NoiseKicks noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,
+                       double diffusion, double step) {
   if (diffusion == 0) return {};
   const problem::System& system = problem.system;
-  GeneralKicks kicks{.diffusion = diffusion};
-  if (system.damping_is_constant()) kicks.damping = system.damping();
+  NoiseKicks kicks{.diffusion = diffusion};
+  if (system.has_constant_damping()) kicks.damping = system.damping();
   kicks.longest_interval = step / (scales.frequency + 2 * largest_damping(system, scales));
   constexpr double kGrading = 1e-5;
   kicks.shortest_interval = kGrading * kicks.longest_interval;
   const auto has_losses = [](const std::optional<problem::Wall>& w) {
     return w && w->restitution < 1;
   };
-  kicks.has_lossy_wall = has_losses(system.left()) || has_losses(system.right());
+  kicks.has_lossy_wall = has_losses(system.left_wall()) || has_losses(system.right_wall());
   return kicks;
 }
 

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::problem {
 struct Problem;
-struct Scales;
+struct MotionScales;
 }  // namespace fpkcheck::problem
 
 namespace fpkcheck::mcs {
@@ -24,7 +24,7 @@ struct GeneralWall {
 ///
 ///     y'' = -(g(y) + y' (c(y) + c_vv y'^2)),    0 <= y with a wall, y <= b with a second one.
 ///
-/// Under Gaussian noise the damping f = c y' is part of the kicks (GeneralKicks), not of the
+/// Under Gaussian noise the damping f = c y' is part of the kicks (NoiseKicks), not of the
 /// flights.
 struct GeneralOscillator {
   static constexpr int kHighestDegree = 5;
@@ -47,11 +47,11 @@ struct GeneralOscillator {
 /// noise nor damping c y'. Kicks and flights both preserve the density exp(-c (v^2/2 + U)/D).
 /// Without impact losses and impulses a finite h therefore causes no error; otherwise the error is
 /// of second order in h. Damping other than c y' is part of the flights.
-struct GeneralKicks {
+struct NoiseKicks {
   double diffusion = 0;         ///< D; 0 without kicks
   double damping = 0;           ///< c, where f = c y'
   double longest_interval = 0;  ///< h
-  /// Lower limit of h next to a wall with losses; see kick_interval()
+  /// Lower limit of h next to a wall with losses; see time_to_next_kick()
   double shortest_interval = 0;
   bool has_lossy_wall = false;  ///< whether a wall has impact losses
 
@@ -61,13 +61,14 @@ struct GeneralKicks {
 /// Precomputes the coefficients of the oscillator of a problem.
 /// @param mean_force mean force of the impulses if noise replaces the impulses, else 0
 /// @param kicked whether Gaussian noise is present
-GeneralOscillator general_oscillator(const problem::Problem& problem, const problem::Scales& scales,
-                                     double mean_force, bool kicked);
+GeneralOscillator make_general_oscillator(const problem::Problem& problem,
+                                          const problem::MotionScales& scales, double mean_force,
+                                          bool kicked);
 
 /// Parameters of the kicks that represent Gaussian noise.
 /// @param diffusion D > 0, or 0 without noise
 /// @param step interval h between kicks, in radians
-GeneralKicks general_kicks(const problem::Problem& problem, const problem::Scales& scales,
-                           double diffusion, double step);
+NoiseKicks noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,
+                       double diffusion, double step);
 
 }  // namespace fpkcheck::mcs

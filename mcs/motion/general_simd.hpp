@@ -17,7 +17,7 @@ struct GeneralLaneState {
   template <class Number>
   using Array = LaneArray<Number, W>;
 
-  const GeneralMotion& motion;
+  const GeneralMotionParameters& motion;
   Stream* const* streams;
   double* cells[W];  // of the histogram of each stream
   Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, time_to_rest{};
@@ -28,7 +28,7 @@ struct GeneralLaneState {
   Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
   Real rest_left{}, rest_right{};
 
-  FPKCHECK_INLINE GeneralLaneState(const GeneralMotion& m, Stream* const* s)
+  FPKCHECK_INLINE GeneralLaneState(const GeneralMotionParameters& m, Stream* const* s)
       : motion(m), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
@@ -59,32 +59,33 @@ struct GeneralLaneState {
   FPKCHECK_INLINE void store_branches() const {
     for (int i = 0; i < W; ++i) {
       Branch& b = streams[i]->branch;
-      b.y = simd::lane(y, i);
-      b.v = simd::lane(v, i);
-      b.until_impulse = simd::lane(until_impulse, i);
-      b.until_sample = simd::lane(until_sample, i);
-      b.remaining = simd::lane(remaining, i);
-      streams[i]->general.until_kick = simd::lane(until_kick, i);
-      streams[i]->general.time_to_rest = simd::lane(time_to_rest, i);
+      b.y = simd::lane_value(y, i);
+      b.v = simd::lane_value(v, i);
+      b.until_impulse = simd::lane_value(until_impulse, i);
+      b.until_sample = simd::lane_value(until_sample, i);
+      b.remaining = simd::lane_value(remaining, i);
+      streams[i]->general.until_kick = simd::lane_value(until_kick, i);
+      streams[i]->general.time_to_rest = simd::lane_value(time_to_rest, i);
     }
   }
 
   FPKCHECK_INLINE void store_sums() const {
     for (int i = 0; i < W; ++i) {
       StreamRecord& record = streams[i]->record;
-      for (std::size_t p = 0; p < kPowers.size(); ++p) record.powers[p] += simd::lane(powers[p], i);
-      record.samples += simd::lane(samples, i);
-      record.impacts += simd::lane(impacts, i);
-      record.impact_speed += simd::lane(left_speed, i);
-      record.impact_energy += simd::lane(left_energy, i);
-      record.flights += static_cast<std::uint64_t>(simd::lane(flights, i));
+      for (std::size_t p = 0; p < kPowers.size(); ++p)
+        record.powers[p] += simd::lane_value(powers[p], i);
+      record.samples += simd::lane_value(samples, i);
+      record.impacts += simd::lane_value(impacts, i);
+      record.impact_speed += simd::lane_value(left_speed, i);
+      record.impact_energy += simd::lane_value(left_energy, i);
+      record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
       GeneralSums& sums = *record.general;
-      sums.y5 += simd::lane(y5, i);
-      sums.y6 += simd::lane(y6, i);
-      sums.right_speed += simd::lane(right_speed, i);
-      sums.right_energy += simd::lane(right_energy, i);
-      sums.rest_left += simd::lane(rest_left, i);
-      sums.rest_right += simd::lane(rest_right, i);
+      sums.y5 += simd::lane_value(y5, i);
+      sums.y6 += simd::lane_value(y6, i);
+      sums.right_speed += simd::lane_value(right_speed, i);
+      sums.right_energy += simd::lane_value(right_energy, i);
+      sums.rest_left += simd::lane_value(rest_left, i);
+      sums.rest_right += simd::lane_value(rest_right, i);
     }
   }
 
@@ -97,9 +98,9 @@ struct GeneralLaneState {
     Mask impact = active & (inwards * (y - wall.position) <= 0.0) & (time_to_rest < 0.0);
     // With a positive contact force the mass returns to the wall at any speed, and may stay.
     impact = impact & (wall.contact_force > 0 ? speed >= 0.0 : speed > 0.0);
-    if (!simd::any(impact)) return;
+    if (!simd::any_lane_set(impact)) return;
     if (motion.records) {
-      const Real counted_weight = simd::where(impact, weight);
+      const Real counted_weight = simd::select_or_zero(impact, weight);
       impacts = impacts + counted_weight;
       speed_sum = speed_sum + counted_weight * speed;
       energy_sum = energy_sum + counted_weight * (speed * speed);
@@ -107,7 +108,7 @@ struct GeneralLaneState {
     Real after = -r * v;
     if (wall.contact_force > 0) {
       const Mask stays = impact & (speed < wall.rest_speed);
-      if (simd::any(stays)) {
+      if (simd::any_lane_set(stays)) {
         // The bounces start at r, r^2, .. times the speed, and each takes 2 (its speed) /
         // contact_force. For r = 1 the bounces never end.
         constexpr double kNoEnd = 1e300;
@@ -116,7 +117,7 @@ struct GeneralLaneState {
         time_to_rest = simd::select(stays, time, time_to_rest);
         after = simd::select(stays, Real{}, after);
         if (motion.records && r < 1) {
-          const Real counted_weight = simd::where(stays, weight);
+          const Real counted_weight = simd::select_or_zero(stays, weight);
           speed_sum = speed_sum + counted_weight * (speed * (r / (1 - r)));
           energy_sum = energy_sum + counted_weight * (speed * speed * (r * r / (1 - r * r)));
         }
@@ -125,15 +126,17 @@ struct GeneralLaneState {
     v = simd::select(impact, after, v);
   }
 
-  FPKCHECK_INLINE void sample(const Flight& flight, const Real& span, const Mask& in_contact) {
+  FPKCHECK_INLINE void record_samples(const Flight& flight, const Real& span,
+                                      const Mask& in_contact) {
     const bool rests = !motion.kicks.is_present();
     for (;;) {
       const Mask due = until_sample < span;
-      if (!simd::any(due)) break;
-      const Real time = simd::where(due, until_sample);
-      count_sample(flight.at(time), due, due & in_contact & (time_to_rest <= time), rests);
+      if (!simd::any_lane_set(due)) break;
+      const Real time = simd::select_or_zero(due, until_sample);
+      count_sample(flight.state_at_time(time), due, due & in_contact & (time_to_rest <= time),
+                   rests);
       until_sample =
-          until_sample + simd::where(due, simd::broadcast<Real>(motion.sampling_interval));
+          until_sample + simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
     }
     until_sample = until_sample - span;
   }
@@ -141,17 +144,17 @@ struct GeneralLaneState {
   // A lane without a due sample is counted with the weight 0.
   FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Mask& due,
                                     const Mask& at_rest, bool rests) {
-    const Real counted_weight = simd::where(due, weight);
+    const Real counted_weight = simd::select_or_zero(due, weight);
     add_powers(at, counted_weight, powers);
     const Real x = at.y, xx = x * x;
     y5 = y5 + counted_weight * (xx * xx * x);
     y6 = y6 + counted_weight * (xx * xx * xx);
     samples = samples + counted_weight;
     Real into_bins = counted_weight;
-    if (rests && simd::any(at_rest)) {
+    if (rests && simd::any_lane_set(at_rest)) {
       into_bins = simd::select(at_rest, Real{}, counted_weight);
       const GeneralWall& right = motion.oscillator.right;
-      const Real resting = simd::where(at_rest, weight);
+      const Real resting = simd::select_or_zero(at_rest, weight);
       if (right.exists) {
         const Real there = simd::select(x > right.position / 2, resting, Real{});
         rest_right = rest_right + there;
@@ -160,12 +163,12 @@ struct GeneralLaneState {
         rest_left = rest_left + resting;
       }
     }
-    add_to_histogram(*motion.y_bins, *motion.v_bins, between_walls(x), at.v, into_bins, streams,
-                     cells);
+    add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(x), at.v, into_bins,
+                     streams, cells);
   }
 
   // Rounding may put a sample at an impact slightly behind a wall.
-  FPKCHECK_INLINE Real between_walls(const Real& x) const {
+  FPKCHECK_INLINE Real clamp_between_walls(const Real& x) const {
     Real between = x;
     if (motion.oscillator.right.exists) {
       const double last = motion.oscillator.right.position - motion.y_bins->edge_epsilon();
@@ -178,10 +181,11 @@ struct GeneralLaneState {
   /// Adds the weight of each lane in `there` to the bin of y.
   FPKCHECK_INLINE void add_to_bins(std::vector<double> StreamRecord::*of, const Real& at,
                                    const Mask& there) {
-    if (!simd::any(there)) return;
+    if (!simd::any_lane_set(there)) return;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane(there, i) == 0) continue;
-      (streams[i]->record.*of)[(*motion.y_bins)(simd::lane(at, i))] += simd::lane(weight, i);
+      if (simd::lane_value(there, i) == 0) continue;
+      (streams[i]->record.*of)[(*motion.y_bins)(simd::lane_value(at, i))] +=
+          simd::lane_value(weight, i);
     }
   }
 
@@ -194,9 +198,9 @@ struct GeneralLaneState {
     const GeneralOscillator& o = motion.oscillator;
     const Mask turned = free & (v * end.v < 0.0);
     Real turning{}, extreme = y;
-    if (simd::any(turned)) {
+    if (simd::any_lane_set(turned)) {
       turning = flight.turning_time(span, end, turned);
-      extreme = flight.at(turning).y;
+      extreme = flight.state_at_time(turning).y;
     }
     const Mask none = turned & (v != v);
     const Mask low_turn = turned & (v < 0.0), high_turn = turned & (v > 0.0);
@@ -213,7 +217,7 @@ struct GeneralLaneState {
     left = left_first | (left & (right_first == none));
     right = right_first | (right & (left_first == none));
     const Mask impact = left | right;
-    if (simd::any(impact)) {
+    if (simd::any_lane_set(impact)) {
       const Real wall = simd::select(right, simd::broadcast<Real>(o.right.position), Real{});
       const Real inside =
           simd::select(right, simd::broadcast<Real>(-1.0), simd::broadcast<Real>(1.0));
@@ -231,7 +235,7 @@ struct GeneralLaneState {
       const Real guess =
           simd::lanewise_min(simd::lanewise_max(low + (high - low) * part, low), high);
       span = simd::select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
-      const BasicState<Real> at_wall = flight.at(span);
+      const BasicState<Real> at_wall = flight.state_at_time(span);
       end.v = simd::select(impact, at_wall.v, end.v);
       end.y = simd::select(impact, wall, end.y);
     }
@@ -248,11 +252,12 @@ struct GeneralLaneState {
   FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
     if (motion.records && motion.splitting) {  // kicks and splitting exclude each other
-      if (!simd::any(impulse_now) && !simd::any(active & (remaining <= 0.0))) return;
+      if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
+        return;
       store_branches();
       for (int i = 0; i < W; ++i) {
         Stream& stream = *streams[i];
-        if (simd::lane(impulse_now, i) != 0) apply_general_impulse(motion, stream);
+        if (simd::lane_value(impulse_now, i) != 0) apply_general_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
           resume_next_branch(stream);
       }
@@ -261,7 +266,7 @@ struct GeneralLaneState {
     }
     const Mask kick_now = active & (until_kick <= 0.0);
     const Mask now = impulse_now | kick_now;
-    if (!simd::any(now)) return;
+    if (!simd::any_lane_set(now)) return;
     Array<double> a[5];
     simd::store(y, a[0].at);
     simd::store(v, a[1].at);
@@ -269,7 +274,7 @@ struct GeneralLaneState {
     simd::store(until_kick, a[3].at);
     simd::store(time_to_rest, a[4].at);
     for (int i = 0; i < W; ++i) {
-      if (simd::lane(now, i) == 0) continue;
+      if (simd::lane_value(now, i) == 0) continue;
       Stream& stream = *streams[i];
       Branch& b = stream.branch;
       b.y = a[0].at[i];
@@ -277,8 +282,8 @@ struct GeneralLaneState {
       b.until_impulse = a[2].at[i];
       stream.general.until_kick = a[3].at[i];
       stream.general.time_to_rest = a[4].at[i];
-      if (simd::lane(impulse_now, i) != 0) apply_general_impulse(motion, stream);
-      if (simd::lane(kick_now, i) != 0) apply_kick(motion, stream);
+      if (simd::lane_value(impulse_now, i) != 0) apply_general_impulse(motion, stream);
+      if (simd::lane_value(kick_now, i) != 0) apply_kick(motion, stream);
       a[1].at[i] = b.v;
       a[2].at[i] = b.until_impulse;
       a[3].at[i] = stream.general.until_kick;
@@ -295,23 +300,23 @@ struct GeneralLaneState {
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
-      if (!simd::any(active)) break;
+      if (!simd::any_lane_set(active)) break;
       // Every iteration advances the time of a lane or ends at a wall. There the velocity points
       // inwards or the lane is at rest, so the next iteration advances the time.
       if (o.left.exists) apply_impact(o.left, 1, active, left_speed, left_energy);
       if (o.right.exists) apply_impact(o.right, -1, active, right_speed, right_energy);
       const Mask in_contact = time_to_rest >= 0.0;
       Flight flight(o, {y, v});
-      if (simd::any(in_contact)) flight.keep_position(in_contact);
+      if (simd::any_lane_set(in_contact)) flight.hold_position(in_contact);
       Real span = simd::lanewise_min(simd::lanewise_min(until_impulse, until_kick), remaining);
       const Mask free = active & (time_to_rest < 0.0);
       span = simd::select(free, simd::lanewise_min(span, flight.max_step(motion.step)), span);
-      span = simd::where(active, span);
-      BasicState<Real> end = flight.at(span);
+      span = simd::select_or_zero(active, span);
+      BasicState<Real> end = flight.state_at_time(span);
       end_at_impact(flight, span, end, free);
       if (motion.records) {
-        flights = flights + simd::where(active, simd::broadcast<Real>(1.0));
-        sample(flight, span, in_contact);
+        flights = flights + simd::select_or_zero(active, simd::broadcast<Real>(1.0));
+        record_samples(flight, span, in_contact);
       }
       remaining = remaining - span;
       until_impulse = until_impulse - span;
@@ -335,7 +340,7 @@ struct GeneralLaneState {
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>
-void advance_general_in_lanes(const GeneralMotion& motion, Stream* const* streams) {
+void advance_general_in_lanes(const GeneralMotionParameters& motion, Stream* const* streams) {
   if (motion.kicks.is_present()) {
     GeneralLaneState<W, kOrderBetweenKicks>(motion, streams).advance_streams();
   } else {
@@ -345,7 +350,8 @@ void advance_general_in_lanes(const GeneralMotion& motion, Stream* const* stream
 
 /// Calls advance_general_in_lanes() for `width`, which must be one of Widths.
 template <int... Widths>
-void advance_any_oscillator(const GeneralMotion& motion, Stream* const* streams, int width) {
+void advance_any_oscillator(const GeneralMotionParameters& motion, Stream* const* streams,
+                            int width) {
   ((width == Widths ? advance_general_in_lanes<Widths>(motion, streams) : void()), ...);
 }
 

@@ -85,7 +85,7 @@ void require_bounded_motion(const Oscillator& oscillator) {
 }  // namespace
 
 Oscillator::Oscillator(const problem::System& system)
-    : Oscillator(system.damping(), system.restitution(), system.force()) {}
+    : Oscillator(system.damping(), system.restitution(), system.restoring_force()) {}
 
 Oscillator::Oscillator(double c, double r, const Polynomial& spring)
     : damping(c),

@@ -20,7 +20,7 @@ template <class Real>
 FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
   return simd::lanewise_min(
       simd::lanewise_max((x - bins.first_edge()) * bins.bins_per_length() + 1.0, Real{}),
-      simd::broadcast<Real>(static_cast<double>(bins.bins() + 1)));
+      simd::broadcast<Real>(static_cast<double>(bins.bin_count() + 1)));
 }
 
 /// Adds the monomials y^p v^q of a state, with the exponents kPowers and a weight, to `powers`.
@@ -44,7 +44,7 @@ template <int W, class Real>
 FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& v_bins,
                                       const Real& y, const Real& v, const Real& counted_weight,
                                       Stream* const* streams, double* const (&cells)[W]) {
-  if (y_bins.even() && v_bins.even()) {
+  if (y_bins.is_evenly_spaced() && v_bins.is_evenly_spaced()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
     // The sign of v selects the bin next to the edge at 0, even within rounding of this edge: near
     // rest each of the two bins holds half of a spike.
@@ -52,7 +52,7 @@ FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& 
     const Real off_zero = simd::select(v < 0.0, simd::lanewise_min(v, -edge_epsilon),
                                        simd::lanewise_max(v, edge_epsilon));
     const auto column = simd::truncate_to_index(bin_position(v_bins, off_zero));
-    const auto cell = row * static_cast<std::int32_t>(v_bins.bins() + 2) + column;
+    const auto cell = row * static_cast<std::int32_t>(v_bins.bin_count() + 2) + column;
     LaneArray<std::int32_t, W> cell_of;
     LaneArray<double, W> weights;
     __builtin_memcpy(&cell_of, &cell, sizeof cell);
@@ -61,8 +61,9 @@ FPKCHECK_INLINE void add_to_histogram(const BinFinder& y_bins, const BinFinder& 
     for (int i = 0; i < W; ++i) cells[i][cell_of.at[i]] += weights.at[i];
   } else {
     for (int i = 0; i < W; ++i) {
-      streams[i]->record.histogram.add(y_bins(simd::lane(y, i)), v_bins(simd::lane(v, i)),
-                                       simd::lane(counted_weight, i));
+      streams[i]->record.histogram.add(y_bins(simd::lane_value(y, i)),
+                                       v_bins(simd::lane_value(v, i)),
+                                       simd::lane_value(counted_weight, i));
     }
   }
 }

@@ -10,10 +10,10 @@ namespace fpkcheck::mcs {
 /// Observer of a trajectory that ignores all events, for the burn-in. Other observers have the same
 /// member functions.
 struct NullObserver {
-  void flight(const Flight&, double /*duration*/) {}  ///< after a free motion of this duration
-  void impact(double /*velocity before*/) {}          ///< before an impact, paper (2)
+  void on_flight(const Flight&, double /*duration*/) {}  ///< after a free motion of this duration
+  void on_impact(double /*velocity before*/) {}          ///< before an impact, paper (2)
   /// Called before an impulse, paper (3).
-  void impulse(double /*velocity before*/, double /*amplitude*/) {}
+  void on_impulse(double /*velocity before*/, double /*amplitude*/) {}
 };
 
 /// One realisation of paper (1)-(2) on y >= 0, advanced event by event: flights end exactly at
@@ -26,7 +26,7 @@ class Trajectory {
       : oscillator_(oscillator),
         source_(source),
         state_(start),
-        next_(source_.next()),
+        next_(source_.next_impulse()),
         step_(step) {}
 
   const State& state() const { return state_; }
@@ -40,13 +40,13 @@ class Trajectory {
       if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
       double span = std::min({flight.max_step(step_), next_.waiting, duration});
-      State end = flight.at(span);
+      State end = flight.state_at_time(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
         span = flight.impact_time(span, end, true);
-        end = {0, flight.at(span).v};
+        end = {0, flight.state_at_time(span).v};
       }
-      observer.flight(flight, span);
+      observer.on_flight(flight, span);
       duration -= span;
       next_.waiting -= span;
       state_ = {std::max(end.y, 0.0), end.v};
@@ -58,15 +58,15 @@ class Trajectory {
   /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
   template <class Observer>
   void apply_impact(Observer& observer) {
-    observer.impact(state_.v);
+    observer.on_impact(state_.v);
     state_ = {0, -oscillator_.restitution * state_.v};
   }
 
   template <class Observer>
   void apply_impulse(Observer& observer) {
-    observer.impulse(state_.v, next_.amplitude);
+    observer.on_impulse(state_.v, next_.amplitude);
     state_.v += next_.amplitude;
-    next_ = source_.next();
+    next_ = source_.next_impulse();
   }
 
   Oscillator oscillator_;

@@ -16,7 +16,7 @@
 #include "base/files/input_file.hpp"
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/problem.hpp"
 
@@ -51,7 +51,7 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   const std::uint64_t sum = checksum(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
-    const base::WriteGuard in_hand;
+    const base::ExitBlocker in_hand;
     base::write_file(path, text);
     return "";
   } catch (const std::runtime_error&) {
@@ -68,14 +68,14 @@ bool is_checkpoint(const std::string& path) {
 
 }  // namespace
 
-std::string fingerprint(const problem::Problem& problem, const Plan& plan,
-                        const Splitting* splitting) {
+std::string simulation_fingerprint(const problem::Problem& problem, const SimulationPlan& plan,
+                                   const ImportanceSplitting* splitting) {
   const auto& s = problem.system;
   const Excitation& e = plan.excitation;
   std::string text = fmt::format(
       "system {:a} {:a}; force {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; streams {}; step "
       "{:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
-      s.damping(), s.restitution(), fmt::join(s.force().coefficients(), " "),
+      s.damping(), s.restitution(), fmt::join(s.restoring_force().coefficients(), " "),
       static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
       plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
       fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
@@ -116,8 +116,8 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
         path_, "the file is no checkpoint and would be lost; name another file"));
   }
   try {
-    const base::WriteGuard in_hand;
-    const fs::path probe = base::partial_path(path_);
+    const base::ExitBlocker in_hand;
+    const fs::path probe = base::partial_file_path(path_);
     base::write_new_file(probe, kFormatLine);
     fs::remove(probe);
   } catch (const std::system_error&) {

@@ -11,8 +11,8 @@ namespace fpkcheck::mcs {
 /// Text that identifies a simulation by all inputs that determine its numbers, except the duration:
 /// problem, seed, streams, lengths of steps and rounds, bins, thresholds. The text states numbers
 /// with full precision.
-std::string fingerprint(const problem::Problem& problem, const Plan& plan,
-                        const Splitting* splitting);
+std::string simulation_fingerprint(const problem::Problem& problem, const SimulationPlan& plan,
+                                   const ImportanceSplitting* splitting);
 
 /// Writes the state of a simulation to a checkpoint file. A complete temporary file is renamed, so
 /// that the checkpoint is never incomplete. Write errors do not end the simulation.

@@ -33,9 +33,9 @@ constexpr double kLongestBurnIn = 1.0 / 8;   // fraction of the default time
 double automatic_time(const Options& options, const EventRates& rates) {
   const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
   const double full = kAutomaticTime * share / rates.decay;
-  const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.events();
+  const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.total_rate();
   const double default_time =
-      rates.any_oscillator ? kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.events()
+      rates.any_oscillator ? kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate()
                            : most;
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
   // Options::accuracy cannot be reached within the full time, or within a minute with several
@@ -59,17 +59,17 @@ Durations choose_durations(const Options& options, const EventRates& rates) {
   Durations durations{.automatic = automatic,
                       .time = time,
                       .burn_in = burn_in(options, rates, automatic, time),
-                      .burn_in_limit = BurnInLimit::none};
+                      .short_burn_in_cause = ShortBurnInCause::none};
   const auto is_long_enough = [&](double taken) { return taken * rates.decay >= kLeastBurnIn; };
   if (is_long_enough(durations.burn_in)) return durations;
   EventRates without = rates;
   without.impulses = 0;
   const double of_motion = automatic_time(options, without);
-  durations.burn_in_limit =
+  durations.short_burn_in_cause =
       is_long_enough(burn_in(options, without, of_motion, options.time.value_or(of_motion)))
-          ? BurnInLimit::impulses
-      : rates.wells > 1 ? BurnInLimit::wells
-                        : BurnInLimit::decay;
+          ? ShortBurnInCause::impulses
+      : rates.wells > 1 ? ShortBurnInCause::wells
+                        : ShortBurnInCause::decay;
   return durations;
 }
 

@@ -12,11 +12,11 @@ struct EventRates {
   bool any_oscillator = false;
   int wells = 1;
 
-  double events() const { return impulses + flights; }
+  double total_rate() const { return impulses + flights; }
 };
 
 /// Cause of a burn-in below 5 decay times.
-enum class BurnInLimit {
+enum class ShortBurnInCause {
   none,      ///< the burn-in leaves exp(-5) of the initial deviation, or less
   impulses,  ///< frequent impulses
   wells,     ///< rare transitions between wells
@@ -27,7 +27,7 @@ struct Durations {
   double automatic;  ///< default simulated time over all streams
   double time;       ///< upper limit of the simulated time
   double burn_in;    ///< duration of the burn-in of each stream
-  BurnInLimit burn_in_limit;
+  ShortBurnInCause short_burn_in_cause;
 };
 
 /// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,

@@ -20,7 +20,7 @@ double automatic_kick_step(const problem::System& system) {
   const auto has_strong_losses = [](const std::optional<problem::Wall>& wall) {
     return wall && wall->restitution < kStrongLosses;
   };
-  return has_strong_losses(system.left()) || has_strong_losses(system.right())
+  return has_strong_losses(system.left_wall()) || has_strong_losses(system.right_wall())
              ? kKickStepWithStrongLosses
              : kAutomaticKickStep;
 }
@@ -38,14 +38,14 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
   }
   const bool white = options.equation == Equation::white;
   const double diffusion =
-      problem.noise.diffusion() + (white ? problem.impulses.rate_moment(2) / 2 : 0);
+      problem.noise.diffusion() + (white ? problem.impulses.rate_times_moment(2) / 2 : 0);
   const auto scales = problem::scales(problem);
   const auto features = problem::features(problem);
   return {.scales = scales,
-          .oscillator = general_oscillator(
-              problem, scales, white ? problem.impulses.rate_moment(1) : 0, diffusion > 0),
-          .kicks = general_kicks(problem, scales, diffusion,
-                                 options.white_step.value_or(automatic_kick_step(problem.system))),
+          .oscillator = make_general_oscillator(
+              problem, scales, white ? problem.impulses.rate_times_moment(1) : 0, diffusion > 0),
+          .kicks = noise_kicks(problem, scales, diffusion,
+                               options.white_step.value_or(automatic_kick_step(problem.system))),
           .power = problem::total_intensity(problem) / 2,
           .has_contact_atoms = features.rests_in_contact && diffusion == 0,
           .wells = features.wells};

@@ -10,12 +10,12 @@ namespace fpkcheck::mcs {
 
 /// Additional members of a simulation plan for an oscillator outside the paper's class.
 struct GeneralPlan {
-  problem::Scales scales;
+  problem::MotionScales scales;
   GeneralOscillator oscillator;
-  GeneralKicks kicks;
+  NoiseKicks kicks;
   double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
   bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
-  int wells;               ///< number of potential wells, Features::wells
+  int wells;               ///< number of potential wells, ProblemFeatures::wells
 };
 
 /// @throws InputError for options without support outside the paper's class

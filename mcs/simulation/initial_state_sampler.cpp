@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mcs/impulses/uniforms.hpp"
+#include "mcs/impulses/uniform_numbers.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -14,7 +14,7 @@ InitialStateSampler::InitialStateSampler(const problem::Problem& problem) : aver
 }
 
 State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) const {
-  const Uniforms u = uniforms(seed, stream, Purpose::start, kBlockSize);
+  const UniformNumbers u = uniform_numbers(seed, stream, RandomNumberPurpose::start, kBlockSize);
   const auto index = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
   const auto& bands = averaging_.bands();
   const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];

@@ -11,7 +11,7 @@
 namespace fpkcheck::mcs {
 
 int number_of_threads(const std::optional<int>& requested) {
-  return requested.value_or(base::processors());
+  return requested.value_or(base::available_processors());
 }
 
 void parallel_for(int threads, std::size_t shares, const std::function<void(std::size_t)>& work) {

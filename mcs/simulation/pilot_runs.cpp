@@ -21,7 +21,8 @@ constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 // Potential of the energy whose thresholds split branches. In the paper's class this is the
 // potential of the spring. Outside that class the mean force of the impulses contributes, since
 // without this force the potential may have no lower bound.
-numerics::Polynomial splitting_potential(const problem::Problem& problem, const Plan& plan) {
+numerics::Polynomial splitting_potential(const problem::Problem& problem,
+                                         const SimulationPlan& plan) {
   if (!plan.general) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
   auto coefficients = orbits.potential().coefficients();
@@ -31,10 +32,11 @@ numerics::Polynomial splitting_potential(const problem::Problem& problem, const 
 
 }  // namespace
 
-Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
+ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
+                                                const SimulationPlan& plan) {
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
-  Plan pilot = plan;
+  SimulationPlan pilot = plan;
   pilot.seed = ~plan.seed;  // gives random numbers that a simulation with plan.seed does not use
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
@@ -45,16 +47,17 @@ Splitting plan_splitting(const problem::Problem& problem, const Plan& plan) {
   simulation.burn_in();
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
-    const Splitting splitting(potential, thresholds, largest);
+    const ImportanceSplitting splitting(potential, thresholds, largest);
     simulation.set_splitting(splitting);
     simulation.run_round();
-    std::vector<double> energies(splitting.energy_bins().bins() + 2);
+    std::vector<double> energies(splitting.energy_bins().bin_count() + 2);
     for (const Stream& stream : simulation.streams()) {
       std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
     }
     auto next = choose_thresholds(
         splitting.energy_bins(), energies,
-        kFewestVisits * std::pow(Splitting::kCopies, -splitting.threshold_count()), kRarest);
+        kFewestVisits * std::pow(ImportanceSplitting::kCopies, -splitting.threshold_count()),
+        kRarest);
     const bool further = next.size() > thresholds.size();
     if (further || n == 0) thresholds = std::move(next);
     if (!further) break;

@@ -32,7 +32,7 @@ bool is_finite(const Numbers& numbers) {
   return std::ranges::all_of(numbers, [](const auto& number) { return is_finite(number); });
 }
 
-bool is_between_walls(double y, double farthest, const Plan& plan) {
+bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
   if (!plan.general) return y >= 0 && y <= farthest;
   const GeneralOscillator& o = plan.general->oscillator;
   const double centre = plan.general->scales.centre;
@@ -40,7 +40,7 @@ bool is_between_walls(double y, double farthest, const Plan& plan) {
          y <= (o.right.exists ? o.right.position : centre + farthest);
 }
 
-bool is_valid_state(const GeneralBranch& branch, const GeneralKicks& kicks) {
+bool is_valid_state(const GeneralBranch& branch, const NoiseKicks& kicks) {
   const double longest_interval = 1.01 * kicks.longest_interval;  // with an allowance for rounding
   const bool waits = kicks.is_present()
                          ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
@@ -51,7 +51,7 @@ bool is_valid_state(const GeneralBranch& branch, const GeneralKicks& kicks) {
 
 /// Whether the state of a branch between two rounds is possible: within the range of the motion and
 /// of the random numbers.
-bool is_valid_state(const Branch& branch, const Plan& plan) {
+bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
   constexpr double kFarthest = 1e4;  // in units of the velocity deviation plus the largest impulse
   // In mean waiting times, or in widths of the law: a larger random number has the probability
   // exp(-1000).
@@ -71,7 +71,7 @@ bool is_valid_state(const Branch& branch, const Plan& plan) {
 /// Makes a stream at its initial state.
 /// @param source generator of the impulses
 Stream make_stream(const State& start, const Impulse& first, const ImpulseSource& source,
-                   const Plan& plan) {
+                   const SimulationPlan& plan) {
   return {.branch = {.y = start.y,
                      .v = start.v,
                      .until_impulse = first.waiting,
@@ -84,60 +84,62 @@ Stream make_stream(const State& start, const Impulse& first, const ImpulseSource
 
 }  // namespace
 
-Simulation::Simulation(const problem::Problem& problem, const Plan& plan,
-                       const Splitting* splitting)
+Simulation::Simulation(const problem::Problem& problem, const SimulationPlan& plan,
+                       const ImportanceSplitting* splitting)
     : plan_(&plan) {
   if (plan.general) {
     start_general_streams(problem, splitting);
     return;
   }
-  motion_ = Motion{.oscillator = Oscillator(problem.system),
-                   .step = plan.step,
-                   .sampling_interval = plan.sampling_interval,
-                   .y_bins = &plan.y_bins,
-                   .v_bins = &plan.v_bins,
-                   .splitting = splitting,
-                   .shift = plan.excitation.shift,
-                   .deposit = plan.deposit ? &*plan.deposit : nullptr};
+  motion_ = MotionParameters{.oscillator = Oscillator(problem.system),
+                             .step = plan.step,
+                             .sampling_interval = plan.sampling_interval,
+                             .y_bins = &plan.y_bins,
+                             .v_bins = &plan.v_bins,
+                             .splitting = splitting,
+                             .shift = plan.excitation.shift,
+                             .deposit = plan.deposit ? &*plan.deposit : nullptr};
   for (int s = 0; s < plan.streams; ++s) {
     ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
     const State start =
         folded_initial_state(source, plan.displacement_deviation, plan.velocity_deviation);
-    const Impulse first = source.next();
+    const Impulse first = source.next_impulse();
     streams_.push_back(make_stream(start, first, source, plan));
-    if (plan.deposit) streams_.back().record.deposit = Deposit(plan.deposit->grid);
+    if (plan.deposit) streams_.back().record.deposit = DepositedSums(plan.deposit->grid);
   }
 }
 
 void Simulation::start_general_streams(const problem::Problem& problem,
-                                       const Splitting* splitting) {
-  const Plan& plan = *plan_;
+                                       const ImportanceSplitting* splitting) {
+  const SimulationPlan& plan = *plan_;
   const GeneralPlan& general = *plan.general;
   // Flights between kicks use a lower order of the Taylor polynomial and therefore need a smaller
   // step limit.
   constexpr double kShorter = 0.35;
-  general_ = GeneralMotion{.oscillator = general.oscillator,
-                           .kicks = general.kicks,
-                           .step = plan.step * (general.kicks.is_present() ? kShorter : 1),
-                           .sampling_interval = plan.sampling_interval,
-                           .y_bins = &plan.y_bins,
-                           .v_bins = &plan.v_bins,
-                           .records = true,
-                           .splitting = splitting};
+  general_ =
+      GeneralMotionParameters{.oscillator = general.oscillator,
+                              .kicks = general.kicks,
+                              .step = plan.step * (general.kicks.is_present() ? kShorter : 1),
+                              .sampling_interval = plan.sampling_interval,
+                              .y_bins = &plan.y_bins,
+                              .v_bins = &plan.v_bins,
+                              .records = true,
+                              .splitting = splitting};
   const InitialStateSampler start_of(problem);
   for (int s = 0; s < plan.streams; ++s) {
     const auto stream = static_cast<std::uint32_t>(s);
     ImpulseSource source(plan.excitation, plan.seed, stream);
     const State start = start_of(plan.seed, stream);
     Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
-    if (std::isfinite(plan.excitation.interval)) first = source.next();
+    if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
     Stream made = make_stream(start, first, source, plan);
     made.noise = NoiseSource(plan.seed, stream);
     made.record.general.emplace();
     if (general.kicks.is_present()) {
       // The first kick has a random phase, so that on average the samples are evenly distributed
       // over the interval between kicks.
-      const double share = uniforms(plan.seed, stream, Purpose::start, kBlockSize).third[1];
+      const double share =
+          uniform_numbers(plan.seed, stream, RandomNumberPurpose::start, kBlockSize).third[1];
       made.general.kick_interval = general.kicks.longest_interval;
       made.general.until_kick = share * general.kicks.longest_interval;
     }
@@ -145,35 +147,36 @@ void Simulation::start_general_streams(const problem::Problem& problem,
   }
 }
 
-void Simulation::set_splitting(const Splitting& splitting) {
+void Simulation::set_splitting(const ImportanceSplitting& splitting) {
   (general_ ? general_->splitting : motion_->splitting) = &splitting;
   for (Stream& stream : streams_) stream.record.energies.clear();
 }
 
-void Simulation::burn_in() { move(false, plan_->burn_in); }
+void Simulation::burn_in() { advance_streams(false, plan_->burn_in); }
 
 void Simulation::run_round() {
-  move(true, plan_->round_time());
+  advance_streams(true, plan_->round_time());
   ++rounds_;
 }
 
-void Simulation::move(bool recorded, double time) {
-  static const simd::CodeVariant lanes = simd::available_variants().back();
+void Simulation::advance_streams(bool recorded, double time) {
+  static const simd::CodeVariant lanes = simd::available_code_variants().back();
   if (general_) {
-    GeneralMotion motion = *general_;
+    GeneralMotionParameters motion = *general_;
     motion.records = recorded;
-    return move([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
+    return advance_streams(
+        [&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
   }
-  Motion motion = *motion_;
+  MotionParameters motion = *motion_;
   if (!recorded) {
     motion.records = false;
     motion.splitting = nullptr;
     motion.deposit = nullptr;
   }
-  move([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
+  advance_streams([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
 }
 
-void Simulation::move(const std::function<void(std::span<Stream* const>)>& move) {
+void Simulation::advance_streams(const std::function<void(std::span<Stream* const>)>& move) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   parallel_for(plan_->threads, groups, [&](std::size_t g) {
     if (!is_stream_of_part(part_, g * kGroup)) return;
@@ -185,9 +188,9 @@ void Simulation::move(const std::function<void(std::span<Stream* const>)>& move)
   });
 }
 
-void Simulation::share(int part, int parts) {
+void Simulation::restrict_to_part(int part, int part_count) {
   part_ = part;
-  parts_ = parts;
+  parts_ = part_count;
 }
 
 bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
@@ -207,7 +210,7 @@ void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
 void Simulation::load_stream(std::istream& in, Stream& stream) const {
   std::uint64_t number = 0;
   read_binary(in, stream.branch);
-  const Splitting* splitting = general_ ? general_->splitting : motion_->splitting;
+  const ImportanceSplitting* splitting = general_ ? general_->splitting : motion_->splitting;
   const int threshold_count = splitting ? splitting->threshold_count() : 0;
   require_valid_state(is_valid_state(stream.branch, *plan_) && stream.branch.energy_level >= 0 &&
                       stream.branch.energy_level <= threshold_count &&

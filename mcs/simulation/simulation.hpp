@@ -9,7 +9,7 @@
 
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/general_motion.hpp"
-#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -23,21 +23,21 @@ class Simulation {
   /// @param plan must outlive the simulation
   /// @param splitting null, or must outlive the simulation
   /// @throws InputError as Oscillator
-  Simulation(const problem::Problem& problem, const Plan& plan,
-             const Splitting* splitting = nullptr);
+  Simulation(const problem::Problem& problem, const SimulationPlan& plan,
+             const ImportanceSplitting* splitting = nullptr);
 
   /// Restricts this simulation to every `parts`-th group of streams, beginning with group `part`.
   /// load_part() reads the streams of the other parts.
-  void share(int part, int parts);
+  void restrict_to_part(int part, int part_count);
 
   /// Replaces the splitting and clears the histogram of the energies after impulses.
   /// @param splitting must outlive the simulation
-  void set_splitting(const Splitting& splitting);
+  void set_splitting(const ImportanceSplitting& splitting);
 
   void burn_in();
   void run_round();
 
-  const Plan& plan() const { return *plan_; }
+  const SimulationPlan& plan() const { return *plan_; }
   std::uint64_t rounds() const { return rounds_; }
   /// Simulated time of one stream, without the burn-in.
   double stream_time() const { return static_cast<double>(rounds_) * plan_->round_time(); }
@@ -59,28 +59,28 @@ class Simulation {
   void load_part(std::istream& in, int part);
 
  private:
-  void start_general_streams(const problem::Problem& problem, const Splitting* splitting);
+  void start_general_streams(const problem::Problem& problem, const ImportanceSplitting* splitting);
   /// @param move function that advances a group of streams
-  void move(const std::function<void(std::span<Stream* const>)>& move);
-  void move(bool recorded, double time);
+  void advance_streams(const std::function<void(std::span<Stream* const>)>& move);
+  void advance_streams(bool recorded, double time);
   bool is_stream_of_part(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 
-  const Plan* plan_;
-  std::optional<Motion> motion_;          // in the paper's class
-  std::optional<GeneralMotion> general_;  // outside that class
+  const SimulationPlan* plan_;
+  std::optional<MotionParameters> motion_;          // in the paper's class
+  std::optional<GeneralMotionParameters> general_;  // outside that class
   std::uint64_t rounds_ = 0;
   int part_ = 0, parts_ = 1;
   std::vector<Stream> streams_;
 };
 
-/// One number per stream: the function `of` applied to the record of each stream, in the order of
-/// the streams.
-template <class Of>
-std::vector<double> each(const std::vector<Stream>& streams, Of of) {
+/// One number per stream: the function `value` applied to the record of each stream, in the order
+/// of the streams.
+template <class Value>
+std::vector<double> value_per_stream(const std::vector<Stream>& streams, Value value) {
   std::vector<double> values;
-  for (const Stream& stream : streams) values.push_back(of(stream.record));
+  for (const Stream& stream : streams) values.push_back(value(stream.record));
   return values;
 }
 

@@ -28,8 +28,8 @@ BinFinder::BinFinder(std::vector<double> edges)
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
-  const std::size_t cells = 2 * bins();
-  const double width = (edges_.back() - edges_.front()) / static_cast<double>(bins());
+  const std::size_t cells = 2 * bin_count();
+  const double width = (edges_.back() - edges_.front()) / static_cast<double>(bin_count());
   bins_per_length_ = 1 / width;
   last_cell_ = static_cast<double>(cells - 1);
   for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -38,7 +38,7 @@ BinFinder::BinFinder(std::vector<double> edges)
     first_bin_.push_back(static_cast<std::uint32_t>(above - edges_.begin()));
   }
   even_ = true;
-  for (std::size_t k = 0; k <= bins(); ++k) {
+  for (std::size_t k = 0; k <= bin_count(); ++k) {
     const double at = edges_.front() + static_cast<double>(k) * width;
     even_ = even_ && std::abs(edges_[k] - at) < 1e-9 * width;
   }

@@ -30,14 +30,14 @@ class BinFinder {
   }
 
   /// Whether the edges are evenly spaced up to rounding.
-  bool even() const { return even_; }
+  bool is_evenly_spaced() const { return even_; }
   double first_edge() const { return first_edge_; }
   double bins_per_length() const { return bins_per_length_; }
   /// Distance by which a number on an edge is shifted off this edge: small relative to a bin and
   /// large relative to rounding.
   double edge_epsilon() const { return 1e-13 * (edges_.back() - edges_.front()); }
 
-  std::size_t bins() const { return edges_.size() - 1; }
+  std::size_t bin_count() const { return edges_.size() - 1; }
   const std::vector<double>& edges() const { return edges_; }
 
  private:
@@ -62,7 +62,7 @@ class BinFinder {
 class Histogram {
  public:
   Histogram(const BinFinder& y, const BinFinder& v)
-      : columns_(v.bins() + 2), weights_((y.bins() + 2) * columns_) {}
+      : columns_(v.bin_count() + 2), weights_((y.bin_count() + 2) * columns_) {}
 
   void add(std::size_t row, std::size_t column, double weight) {
     weights_[row * columns_ + column] += weight;

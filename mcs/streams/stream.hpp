@@ -56,16 +56,16 @@ struct StreamRecord {
   std::uint64_t impulses = 0;         ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;  ///< number of impulses of all other branches
   std::uint64_t flights = 0;
-  /// Histogram of the energies right after impulses, in Splitting::energy_bins(); empty without
-  /// splitting.
+  /// Histogram of the energies right after impulses, in ImportanceSplitting::energy_bins(); empty
+  /// without splitting.
   std::vector<double> energies{};
   /// Sums deposited on the grid of Options::deposit; empty without such a grid.
-  Deposit deposit{};
+  DepositedSums deposit{};
   /// Additional sums, only for oscillators outside the paper's class.
   std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
-      : histogram(y, v), peaks(y.bins() + 2), troughs(y.bins() + 2) {}
+      : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
 };
 
 /// Calls `visit` with every member of a record that holds sums, in the order of checkpoint files.
@@ -104,7 +104,7 @@ struct Branch {
   double remaining;      ///< time to simulate
   int energy_level = 0;  ///< number of splitting thresholds below the energy
   int floor_level = 0;   ///< the branch ends when energy_level falls below this level
-  /// Bit i is set if threshold i + 1 has split the branch during its rise (Splitting).
+  /// Bit i is set if threshold i + 1 has split the branch during its rise (ImportanceSplitting).
   std::uint64_t split = 0;
 };
 
@@ -117,7 +117,7 @@ struct GeneralBranch {
 };
 
 /// A pending branch of a stream, or several pending branches with the same initial state.
-struct WaitingBranch {
+struct PendingBranch {
   Branch branch;
   GeneralBranch general;
   /// Number of pending branches, each of which draws its next impulse. If 0, there is one branch
@@ -133,12 +133,12 @@ struct Stream {
   ImpulseSource source;
   StreamRecord record;
   /// Pending branches, the main branch first. ImportanceSplitting bounds their number.
-  std::vector<WaitingBranch> waiting{};
+  std::vector<PendingBranch> pending_branches{};
   GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
 
   /// Whether the current branch is the main branch of the stream.
-  bool is_on_main_branch() const { return waiting.empty(); }
+  bool is_on_main_branch() const { return pending_branches.empty(); }
 };
 
 }  // namespace fpkcheck::mcs

@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/json_values.hpp"
+#include "results/external_json.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::methods {
@@ -24,7 +24,7 @@ epc::ClosedForm to_closed_form(const transform::Metrics& metrics, const std::str
 }
 
 ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& where,
-                                  const SolutionChoice& choice) {
+                                  const SolutionSelection& choice) {
   std::vector<std::string> cases;
   for (const auto& case_result : run.cases) cases.push_back(case_result.name());
   auto requested = choice.case_name;
@@ -76,8 +76,8 @@ std::size_t select_index(const std::vector<std::string>& names,
 }
 
 ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
-                                     const SolutionChoice& choice) {
-  if (results::is_summary(text, where)) {
+                                     const SolutionSelection& choice) {
+  if (results::is_run_summary(text, where)) {
     std::istringstream in(text);
     return closed_form_of_run(results::read_summary(in, where), where, choice);
   }
@@ -85,7 +85,7 @@ ClosedFormFile read_closed_form_file(const std::string& text, const std::string&
     throw InputError(fmt::format("{} contains a single closed form; omit the key {}", where,
                                  choice.solution ? "solution" : "case"));
   }
-  return {to_closed_form(results::values_in_json(text, where), where), {}, {}};
+  return {to_closed_form(results::metrics_from_external_json(text, where), where), {}, {}};
 }
 
 }  // namespace fpkcheck::methods

@@ -10,7 +10,7 @@
 namespace fpkcheck::methods {
 
 /// The request for a solution of a saved run.
-struct SolutionChoice {
+struct SolutionSelection {
   std::optional<std::string> solution = {};   ///< id of the solution
   std::optional<std::string> case_name = {};  ///< name of the case
   /// Name of the case to use if `case_name` is empty and the run has a case of this name.
@@ -32,7 +32,7 @@ struct ClosedFormFile {
 ///         incomplete, if `choice` selects no solution or lacks a name among several, or if the
 ///         selected solution has no closed form
 ClosedFormFile read_closed_form_file(const std::string& text, const std::string& where,
-                                     const SolutionChoice& choice);
+                                     const SolutionSelection& choice);
 
 /// The index of the requested name in `names`. Without a requested name, the index of the only
 /// name.

@@ -51,13 +51,13 @@ double relative_gap(const std::vector<double>& bin, const std::vector<double>& n
 
 }  // namespace
 
-std::string_view name(BinValue value) {
+std::string_view name(HistogramQuantity value) {
   switch (value) {
-    case BinValue::density:
+    case HistogramQuantity::density:
       return "density";
-    case BinValue::probability:
+    case HistogramQuantity::probability:
       return "probability";
-    case BinValue::count:
+    case HistogramQuantity::count:
       return "count";
   }
   return "";
@@ -106,7 +106,7 @@ bool is_histogram(const NumberTable& table) {
   return true;
 }
 
-BinValue detect_bin_value(const NumberTable& histogram) {
+HistogramQuantity detect_histogram_quantity(const NumberTable& histogram) {
   double sum = 0, mass = 0;
   bool whole = true;
   for (const auto& row : histogram.rows) {
@@ -116,14 +116,14 @@ BinValue detect_bin_value(const NumberTable& histogram) {
   }
   if (!histogram.names.empty()) {
     const std::string& value_name = histogram.names.back();
-    if (is_one_of(value_name, kProbabilities)) return BinValue::probability;
+    if (is_one_of(value_name, kProbabilities)) return HistogramQuantity::probability;
     if (is_one_of(value_name, kCounts))
-      return is_near_one(sum) ? BinValue::probability : BinValue::count;
-    if (is_one_of(value_name, kDensities)) return BinValue::density;
+      return is_near_one(sum) ? HistogramQuantity::probability : HistogramQuantity::count;
+    if (is_one_of(value_name, kDensities)) return HistogramQuantity::density;
   }
-  if (is_near_one(mass)) return BinValue::density;
-  if (is_near_one(sum)) return BinValue::probability;
-  return whole ? BinValue::count : BinValue::density;
+  if (is_near_one(mass)) return HistogramQuantity::density;
+  if (is_near_one(sum)) return HistogramQuantity::probability;
+  return whole ? HistogramQuantity::count : HistogramQuantity::density;
 }
 
 }  // namespace fpkcheck::methods

@@ -8,10 +8,10 @@
 namespace fpkcheck::methods {
 
 /// The quantity in the third column of a histogram.
-enum class BinValue { density, probability, count };
+enum class HistogramQuantity { density, probability, count };
 
 /// The name of the quantity in summaries: "density", "probability", "count".
-std::string_view name(BinValue value);
+std::string_view name(HistogramQuantity value);
 
 /// The variable of a marginal density, y or y', from the names of the columns. If the names
 /// identify no variable, the variable is y' if any abscissa is negative, else y.
@@ -32,6 +32,6 @@ bool are_adjacent(const std::vector<double>& bin, const std::vector<double>& nex
 /// The quantity of the values of a histogram, from the name of the third column. Without a known
 /// name, the values are densities if their integral is 1, else probabilities if their sum is 1,
 /// else counts if all values are integers, else densities.
-BinValue detect_bin_value(const NumberTable& histogram);
+HistogramQuantity detect_histogram_quantity(const NumberTable& histogram);
 
 }  // namespace fpkcheck::methods

@@ -52,7 +52,7 @@ std::vector<double> mirror_edges(const std::vector<double>& edges) {
 constexpr std::size_t kPointsPerCell = 3;
 constexpr std::array<double, kPointsPerCell> kGaussWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-void add_points(const std::vector<double>& edges, std::vector<double>& points) {
+void add_gauss_points(const std::vector<double>& edges, std::vector<double>& points) {
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const double centre = (edges[k] + edges[k + 1]) / 2, half = (edges[k + 1] - edges[k]) / 2;
     for (const double at : {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}) {
@@ -61,7 +61,7 @@ void add_points(const std::vector<double>& edges, std::vector<double>& points) {
   }
 }
 
-std::vector<double> weights(const std::vector<double>& edges) {
+std::vector<double> quadrature_weights(const std::vector<double>& edges) {
   std::vector<double> all;
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     for (const double weight : kGaussWeights) all.push_back(weight * (edges[k + 1] - edges[k]));
@@ -79,9 +79,9 @@ DensityPoints::DensityPoints(const compare::ComparisonAxes& axes, const problem:
   const auto rest = std::ranges::find(axes.v_edges, 0.0);
   v_edges_ = mirror_edges(extend_edges({rest, axes.v_edges.end()}, axes.v_edges.back() * 3 / 7));
   if (has_wall_at_start_) y_.push_back(y_edges_.front());
-  add_points(y_edges_, y_);
+  add_gauss_points(y_edges_, y_);
   if (has_wall_at_end_) y_.push_back(y_edges_.back());
-  add_points(v_edges_, v_);
+  add_gauss_points(v_edges_, v_);
 }
 
 std::vector<double> subcell_edges(const std::vector<double>& edges) {
@@ -95,15 +95,15 @@ std::vector<double> subcell_edges(const std::vector<double>& edges) {
   return parts;
 }
 
-PointIntegrals::PointIntegrals(const DensityPoints& points, const std::vector<double>& values)
+DensityIntegrals::DensityIntegrals(const DensityPoints& points, const std::vector<double>& values)
     : points_(points),
       values_(values),
       first_(points.has_wall_at_start() ? 1 : 0),
-      weight_y_(weights(points.y_edges())),
-      weight_v_(weights(points.v_edges())) {}
+      weight_y_(quadrature_weights(points.y_edges())),
+      weight_v_(quadrature_weights(points.v_edges())) {}
 
-transform::Moments PointIntegrals::moments(double mass) const {
-  const auto mean = [&](const auto& g) { return integrate(g) / mass; };
+transform::Moments DensityIntegrals::moments(double mass) const {
+  const auto mean = [&](const auto& g) { return integrate_times_density(g) / mass; };
   return {.y1 = mean([](double y, double) { return y; }),
           .y2 = mean([](double y, double) { return y * y; }),
           .y4 = mean([](double y, double) { return y * y * y * y; }),
@@ -112,28 +112,28 @@ transform::Moments PointIntegrals::moments(double mass) const {
           .v4 = mean([](double, double v) { return v * v * v * v; })};
 }
 
-double PointIntegrals::right_flux(int power) const {
+double DensityIntegrals::right_wall_flux(int power) const {
   if (!points_.has_wall_at_end()) return 0;
-  const std::size_t last = points_.y().size() - 1;
+  const std::size_t last = points_.y_points().size() - 1;
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
-    const double v = points_.v()[j];
+    const double v = points_.v_points()[j];
     if (v > 0) sum += weight_v_[j] * std::pow(v, power) * value(last, j);
   }
   return sum;
 }
 
-double PointIntegrals::left_flux(int power) const {
+double DensityIntegrals::left_wall_flux(int power) const {
   if (!points_.has_wall_at_start()) return 0;
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
-    const double v = points_.v()[j];
+    const double v = points_.v_points()[j];
     if (v < 0) sum += weight_v_[j] * std::pow(-v, power) * value(0, j);
   }
   return sum;
 }
 
-transform::GridDensity PointIntegrals::averages() const {
+transform::GridDensity DensityIntegrals::averages() const {
   transform::GridDensity grid{points_.y_edges(), points_.v_edges(), {}};
   for (std::size_t i = 0; i < grid.ny(); ++i) {
     for (std::size_t j = 0; j < grid.nv(); ++j) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "problem/walls.hpp"
 #include "transform/density.hpp"
 
@@ -29,9 +29,9 @@ class DensityPoints {
   /// The quadrature points in y: three Gauss-Legendre points per cell. If the cells begin at the
   /// left wall, that wall is an additional first point. If the cells end at the right wall, that
   /// wall is an additional last point.
-  const std::vector<double>& y() const { return y_; }
+  const std::vector<double>& y_points() const { return y_; }
   /// The quadrature points in y': three Gauss-Legendre points per cell.
-  const std::vector<double>& v() const { return v_; }
+  const std::vector<double>& v_points() const { return v_; }
 
  private:
   problem::Walls walls_;
@@ -46,36 +46,37 @@ std::vector<double> subcell_edges(const std::vector<double>& edges);
 
 /// Integrals of an external density p(y, y') by the quadrature rule, from the values of p at the
 /// quadrature points.
-class PointIntegrals {
+class DensityIntegrals {
  public:
   /// The object refers to `points` and `values`, which must outlive the object.
-  /// @param values values of p, row-major, shape (points.y(), points.v())
-  PointIntegrals(const DensityPoints& points, const std::vector<double>& values);
+  /// @param values values of p, row-major, shape (points.y_points(), points.v_points())
+  DensityIntegrals(const DensityPoints& points, const std::vector<double>& values);
 
   /// The integral of a function times the density: int g(y, v) p(y, v) dy dv.
   template <class Function>
-  double integrate(const Function& g) const {
+  double integrate_times_density(const Function& g) const {
     double sum = 0;
     for (std::size_t i = 0; i < weight_y_.size(); ++i) {
       for (std::size_t j = 0; j < weight_v_.size(); ++j) {
         const std::size_t row = first_ + i;
-        sum += weight_y_[i] * weight_v_[j] * value(row, j) * g(points_.y()[row], points_.v()[j]);
+        sum += weight_y_[i] * weight_v_[j] * value(row, j) *
+               g(points_.y_points()[row], points_.v_points()[j]);
       }
     }
     return sum;
   }
   /// The integral of the density.
   double mass() const {
-    return integrate([](double, double) { return 1.0; });
+    return integrate_times_density([](double, double) { return 1.0; });
   }
   /// The moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
   /// The integral int_{v<0} |v|^power p(a, v) dv over impact velocities at the left wall y = a; 0
   /// if the cells do not begin at the wall.
-  double left_flux(int power) const;
+  double left_wall_flux(int power) const;
   /// The integral int_{v>0} v^power p(b, v) dv over impact velocities at the right wall y = b; 0 if
   /// the cells do not end at the wall.
-  double right_flux(int power) const;
+  double right_wall_flux(int power) const;
   /// The averages of the density over the cells.
   transform::GridDensity averages() const;
 

@@ -28,11 +28,11 @@ constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolera
 double largest_boundary_average(const transform::GridDensity& grid, const DensityPoints& points) {
   double most = 0;
   for (std::size_t i = 0; i < grid.ny(); ++i) {
-    most = std::max({most, grid.average(i, 0), grid.average(i, grid.nv() - 1)});
+    most = std::max({most, grid.cell_average(i, 0), grid.cell_average(i, grid.nv() - 1)});
   }
   for (std::size_t j = 0; j < grid.nv(); ++j) {
-    if (!points.has_wall_at_start()) most = std::max(most, grid.average(0, j));
-    if (!points.has_wall_at_end()) most = std::max(most, grid.average(grid.ny() - 1, j));
+    if (!points.has_wall_at_start()) most = std::max(most, grid.cell_average(0, j));
+    if (!points.has_wall_at_end()) most = std::max(most, grid.cell_average(grid.ny() - 1, j));
   }
   return most;
 }
@@ -64,17 +64,17 @@ std::string inadmissible_reason(const transform::GridDensity& grid, const Densit
 
 // The residuals of the balances of momentum and power, in wall coordinates.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
-                                              const PointIntegrals& integrals, double mass) {
+                                              const DensityIntegrals& integrals, double mass) {
   const problem::Frame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
-  const auto& force = transformed.system.force();
+  const auto& force = transformed.system.restoring_force();
   const auto mean = [&](const auto& function) {
-    return integrals.integrate([&](double y, double v) {
-      return function(frame.x(y), frame.v(v));
+    return integrals.integrate_times_density([&](double y, double v) {
+      return function(frame.wall_x(y), frame.physical_velocity(v));
     }) / mass;
   };
   const auto wall_momentum = [&](bool right) {
-    return (right ? integrals.right_flux(2) : integrals.left_flux(2)) / mass;
+    return (right ? integrals.right_wall_flux(2) : integrals.left_wall_flux(2)) / mass;
   };
   const problem::VirialTerms virial{
       .mean_displacement = mean([](double x, double) { return x; }),
@@ -93,8 +93,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(transformed, virial).residual()};
   // Without a wall and with zero-mean impulses both sides of the momentum balance are 0.
-  const bool has_mean_impulse = problem.impulses.rate_moment(1) != 0;
-  if (problem.system.left() || problem.system.right() || has_mean_impulse) {
+  const bool has_mean_impulse = problem.impulses.rate_times_moment(1) != 0;
+  if (problem.system.left_wall() || problem.system.right_wall() || has_mean_impulse) {
     residuals.momentum = problem::momentum_balance(transformed, momentum).residual();
   }
   return residuals;
@@ -102,17 +102,17 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
 
 }  // namespace
 
-transform::Identity external_identity(const ExternalDensity& external, std::string_view method,
-                                      const std::string& origin) {
-  transform::Identity identity{.id = external.label,
-                               .method = std::string(method),
-                               .order = external.order,
-                               .role = transform::Role::external,
-                               .family = std::string(method),
-                               .trust = static_cast<int>(external.index),
-                               .plot_style = external_style(external.index)};
+transform::SolutionIdentity external_identity(const ExternalDensity& external,
+                                              std::string_view method, const std::string& origin) {
+  transform::SolutionIdentity identity{.id = external.label,
+                                       .method = std::string(method),
+                                       .order = external.order,
+                                       .role = transform::SolutionRole::external,
+                                       .family = std::string(method),
+                                       .trust = static_cast<int>(external.index),
+                                       .plot_style = external_style(external.index)};
   if (external.equation) {
-    identity.role = transform::Role::closure;
+    identity.role = transform::SolutionRole::closure;
     identity.equation = external.equation;
     identity.impact = external.impact;
     identity.meaning = fmt::format("An external density, {}.", origin);
@@ -123,27 +123,28 @@ transform::Identity external_identity(const ExternalDensity& external, std::stri
   return identity;
 }
 
-void add_rest_note(const problem::Problem& problem, transform::MetricBuilder& builder) {
+void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilder& builder) {
   if (!problem::features(problem).rests_in_contact) return;
-  builder.text(
+  builder.add_text(
       "notes[0]",
       "the mass at rest in contact with a wall is not part of the density and counts as missing");
 }
 
-double require_density(const ExternalDensity& external, const DensityPoints& points,
-                       const std::vector<double>& values) {
-  const std::size_t nv = points.v().size();
-  if (values.size() != points.y().size() * nv) {
+double validated_density_integral(const ExternalDensity& external, const DensityPoints& points,
+                                  const std::vector<double>& values) {
+  const std::size_t nv = points.v_points().size();
+  if (values.size() != points.y_points().size() * nv) {
     throw InputError(fmt::format("density '{}': {} values (must be {} x {})", external.label,
-                                 values.size(), points.y().size(), nv));
+                                 values.size(), points.y_points().size(), nv));
   }
   const auto bad = std::ranges::find_if(values, [](double p) { return !std::isfinite(p); });
   if (bad != values.end()) {
     const auto k = static_cast<std::size_t>(bad - values.begin());
     throw InputError(fmt::format("density '{}': p({:.4g}, {:.4g}) is {} (must be a finite number)",
-                                 external.label, points.y()[k / nv], points.v()[k % nv], *bad));
+                                 external.label, points.y_points()[k / nv],
+                                 points.v_points()[k % nv], *bad));
   }
-  const double mass = PointIntegrals(points, values).mass();
+  const double mass = DensityIntegrals(points, values).mass();
   if (!(mass > 0) || !std::isfinite(mass)) {
     throw InputError(fmt::format("density '{}': the integral is {:.4g} (must be positive)",
                                  external.label, mass));
@@ -151,13 +152,14 @@ double require_density(const ExternalDensity& external, const DensityPoints& poi
   return mass;
 }
 
-Solution solution_of(const problem::Problem& problem, const SolveContext& context,
-                     const ExternalDensity& external, const DensityOptions& options,
-                     const DensityPoints& points, std::vector<double> values, double mass) {
+Solution external_density_solution(const problem::Problem& problem, const SolveContext& context,
+                                   const ExternalDensity& external,
+                                   const JointDensityOptions& options, const DensityPoints& points,
+                                   std::vector<double> values, double mass) {
   if (options.normalise) {
     for (double& value : values) value /= mass;
   }
-  const PointIntegrals integrals(points, values);
+  const DensityIntegrals integrals(points, values);
   const auto [least, peak] = std::ranges::minmax(values);
   Solution solution;
   auto grid = integrals.averages();
@@ -166,15 +168,15 @@ Solution solution_of(const problem::Problem& problem, const SolveContext& contex
   solution.moments = integrals.moments(solution.mass);
   const auto& moments = solution.moments;
   const problem::System& system = problem.system;
-  const double damping_power = integrals.integrate([&](double y, double v) {
-    return v * v * (system.damping_polynomial()(y) + system.rayleigh() * v * v);
+  const double damping_power = integrals.integrate_times_density([&](double y, double v) {
+    return v * v * (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v);
   });
   solution.energy_residual =
       problem::energy_residual(problem, external.impact,
                                {.mean_velocity = moments.v1,
                                 .mean_square_velocity = moments.v2,
-                                .impact_energy_flux = integrals.left_flux(3) / solution.mass,
-                                .right_energy_flux = integrals.right_flux(3) / solution.mass,
+                                .impact_energy_flux = integrals.left_wall_flux(3) / solution.mass,
+                                .right_energy_flux = integrals.right_wall_flux(3) / solution.mass,
                                 .mean_damping_power = damping_power / solution.mass});
   solution.reason = options.inadmissible_reason.empty()
                         ? inadmissible_reason(grid, points, peak, least, solution.mass)
@@ -183,10 +185,10 @@ Solution solution_of(const problem::Problem& problem, const SolveContext& contex
   solution.density = std::move(grid);
 
   transform::MetricBuilder builder;
-  if (options.normalise) builder.result("normalised_by", mass);
-  add_metrics(builder, balance_residuals(problem, integrals, solution.mass));
-  add_rest_note(problem, builder);
-  solution.metrics = builder.take();
+  if (options.normalise) builder.add_result("normalised_by", mass);
+  add_balance_metrics(builder, balance_residuals(problem, integrals, solution.mass));
+  add_rest_atom_note(problem, builder);
+  solution.metrics = builder.take_metrics();
   if (external.equation && context.error_estimator != nullptr) {
     // The prefix of the reason is empty: the default prefix states that the density meets its
     // equations, which was not tested.
@@ -195,14 +197,15 @@ Solution solution_of(const problem::Problem& problem, const SolveContext& contex
   return solution;
 }
 
-Method make_function_method(const ExternalDensity& external, const DensityOptions& options,
-                            const DensityPoints& points, std::vector<double> values) {
-  const double mass = require_density(external, points, values);
+Method make_method_from_density_values(const ExternalDensity& external,
+                                       const JointDensityOptions& options,
+                                       const DensityPoints& points, std::vector<double> values) {
+  const double mass = validated_density_integral(external, points, values);
   return {
       .identity = external_identity(external, transform::kExternalFunction, "given as a function"),
       .solve = [external, options, points, mass, values = std::move(values)](
                    const problem::Problem& problem, const SolveContext& context) {
-        return solution_of(problem, context, external, options, points, values, mass);
+        return external_density_solution(problem, context, external, options, points, values, mass);
       }};
 }
 

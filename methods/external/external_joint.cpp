@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/closed_form_file.hpp"
 #include "methods/external/column_meaning.hpp"
@@ -20,9 +20,9 @@
 namespace fpkcheck::methods {
 namespace {
 
-ExternalJoint joint_from_points(JointTable table, const std::string& path) {
+ExternalJointDensity joint_from_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
-  ExternalJoint joint{.path = path, .form = "joint points", .numbers = table.p.size()};
+  ExternalJointDensity joint{.path = path, .form = "joint points", .numbers = table.p.size()};
   // Beyond the outermost points of the table the density is taken as 0. A note reports large values
   // at these points.
   constexpr double kSmall = 1e-3;
@@ -44,8 +44,8 @@ ExternalJoint joint_from_points(JointTable table, const std::string& path) {
   return joint;
 }
 
-ExternalJoint joint_from_run(const ExternalArgument& argument, const std::string& where,
-                             const std::string& default_case, const Registry& registry) {
+ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std::string& where,
+                                    const std::string& default_case, const Registry& registry) {
   auto file = results::read_joint_netcdf(argument.file);
   std::vector<std::string> cases, solutions;
   for (const auto& [case_name, joint] : file.joints) {
@@ -62,7 +62,8 @@ ExternalJoint joint_from_run(const ExternalArgument& argument, const std::string
   }
   const auto place = select_index(solutions, argument.solution, "solution", where);
   const auto& cells = *densities[place];
-  ExternalJoint joint{.path = where, .form = "joint cells", .numbers = cells.averages.size()};
+  ExternalJointDensity joint{
+      .path = where, .form = "joint cells", .numbers = cells.averages.size()};
   const auto finite = [](double p) { return std::isfinite(p); };
   if (!std::ranges::all_of(cells.averages, finite)) {
     throw InputError(fmt::format("{}: {} has values that are not finite", where,
@@ -87,7 +88,7 @@ ExternalJoint joint_from_run(const ExternalArgument& argument, const std::string
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::sections(of_run);
   for (const auto& section : problem::sections(of_file)) {
-    const auto same = std::ranges::find(here, section.name, &problem::Section::name);
+    const auto same = std::ranges::find(here, section.name, &problem::CaseFileSection::name);
     for (const auto& value : section.values) {
       if (same != here.end() && std::ranges::find(same->values, value) != same->values.end()) {
         continue;
@@ -119,12 +120,13 @@ JointTable to_joint_table(results::GriddedVariable variable, const std::string& 
 
 }  // namespace
 
-ExternalJoint joint_from_table(const NumberTable& table) {
+ExternalJointDensity joint_density_from_table(const NumberTable& table) {
   return joint_from_points(make_joint_table(table), table.source);
 }
 
-ExternalJoint joint_from_netcdf(const ExternalArgument& argument, std::string bytes,
-                                const std::string& default_case, const Registry& registry) {
+ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument, std::string bytes,
+                                               const std::string& default_case,
+                                               const Registry& registry) {
   const std::string where = base::sanitise(argument.file.string());
   if (results::is_joint_netcdf(bytes))
     return joint_from_run(argument, where, default_case, registry);
@@ -133,21 +135,23 @@ ExternalJoint joint_from_netcdf(const ExternalArgument& argument, std::string by
                                  argument.solution ? "solution" : "case"));
   }
   auto table = to_joint_table(results::read_gridded_variable(std::move(bytes), where), where);
-  require_usable(table, where);
+  require_valid_joint_table(table, where);
   return joint_from_points(std::move(table), where);
 }
 
-ExternalJoint joint_from_json(const ExternalArgument& argument, const std::string& text,
-                              const std::string& default_case) {
+ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
+                                             const std::string& text,
+                                             const std::string& default_case) {
   const std::string where = base::sanitise(argument.file.string());
   auto file = std::make_shared<const ClosedFormFile>(
       read_closed_form_file(text, where, {argument.solution, argument.case_name, default_case}));
   const auto& [form, problem, solution] = *file;
-  ExternalJoint joint{.path = where, .form = "closed form", .numbers = form.q.terms().size()};
+  ExternalJointDensity joint{
+      .path = where, .form = "closed form", .numbers = form.q.terms().size()};
   // The normalisation constant of a closed form in an external file is tested. That of a saved run
   // is not tested.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
-  using enum epc::Variables;
+  using enum epc::ExponentCoordinates;
   if (form.frame.variables == plane || form.frame.variables == physical) {
     joint.order = form.q.degree();
   }
@@ -164,28 +168,30 @@ ExternalJoint joint_from_json(const ExternalArgument& argument, const std::strin
     }
   }
   joint.values = [file](const problem::Problem& of_run, const DensityPoints& points) {
-    const auto density = epc::density(file->form, file->problem ? &*file->problem : &of_run);
+    const auto density =
+        epc::density_of_closed_form(file->form, file->problem ? &*file->problem : &of_run);
     std::vector<double> values;
-    values.reserve(points.y().size() * points.v().size());
-    for (const double y : points.y()) {
-      for (const double v : points.v()) values.push_back(density.value(y, v));
+    values.reserve(points.y_points().size() * points.v_points().size());
+    for (const double y : points.y_points()) {
+      for (const double v : points.v_points()) values.push_back(density.value(y, v));
     }
     return values;
   };
   return joint;
 }
 
-Method make_joint_method(const ExternalDensity& external, const ExternalJoint& joint) {
+Method make_method_from_joint_density(const ExternalDensity& external,
+                                      const ExternalJointDensity& joint) {
   const auto check = [external, joint](const problem::Problem& problem) {
     const DensityPoints points(compare::comparison_axes(problem), problem.system.walls());
-    return require_density(external, points, joint.values(problem, points));
+    return validated_density_integral(external, points, joint.values(problem, points));
   };
   const auto solve = [external, joint](const problem::Problem& problem,
                                        const SolveContext& context) {
     const DensityPoints points(context.axes, problem.system.walls());
     auto values = joint.values(problem, points);
-    const double mass = require_density(external, points, values);
-    auto solution = solution_of(
+    const double mass = validated_density_integral(external, points, values);
+    auto solution = external_density_solution(
         problem, context, external,
         {.normalise = joint.normalise, .inadmissible_reason = joint.inadmissible_reason}, points,
         std::move(values), mass);
@@ -198,14 +204,14 @@ Method make_joint_method(const ExternalDensity& external, const ExternalJoint& j
     if (!other.empty())
       notes.push_back(fmt::format("the density is of another problem: {}", other));
     transform::MetricBuilder builder;
-    builder.text("files[0].file", joint.path)
-        .text("files[0].form", joint.form)
-        .work("files[0].numbers", transform::count_value(joint.numbers));
-    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::Kind::text);
+    builder.add_text("files[0].file", joint.path)
+        .add_text("files[0].form", joint.form)
+        .add_work("files[0].numbers", transform::value_from_count(joint.numbers));
+    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::MetricKind::text);
     for (std::size_t n = 0; n < notes.size(); ++n) {
-      builder.text(fmt::format("files[0].notes[{}]", n), notes[n]);
+      builder.add_text(fmt::format("files[0].notes[{}]", n), notes[n]);
     }
-    std::ranges::move(builder.take(), std::back_inserter(solution.metrics));
+    std::ranges::move(builder.take_metrics(), std::back_inserter(solution.metrics));
     return solution;
   };
   return {.identity = external_identity(external, transform::kExternalFile, "from a file"),

@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/bin_errors.hpp"
+#include "methods/external/bin_average_errors.hpp"
 #include "methods/external/column_meaning.hpp"
 
 // This include follows fpclassify: pchip of Boost 1.74 calls isnan, but does not declare isnan.
@@ -94,12 +94,12 @@ void ExternalMarginal::read_histogram(const NumberTable& table) {
     require_between_walls(table, k, upper, walls_);
     knots_.push_back(upper);
   }
-  const BinValue value = detect_bin_value(table);
+  const HistogramQuantity value = detect_histogram_quantity(table);
   file_.values = name(value);
   cumulative_ = {0};
   for (const auto& row : table.rows) {
     cumulative_.push_back(cumulative_.back() +
-                          row[2] * (value == BinValue::density ? row[1] - row[0] : 1));
+                          row[2] * (value == HistogramQuantity::density ? row[1] - row[0] : 1));
   }
   using Monotone = boost::math::interpolators::pchip<std::vector<double>>;
   auto x = knots_, below = cumulative_;
@@ -138,10 +138,10 @@ void ExternalMarginal::read_points(const NumberTable& table) {
   for (std::size_t k = 1; k < knots_.size(); ++k) {
     cumulative_.push_back(cumulative_.back() + integral(density_, knots_[k - 1], knots_[k]));
   }
-  normalise(BinValue::density);
+  normalise(HistogramQuantity::density);
 }
 
-void ExternalMarginal::normalise(BinValue value) {
+void ExternalMarginal::normalise(HistogramQuantity value) {
   constexpr double kNearOne = 0.1;
   const double total = cumulative_.back();
   const std::string file = base::sanitise(file_.path);
@@ -158,17 +158,17 @@ void ExternalMarginal::normalise(BinValue value) {
   file_.from = knots_.front();
   file_.to = knots_.back();
   file_.integral = total;
-  if (value == BinValue::probability) {
+  if (value == HistogramQuantity::probability) {
     file_.notes.emplace_back("the probabilities per bin were divided by the bin widths");
   }
-  if (value == BinValue::count || std::abs(total - 1) > kNearOne) {
+  if (value == HistogramQuantity::count || std::abs(total - 1) > kNearOne) {
     scale_ = 1 / total;
     file_.divided_by = total;
     file_.notes.push_back(
-        value == BinValue::density
+        value == HistogramQuantity::density
             ? fmt::format("the density was divided by its integral, {:.4g}", total)
             : fmt::format("the {} were divided by their sum, {:g}",
-                          value == BinValue::count ? "counts" : "probabilities", total));
+                          value == HistogramQuantity::count ? "counts" : "probabilities", total));
   }
   add_cut_off_notes();
 }
@@ -198,7 +198,7 @@ double ExternalMarginal::cumulative(double x) const {
   return cumulative_[k] + integral(density_, knots_[k], x);
 }
 
-transform::Marginal ExternalMarginal::average_over(std::span<const double> edges) const {
+transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> edges) const {
   transform::Marginal result{{edges.begin(), edges.end()}, {}, {}, {}};
   double below = cumulative(edges.front());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
@@ -206,9 +206,9 @@ transform::Marginal ExternalMarginal::average_over(std::span<const double> edges
     result.density.push_back(std::max(scale_ * (upper - below) / result.width(b), 0.0));
     below = upper;
   }
-  if (!has_errors()) return result;
+  if (!has_standard_errors()) return result;
   constexpr double kTwoSided95 = 1.959964;
-  const auto errors = bin_errors(knots_, errors_, edges, extrapolation_);
+  const auto errors = bin_average_errors(knots_, errors_, edges, extrapolation_);
   for (std::size_t b = 0; b < result.size(); ++b) {
     const double half = kTwoSided95 * scale_ * errors[b].standard_error();
     result.lower.push_back(std::max(result.density[b] - half, 0.0));
@@ -217,7 +217,7 @@ transform::Marginal ExternalMarginal::average_over(std::span<const double> edges
   return result;
 }
 
-double ExternalMarginal::fraction_outside(double lower, double upper) const {
+double ExternalMarginal::mass_fraction_outside(double lower, double upper) const {
   return std::clamp(1 - (cumulative(upper) - cumulative(lower)) / cumulative_.back(), 0.0, 1.0);
 }
 
@@ -230,9 +230,9 @@ double ExternalMarginal::moment(int power) const {
   return scale_ * sum;
 }
 
-BinSamplingL1 ExternalMarginal::sampling_l1(std::span<const double> edges) const {
+L1SamplingError ExternalMarginal::l1_sampling_error(std::span<const double> edges) const {
   const auto [expected, quantile_99] =
-      methods::sampling_l1(bin_errors(knots_, errors_, edges, extrapolation_));
+      methods::l1_sampling_error(bin_average_errors(knots_, errors_, edges, extrapolation_));
   return {scale_ * expected, scale_ * quantile_99};
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "methods/external/between_walls.hpp"
-#include "methods/external/bin_errors.hpp"
+#include "methods/external/bin_average_errors.hpp"
 #include "methods/external/column_meaning.hpp"
 #include "methods/external/number_table.hpp"
 #include "transform/marginal.hpp"
@@ -16,7 +16,7 @@ namespace fpkcheck::methods {
 
 /// Properties of a file with a marginal density, and of its normalisation, for the summary of a
 /// run.
-struct FileTreatment {
+struct MarginalFileSummary {
   std::string path;         ///< name of the file
   std::string form;         ///< "histogram" or "points"
   std::size_t rows = 0;     ///< number of rows
@@ -46,28 +46,28 @@ class ExternalMarginal {
 
   /// The averages of the density over bins, with 95 % confidence intervals if the file has standard
   /// errors.
-  transform::Marginal average_over(std::span<const double> edges) const;
+  transform::Marginal average_over_bins(std::span<const double> edges) const;
 
   /// The moment E[x^power] of the variable x: the integral of x^power times the density over the
   /// range of the file.
   double moment(int power) const;
 
   /// The fraction of the mass outside the interval lower <= x <= upper.
-  double fraction_outside(double lower, double upper) const;
+  double mass_fraction_outside(double lower, double upper) const;
 
   /// The L1 sampling error of the averages over bins, from the standard errors in the file.
-  /// @pre has_errors()
-  BinSamplingL1 sampling_l1(std::span<const double> edges) const;
+  /// @pre has_standard_errors()
+  L1SamplingError l1_sampling_error(std::span<const double> edges) const;
   /// Whether the file has standard errors.
-  bool has_errors() const { return !errors_.empty(); }
+  bool has_standard_errors() const { return !errors_.empty(); }
 
   /// The properties of the file and of its normalisation.
-  const FileTreatment& file() const { return file_; }
+  const MarginalFileSummary& file() const { return file_; }
 
  private:
   void read_histogram(const NumberTable& table);
   void read_points(const NumberTable& table);
-  void normalise(BinValue value);
+  void normalise(HistogramQuantity value);
   void add_cut_off_notes();
   double cumulative(double x) const;
 
@@ -79,7 +79,7 @@ class ExternalMarginal {
   std::function<double(double)> density_;
   double scale_ = 1;            // factor of density_ for mass 1
   std::vector<double> errors_;  // standard errors of the file's points, or empty
-  FileTreatment file_;
+  MarginalFileSummary file_;
 };
 
 }  // namespace fpkcheck::methods

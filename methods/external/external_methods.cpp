@@ -11,15 +11,15 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/external/argument.hpp"
 #include "methods/external/between_walls.hpp"
+#include "methods/external/density_file.hpp"
+#include "methods/external/external_argument.hpp"
 #include "methods/external/external_density.hpp"
 #include "methods/external/external_joint.hpp"
 #include "methods/external/external_marginal.hpp"
 #include "methods/external/families.hpp"
-#include "methods/external/file_content.hpp"
 #include "methods/external/joint_table.hpp"
-#include "methods/external/label.hpp"
+#include "methods/external/label_requirements.hpp"
 #include "problem/motion_balances.hpp"
 #include "transform/balance_residuals.hpp"
 
@@ -28,7 +28,7 @@ namespace {
 
 using transform::Variable;
 
-double unknown() { return std::numeric_limits<double>::quiet_NaN(); }
+double unknown_value() { return std::numeric_limits<double>::quiet_NaN(); }
 
 // A remark on mass beyond the comparison axes, which the comparison ignores.
 std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, double share,
@@ -45,32 +45,32 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::MetricBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
-  const FileTreatment& file = marginal.file();
-  const double beyond = marginal.fraction_outside(bins.front(), bins.back());
-  builder.text(path + "file", file.path)
-      .text(path + "variable", std::string(name(marginal.variable())))
-      .text(path + "form", file.form)
-      .work(path + "rows", transform::count_value(file.rows));
-  if (!file.values.empty()) builder.text(path + "values", file.values);
-  builder.result(path + "from", file.from)
-      .result(path + "to", file.to)
-      .result(path + "integral", file.integral);
-  if (file.divided_by) builder.result(path + "normalised_by", *file.divided_by);
+  const MarginalFileSummary& file = marginal.file();
+  const double beyond = marginal.mass_fraction_outside(bins.front(), bins.back());
+  builder.add_text(path + "file", file.path)
+      .add_text(path + "variable", std::string(name(marginal.variable())))
+      .add_text(path + "form", file.form)
+      .add_work(path + "rows", transform::value_from_count(file.rows));
+  if (!file.values.empty()) builder.add_text(path + "values", file.values);
+  builder.add_result(path + "from", file.from)
+      .add_result(path + "to", file.to)
+      .add_result(path + "integral", file.integral);
+  if (file.divided_by) builder.add_result(path + "normalised_by", *file.divided_by);
   auto notes = file.notes;
   if (const auto note = outside_mass_note(marginal, beyond, bins)) notes.push_back(*note);
-  if (notes.empty()) builder.add_empty_list(path + "notes", transform::Kind::text);
+  if (notes.empty()) builder.add_empty_list(path + "notes", transform::MetricKind::text);
   for (std::size_t n = 0; n < notes.size(); ++n) {
-    builder.text(fmt::format("{}notes[{}]", path, n), notes[n]);
+    builder.add_text(fmt::format("{}notes[{}]", path, n), notes[n]);
   }
-  builder.result(path + "mass", mass)
-      .result(path + "min_density", min_density)
-      .result(path + "beyond_axes", beyond);
+  builder.add_result(path + "mass", mass)
+      .add_result(path + "min_density", min_density)
+      .add_result(path + "beyond_axes", beyond);
 }
 
 void add_sampling_error(const ExternalMarginal& marginal, const std::vector<double>& bins,
                         transform::Solution& solution) {
-  if (!marginal.has_errors()) return;
-  const auto [expected, quantile_99] = marginal.sampling_l1(bins);
+  if (!marginal.has_standard_errors()) return;
+  const auto [expected, quantile_99] = marginal.l1_sampling_error(bins);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
   const bool of_y = marginal.variable() == Variable::y;
   (of_y ? sampling.y : sampling.ydot) = expected;
@@ -87,34 +87,35 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const auto y = of(Variable::y), ydot = of(Variable::ydot);
   if (y == marginals.end() || ydot == marginals.end()) return {};
   const problem::System& system = problem.system;
-  if ((system.left() && system.right()) || system.rayleigh() != 0) return {};
+  if ((system.left_wall() && system.right_wall()) || system.rayleigh_coefficient() != 0) return {};
   const problem::Frame frame = problem::wall_frame(system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   // Substitutes x(y): a polynomial of x becomes a polynomial of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
     return of_x.compose_affine(frame.inverse().origin, frame.sign());
   };
-  const auto virial = in_y(transformed.system.force().times_argument());
+  const auto virial = in_y(transformed.system.restoring_force().multiplied_by_argument());
   double mean_virial = virial.coefficient(0) * y->moment(0);
   for (std::size_t n = 1; n <= virial.degree(); ++n) {
     if (virial.coefficient(n) == 0) continue;
     mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
   }
   return {.virial =
-              problem::virial_balance(transformed, {.mean_displacement = frame.x(y->moment(1)),
+              problem::virial_balance(transformed, {.mean_displacement = frame.wall_x(y->moment(1)),
                                                     .mean_square_velocity = ydot->moment(2),
                                                     .mean_virial = mean_virial})
                   .residual()};
 }
 
-transform::Solution solution_of(const problem::Problem& problem,
-                                const std::vector<ExternalMarginal>& marginals,
-                                const compare::ComparisonAxes& axes) {
+transform::Solution marginals_solution(const problem::Problem& problem,
+                                       const std::vector<ExternalMarginal>& marginals,
+                                       const compare::ComparisonAxes& axes) {
   transform::Solution solution;
   solution.status = transform::Status::ok;
-  solution.energy_residual = unknown();
+  solution.energy_residual = unknown_value();
   auto& m = solution.moments;
-  m = {unknown(), unknown(), unknown(), unknown(), unknown(), unknown()};
+  m = {unknown_value(), unknown_value(), unknown_value(),
+       unknown_value(), unknown_value(), unknown_value()};
   transform::MetricBuilder builder;
   for (std::size_t k = 0; k < marginals.size(); ++k) {
     const auto& marginal = marginals[k];
@@ -122,8 +123,8 @@ transform::Solution solution_of(const problem::Problem& problem,
     (of_y ? m.y1 : m.v1) = marginal.moment(1);
     (of_y ? m.y2 : m.v2) = marginal.moment(2);
     (of_y ? m.y4 : m.v4) = marginal.moment(4);
-    const auto& bins = compare::edges(axes, marginal.variable());
-    auto on_axes = marginal.average_over(bins);
+    const auto& bins = compare::bin_edges(axes, marginal.variable());
+    auto on_axes = marginal.average_over_bins(bins);
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
@@ -134,9 +135,9 @@ transform::Solution solution_of(const problem::Problem& problem,
     add_metrics(marginal, bins, mass, min_density, k, builder);
     solution.estimated_marginals.emplace_back(marginal.variable(), std::move(on_axes));
   }
-  add_metrics(builder, balance_residuals(problem, marginals));
-  add_rest_note(problem, builder);
-  solution.metrics = builder.take();
+  add_balance_metrics(builder, balance_residuals(problem, marginals));
+  add_rest_atom_note(problem, builder);
+  solution.metrics = builder.take_metrics();
   return solution;
 }
 
@@ -158,12 +159,12 @@ std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
 struct LabelledFiles {
   ExternalDensity external;
   std::vector<MarginalFile> marginals;
-  std::optional<ExternalJoint> joint;
+  std::optional<ExternalJointDensity> joint;
 };
 
 // Sets the equation, impact condition and order of a density: from the argument, else from the
 // file.
-void set_identity(const ExternalArgument& argument, const ExternalJoint* joint,
+void set_identity(const ExternalArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {
     throw InputError(fmt::format("the files of '{}' have different {}s; give the same for all",
@@ -203,14 +204,14 @@ void add_marginal(NumberTable table, LabelledFiles& given) {
   given.marginals.push_back({std::move(table), variable});
 }
 
-void read_into(const ExternalArgument& argument, const std::string& case_name,
-               const Registry& registry, LabelledFiles& given) {
-  auto [form, bytes] = read_file_content(argument.file);
-  std::optional<ExternalJoint> joint;
-  if (form == ContentForm::netcdf) {
-    joint = joint_from_netcdf(argument, std::move(bytes), case_name, registry);
-  } else if (form == ContentForm::json) {
-    joint = joint_from_json(argument, bytes, case_name);
+void read_density_into(const ExternalArgument& argument, const std::string& case_name,
+                       const Registry& registry, LabelledFiles& given) {
+  auto [form, bytes] = read_density_file(argument.file);
+  std::optional<ExternalJointDensity> joint;
+  if (form == DensityFileFormat::netcdf) {
+    joint = joint_density_from_netcdf(argument, std::move(bytes), case_name, registry);
+  } else if (form == DensityFileFormat::json) {
+    joint = joint_density_from_json(argument, bytes, case_name);
   } else {
     if (argument.solution || argument.case_name) {
       throw InputError(fmt::format("{} contains a single density; omit the key {}",
@@ -220,7 +221,7 @@ void read_into(const ExternalArgument& argument, const std::string& case_name,
     std::istringstream in(std::move(bytes));
     auto table = read_number_table(in, argument.file.string());
     if (is_joint_density(table)) {
-      joint = joint_from_table(table);
+      joint = joint_density_from_table(table);
     } else {
       add_marginal(std::move(table), given);
     }
@@ -239,7 +240,7 @@ Method make_marginals_method(const ExternalDensity& external,
   return {.identity = external_identity(external, transform::kExternalFile, "from a file"),
           .solve =
               [files](const problem::Problem& problem, const SolveContext& context) {
-                return solution_of(problem, read_marginals(problem, files), context.axes);
+                return marginals_solution(problem, read_marginals(problem, files), context.axes);
               },
           .check = [files](const problem::Problem& problem) { read_marginals(problem, files); }};
 }
@@ -260,11 +261,11 @@ std::vector<Method> external_methods(std::span<const std::string> arguments,
     if (external == solutions.end()) {
       external = solutions.insert(external, {{.label = label, .index = solutions.size()}, {}, {}});
     }
-    read_into(argument, case_name, registry, *external);
+    read_density_into(argument, case_name, registry, *external);
   }
   std::vector<Method> methods;
   for (const auto& [external, marginals, joint] : solutions) {
-    methods.push_back(joint ? make_joint_method(external, *joint)
+    methods.push_back(joint ? make_method_from_joint_density(external, *joint)
                             : make_marginals_method(external, marginals));
   }
   group_families(methods);

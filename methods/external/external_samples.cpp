@@ -10,7 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "methods/external/between_walls.hpp"
-#include "methods/external/bin_errors.hpp"
+#include "methods/external/bin_average_errors.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::methods {
@@ -30,13 +30,13 @@ struct Samples {
   std::size_t size() const { return y.size(); }
 };
 
-std::optional<std::size_t> bin_of(const std::vector<double>& edges, double value) {
+std::optional<std::size_t> bin_index(const std::vector<double>& edges, double value) {
   if (!(value >= edges.front() && value < edges.back())) return std::nullopt;
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
 // The samples that are not at rest in contact with a wall.
-Samples without_rest(const Samples& samples, const problem::Problem& problem) {
+Samples without_samples_at_rest(const Samples& samples, const problem::Problem& problem) {
   if (!problem::features(problem).rests_in_contact) return samples;
   const problem::Walls walls = problem.system.walls();
   Samples left{{}, {}, samples.independent};
@@ -55,10 +55,10 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
                   double independent, Variable variable, Solution& solution) {
   std::vector<double> fractions(edges.size() - 1);
   for (const double value : values) {
-    if (const auto bin = bin_of(edges, value)) fractions[*bin] += 1 / n;
+    if (const auto bin = bin_index(edges, value)) fractions[*bin] += 1 / n;
   }
   transform::Marginal marginal{edges, {}, {}, {}};
-  std::vector<BinError> errors;
+  std::vector<BinAverageError> errors;
   for (std::size_t b = 0; b < fractions.size(); ++b) {
     const double width = edges[b + 1] - edges[b], density = fractions[b] / width;
     const double error = std::sqrt(fractions[b] * (1 - fractions[b]) / independent) / width;
@@ -67,7 +67,7 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
     marginal.upper.push_back(density + 1.96 * error);
     errors.push_back({width, b, {error}});
   }
-  const auto [expected, quantile_99] = sampling_l1(errors);
+  const auto [expected, quantile_99] = l1_sampling_error(errors);
   auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
   (variable == Variable::y ? sampling.y : sampling.ydot) = expected;
   (variable == Variable::y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
@@ -91,8 +91,8 @@ void set_moments(const Samples& samples, Solution& solution) {
   }
 }
 
-Solution solution_of(const Samples& samples, const problem::Problem& problem,
-                     const compare::ComparisonAxes& axes) {
+Solution samples_solution(const Samples& samples, const problem::Problem& problem,
+                          const compare::ComparisonAxes& axes) {
   Solution solution;
   solution.status = Status::ok;
   solution.energy_residual = kUnknown;
@@ -100,31 +100,31 @@ Solution solution_of(const Samples& samples, const problem::Problem& problem,
   transform::GridDensity grid{axes.y_edges, axes.v_edges, {}};
   grid.averages.assign(grid.ny() * grid.nv(), 0.0);
   const double n = static_cast<double>(samples.size()), each = 1 / n;
-  const Samples count_value = without_rest(samples, problem);
-  for (std::size_t k = 0; k < count_value.size(); ++k) {
-    const auto i = bin_of(grid.y_edges, count_value.y[k]),
-               j = bin_of(grid.v_edges, count_value.v[k]);
+  const Samples value_from_count = without_samples_at_rest(samples, problem);
+  for (std::size_t k = 0; k < value_from_count.size(); ++k) {
+    const auto i = bin_index(grid.y_edges, value_from_count.y[k]),
+               j = bin_index(grid.v_edges, value_from_count.v[k]);
     if (!i || !j) continue;
     solution.mass += each;
     grid.averages[*i * grid.nv() + *j] += each / ((grid.y_edges[*i + 1] - grid.y_edges[*i]) *
                                                   (grid.v_edges[*j + 1] - grid.v_edges[*j]));
   }
   solution.density = std::move(grid);
-  add_marginal(axes.y_edges, count_value.y, n, samples.independent, Variable::y, solution);
-  add_marginal(axes.v_edges, count_value.v, n, samples.independent, Variable::ydot, solution);
+  add_marginal(axes.y_edges, value_from_count.y, n, samples.independent, Variable::y, solution);
+  add_marginal(axes.v_edges, value_from_count.v, n, samples.independent, Variable::ydot, solution);
   set_moments(samples, solution);
   transform::MetricBuilder builder;
-  builder.work("samples", transform::count_value(samples.size()))
-      .work("independent", samples.independent);
-  add_rest_note(problem, builder);
-  solution.metrics = builder.take();
+  builder.add_work("samples", transform::value_from_count(samples.size()))
+      .add_work("independent", samples.independent);
+  add_rest_atom_note(problem, builder);
+  solution.metrics = builder.take_metrics();
   return solution;
 }
 
 }  // namespace
 
-Method make_samples_method(const ExternalDensity& external, std::span<const double> y,
-                           std::span<const double> v, double independent) {
+Method make_method_from_samples(const ExternalDensity& external, std::span<const double> y,
+                                std::span<const double> v, double independent) {
   constexpr std::size_t kMinSamples = 100;
   const auto refuse = [label = external.label](const std::string& why) {
     throw InputError(fmt::format("samples '{}': {}", label, why));
@@ -148,7 +148,7 @@ Method make_samples_method(const ExternalDensity& external, std::span<const doub
   return {.identity = external_identity(external, transform::kExternalFunction, "given as samples"),
           .solve =
               [samples](const problem::Problem& problem, const SolveContext& context) {
-                return solution_of(*samples, problem, context.axes);
+                return samples_solution(*samples, problem, context.axes);
               },
           .check =
               [samples, refuse](const problem::Problem& problem) {

@@ -15,7 +15,7 @@ namespace fpkcheck::methods {
 /// @throws InputError when there are fewer than 100 samples, when y and v have different lengths,
 ///         when a value is not finite, or when `independent` exceeds the number of samples. The
 ///         member `check` of the method throws InputError when a sample is behind a wall
-Method make_samples_method(const ExternalDensity& external, std::span<const double> y,
-                           std::span<const double> v, double independent = 0);
+Method make_method_from_samples(const ExternalDensity& external, std::span<const double> y,
+                                std::span<const double> v, double independent = 0);
 
 }  // namespace fpkcheck::methods

@@ -16,7 +16,7 @@ bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos
 
 // The common name in a label: "chi" for the label "chi-n4" of a density of order 4. Empty if the
 // label does not end with the order.
-std::optional<std::string> family_name(const transform::Identity& identity) {
+std::optional<std::string> family_name(const transform::SolutionIdentity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;
   const std::string order = std::to_string(*identity.order);

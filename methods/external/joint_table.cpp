@@ -28,7 +28,7 @@ std::vector<double> distinct_values(const NumberTable& table, std::size_t column
   return all;
 }
 
-std::size_t index_of(const std::vector<double>& distinct_values, double value) {
+std::size_t value_index(const std::vector<double>& distinct_values, double value) {
   return static_cast<std::size_t>(std::ranges::lower_bound(distinct_values, value) -
                                   distinct_values.begin());
 }
@@ -88,7 +88,7 @@ JointTable make_joint_table(const NumberTable& table) {
   joint.p.resize(row_of.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const auto& row = table.rows[k];
-    const auto at = index_of(joint.y, row[of_y]) * nv + index_of(joint.v, row[of_v]);
+    const auto at = value_index(joint.y, row[of_y]) * nv + value_index(joint.v, row[of_v]);
     if (row_of[at] != kNone) {
       table.fail(k, fmt::format("y = {:g}, y' = {:g} occurs twice (first in line {})", row[of_y],
                                 row[of_v], table.lines[row_of[at] - 1]));
@@ -97,11 +97,11 @@ JointTable make_joint_table(const NumberTable& table) {
     joint.p[at] = row[2];
   }
   // No point is missing: there are at least as many rows as points, and no point occurs twice.
-  require_usable(joint, source);
+  require_valid_joint_table(joint, source);
   return joint;
 }
 
-void require_usable(const JointTable& table, const std::string& source) {
+void require_valid_joint_table(const JointTable& table, const std::string& source) {
   require_axis(table.y, "y", source);
   require_axis(table.v, "y'", source);
   for (std::size_t k = 0; k < table.p.size(); ++k) {
@@ -124,17 +124,19 @@ void require_between_walls(const problem::Walls& walls, double from, double to,
 std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
-  std::vector<std::vector<double>> columns(points.v().size());  // p at y of the table, v of a point
+  std::vector<std::vector<double>> columns(
+      points.v_points().size());  // p at y of the table, v of a point
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
     const Interpolant along_v(table.v, {row, row + static_cast<std::ptrdiff_t>(nv)});
-    for (std::size_t j = 0; j < columns.size(); ++j) columns[j].push_back(along_v(points.v()[j]));
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      columns[j].push_back(along_v(points.v_points()[j]));
   }
   auto y = table.y;
   const auto to_walls = walls_to_extrapolate_to(points.walls(), y);
   if (to_walls.left) y.insert(y.begin(), points.walls().left->position);
   if (to_walls.right) y.push_back(points.walls().right->position);
-  std::vector<double> values(points.y().size() * columns.size());
+  std::vector<double> values(points.y_points().size() * columns.size());
   for (std::size_t j = 0; j < columns.size(); ++j) {
     auto& column = columns[j];
     const double at_left =
@@ -144,8 +146,8 @@ std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& po
     }
     if (to_walls.left) column.insert(column.begin(), at_left);
     const Interpolant along_y(y, std::move(column));
-    for (std::size_t i = 0; i < points.y().size(); ++i) {
-      values[i * columns.size() + j] = std::max(along_y(points.y()[i]), least);
+    for (std::size_t i = 0; i < points.y_points().size(); ++i) {
+      values[i * columns.size() + j] = std::max(along_y(points.y_points()[i]), least);
     }
   }
   return values;
@@ -163,7 +165,7 @@ std::vector<double> evaluate_at(const transform::GridDensity& cells, const Densi
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));
     for (std::size_t j = 0; j < nv; ++j) {
-      const double first = parts.average(next, j), second = parts.average(after, j);
+      const double first = parts.cell_average(next, j), second = parts.cell_average(after, j);
       values.push_back(std::max(first - share * (second - first), least));
     }
   };

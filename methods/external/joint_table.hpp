@@ -27,7 +27,7 @@ JointTable make_joint_table(const NumberTable& table);
 /// Tests that the axes of a joint table increase and are long enough, and that all numbers are
 /// finite and not too large.
 /// @throws InputError with a message "SOURCE: problem", if a test fails
-void require_usable(const JointTable& table, const std::string& source);
+void require_valid_joint_table(const JointTable& table, const std::string& source);
 
 /// Tests that a range of y is between the walls.
 /// @param from, to first and last y
@@ -40,14 +40,14 @@ void require_between_walls(const problem::Walls& walls, double from, double to,
 /// 0 are raised to the lower of these two limits. If the first or last y of the table is not
 /// farther from a wall than from its neighbour, the density is extrapolated linearly to the wall.
 /// Elsewhere outside the table the density is 0.
-/// @return values at the points, row-major, shape (points.y(), points.v())
+/// @return values at the points, row-major, shape (points.y_points(), points.v_points())
 std::vector<double> evaluate_at(const JointTable& table, const DensityPoints& points);
 
 /// Values at quadrature points that reproduce the averages of a density over cells. The values are
 /// averages over the subcells of the points (subcell_edges), transferred by the cumulative
 /// distribution (transform::average_over_cells). Values below the lowest average and below 0 are
 /// raised to the lower of these two limits.
-/// @return values at the points, row-major, shape (points.y(), points.v())
+/// @return values at the points, row-major, shape (points.y_points(), points.v_points())
 std::vector<double> evaluate_at(const transform::GridDensity& cells, const DensityPoints& points);
 
 }  // namespace fpkcheck::methods

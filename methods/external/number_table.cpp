@@ -15,7 +15,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-std::string trimmed(std::string text) {
+std::string trim_blanks(std::string text) {
   constexpr const char* kAround = " \t\r\"";
   const auto first = text.find_first_not_of(kAround);
   if (first == std::string::npos) return "";
@@ -47,7 +47,7 @@ std::string_view name_of_separator(char separator) {
 
 // Splits a line into fields. Blanks separate fields only if the line has no other separator;
 // several successive blanks are then one separator.
-std::vector<std::string> split(const std::string& line) {
+std::vector<std::string> split_fields(const std::string& line) {
   const char separator = separator_of(line);
   std::vector<std::string> fields(1);
   for (const char c : line) {
@@ -57,7 +57,7 @@ std::vector<std::string> split(const std::string& line) {
       fields.emplace_back();
     }
   }
-  for (auto& field : fields) field = trimmed(field);
+  for (auto& field : fields) field = trim_blanks(field);
   return fields;
 }
 
@@ -87,7 +87,7 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-std::vector<std::string> lower_case(std::vector<std::string> names) {
+std::vector<std::string> to_lower_case(std::vector<std::string> names) {
   for (auto& name : names) {
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
@@ -122,17 +122,17 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
-    line = trimmed(line);
+    line = trim_blanks(line);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      if (table.rows.empty()) comment = split(trimmed(remove_units(line.substr(1))));
+      if (table.rows.empty()) comment = split_fields(trim_blanks(remove_units(line.substr(1))));
       continue;
     }
     const char separator = separator_of(line);
-    const auto fields = split(line);
+    const auto fields = split_fields(line);
     if (table.rows.empty() && table.names.empty() &&
         std::ranges::none_of(fields, [](const auto& field) { return number(field).has_value(); })) {
-      table.names = lower_case(split(trimmed(remove_units(line))));
+      table.names = to_lower_case(split_fields(trim_blanks(remove_units(line))));
       continue;
     }
     std::vector<double> row;
@@ -157,7 +157,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
       fail(fmt::format("{} columns after rows of {} (must be equal)", row.size(), columns));
     }
     if (table.rows.empty()) {
-      const auto names = lower_case(table.names.empty() ? comment : table.names);
+      const auto names = to_lower_case(table.names.empty() ? comment : table.names);
       max_rows = velocity_column_index(names) < names.size() ? kMaxGridRows : kMaxRows;
     }
     if (table.rows.size() == max_rows) {
@@ -170,7 +170,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     throw InputError(
         fmt::format("{}: no numbers (must be two or three columns)", base::sanitise(source)));
   }
-  if (table.names.empty() && comment.size() == table.columns()) table.names = lower_case(comment);
+  if (table.names.empty() && comment.size() == table.columns())
+    table.names = to_lower_case(comment);
   if (!table.names.empty() && table.names.size() != table.columns()) {
     table.fail(0, fmt::format("{} columns under {} names (must be equal)", table.columns(),
                               table.names.size()));

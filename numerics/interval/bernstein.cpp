@@ -2,7 +2,7 @@
 
 namespace fpkcheck::numerics {
 
-double binomial(int n, int j) {
+double binomial_coefficient(int n, int j) {
   double c = 1;
   for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;  // c is an integer after each step
   return c;
@@ -24,24 +24,25 @@ BernsteinCoefficients elevate_degree(std::span<const Interval> b, int degree) {
   return e;
 }
 
-BernsteinCoefficients product(std::span<const Interval> a, std::span<const Interval> b) {
+BernsteinCoefficients bernstein_product(std::span<const Interval> a, std::span<const Interval> b) {
   const int m = static_cast<int>(a.size()) - 1, n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients p(m + n + 1, Interval(0));
   for (int i = 0; i <= m; ++i) {
-    for (int j = 0; j <= n; ++j) p[i + j] += binomial(m, i) * a[i] * (binomial(n, j) * b[j]);
+    for (int j = 0; j <= n; ++j)
+      p[i + j] += binomial_coefficient(m, i) * a[i] * (binomial_coefficient(n, j) * b[j]);
   }
-  for (int k = 0; k <= m + n; ++k) p[k] /= binomial(m + n, k);
+  for (int k = 0; k <= m + n; ++k) p[k] /= binomial_coefficient(m + n, k);
   return p;
 }
 
-BernsteinCoefficients derivative(std::span<const Interval> b) {
+BernsteinCoefficients bernstein_derivative(std::span<const Interval> b) {
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients d(std::max(n, 1), Interval(0));
   for (int j = 0; j < n; ++j) d[j] = static_cast<double>(n) * (b[j + 1] - b[j]);
   return d;
 }
 
-Interval value(std::span<const Interval> b, const Interval& t) {
+Interval bernstein_value(std::span<const Interval> b, const Interval& t) {
   BernsteinCoefficients c(b.begin(), b.end());
   const Interval s = 1.0 - t;
   for (std::size_t n = c.size(); n-- > 1;) {
@@ -50,22 +51,23 @@ Interval value(std::span<const Interval> b, const Interval& t) {
   return c[0];
 }
 
-BernsteinCoefficients bernstein_from_powers(std::span<const Interval> a) {
+BernsteinCoefficients bernstein_from_power_coefficients(std::span<const Interval> a) {
   // t^k = sum_j C(j, k)/C(n, k) B_j
   const int n = static_cast<int>(a.size()) - 1;
   BernsteinCoefficients b(n + 1, Interval(0));
   for (int j = 0; j <= n; ++j) {
-    for (int k = 0; k <= j; ++k) b[j] += a[k] * binomial(j, k) / binomial(n, k);
+    for (int k = 0; k <= j; ++k)
+      b[j] += a[k] * binomial_coefficient(j, k) / binomial_coefficient(n, k);
   }
   return b;
 }
 
-BernsteinCoefficients powers_from_bernstein(std::span<const Interval> b) {
+BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval> b) {
   // a_k = C(n, k) times the k-th forward difference of b at 0
   const int n = static_cast<int>(b.size()) - 1;
   BernsteinCoefficients difference(b.begin(), b.end()), a(n + 1);
   for (int k = 0; k <= n; ++k) {
-    a[k] = binomial(n, k) * difference[0];
+    a[k] = binomial_coefficient(n, k) * difference[0];
     for (int j = 0; j < n - k; ++j) difference[j] = difference[j + 1] - difference[j];
   }
   return a;
@@ -77,7 +79,7 @@ BernsteinCoefficients bernstein_on_segment(std::span<const double> a, const Inte
   const BernsteinCoefficients x{from - origin, to - origin};
   BernsteinCoefficients b{Interval(a.back())};
   for (std::size_t k = a.size() - 1; k-- > 0;) {
-    b = product(b, x);
+    b = bernstein_product(b, x);
     for (Interval& c : b) c += a[k];
   }
   return b;

@@ -10,9 +10,9 @@
 /// Include this header only in targets that are compiled with -frounding-math -ffp-contract=off
 /// (`numerics`, `backward` and the tests of both). In other targets the compiler may round in the
 /// wrong direction, and the linker may keep the wrong copy of a template. All interval arithmetic
-/// runs inside `with_upward_rounding`, which sets the rounding mode of the thread to upward at the
-/// start of the call. The lower end of a result x is computed as -up(-x), where `up` denotes upward
-/// rounding.
+/// runs inside `call_with_upward_rounding`, which sets the rounding mode of the thread to upward at
+/// the start of the call. The lower end of a result x is computed as -up(-x), where `up` denotes
+/// upward rounding.
 namespace fpkcheck::numerics {
 
 /// Access to the rounding mode of this thread, in the form that Boost's rounded_arith_opp requires.
@@ -68,17 +68,17 @@ template <class Work>
 #else
 [[gnu::noinline]]
 #endif
-auto call_opaque(const Work& work) {
+auto call_without_inlining(const Work& work) {
   return work();
 }
 template <class Work>
-auto with_upward_rounding(const Work& work) {
+auto call_with_upward_rounding(const Work& work) {
   const UpwardRounding upward;
-  return call_opaque(work);
+  return call_without_inlining(work);
 }
 
-inline Interval interval(const Enclosure& e) { return {e.lower, e.upper}; }
-inline Enclosure enclosure(const Interval& x) { return {x.lower(), x.upper()}; }
+inline Interval interval_from_enclosure(const Enclosure& e) { return {e.lower, e.upper}; }
+inline Enclosure enclosure_from_interval(const Interval& x) { return {x.lower(), x.upper()}; }
 
 /// The interval [-x, x].
 inline Interval symmetric_interval(double x) { return {-x, x}; }

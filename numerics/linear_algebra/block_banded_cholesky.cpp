@@ -10,8 +10,9 @@ namespace fpkcheck::numerics {
 BlockBandedMatrix::BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth)
     : offsets_{0}, bandwidth_(bandwidth) {
   for (const Eigen::Index size : block_sizes) offsets_.push_back(offsets_.back() + size);
-  for (int c = 0; c < blocks(); ++c) {
-    columns_.push_back(Eigen::MatrixXd::Zero(offsets_[last(c) + 1] - offsets_[c], block_sizes[c]));
+  for (int c = 0; c < block_count(); ++c) {
+    columns_.push_back(
+        Eigen::MatrixXd::Zero(offsets_[last_block_row(c) + 1] - offsets_[c], block_sizes[c]));
   }
 }
 
@@ -22,14 +23,14 @@ Eigen::Ref<Eigen::MatrixXd> BlockBandedMatrix::block(int row, int column) {
 
 Eigen::VectorXd BlockBandedMatrix::diagonal() const {
   Eigen::VectorXd d(size());
-  for (int c = 0; c < blocks(); ++c) {
+  for (int c = 0; c < block_count(); ++c) {
     d.segment(offsets_[c], columns_[c].cols()) = columns_[c].diagonal();
   }
   return d;
 }
 
-void BlockBandedMatrix::scale(const Eigen::VectorXd& scale) {
-  for (int c = 0; c < blocks(); ++c) {
+void BlockBandedMatrix::scale_symmetrically(const Eigen::VectorXd& scale) {
+  for (int c = 0; c < block_count(); ++c) {
     columns_[c] = scale.segment(offsets_[c], columns_[c].rows()).asDiagonal() * columns_[c] *
                   scale.segment(offsets_[c], columns_[c].cols()).asDiagonal();
   }
@@ -40,7 +41,7 @@ void BlockBandedMatrix::add_to_diagonal(double value) {
 }
 
 bool BlockBandedMatrix::factorise() {
-  for (int c = 0; c < blocks(); ++c) {
+  for (int c = 0; c < block_count(); ++c) {
     Eigen::MatrixXd& panel = columns_[c];
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
     const Eigen::LLT<Eigen::MatrixXd> llt(panel.topRows(n));
@@ -49,7 +50,7 @@ bool BlockBandedMatrix::factorise() {
     if (below == 0) continue;
     panel.topRows(n).triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
         panel.bottomRows(below));
-    for (int j = c + 1; j <= last(c); ++j) {
+    for (int j = c + 1; j <= last_block_row(c); ++j) {
       const Eigen::Index start = offsets_[j] - offsets_[c], rows = panel.rows() - start;
       Eigen::MatrixXd& target = columns_[j];
       subtract_product(target.data(), target.rows(), {&panel(start, 0), 1, panel.rows()},
@@ -60,7 +61,7 @@ bool BlockBandedMatrix::factorise() {
 }
 
 void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
-  for (int c = 0; c < blocks(); ++c) {
+  for (int c = 0; c < block_count(); ++c) {
     const Eigen::MatrixXd& panel = columns_[c];
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
     auto x = b.middleRows(offsets_[c], n);
@@ -70,7 +71,7 @@ void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
                        {x.data(), 1, b.rows()}, below, b.cols(), n);
     }
   }
-  for (int c = blocks(); c-- > 0;) {
+  for (int c = block_count(); c-- > 0;) {
     const Eigen::MatrixXd& panel = columns_[c];
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
     auto x = b.middleRows(offsets_[c], n);

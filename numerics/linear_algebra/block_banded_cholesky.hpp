@@ -13,14 +13,14 @@ class BlockBandedMatrix {
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
 
   Eigen::Index size() const { return offsets_.back(); }
-  int blocks() const { return static_cast<int>(offsets_.size()) - 1; }
-  Eigen::Index offset(int block) const { return offsets_[block]; }
+  int block_count() const { return static_cast<int>(offsets_.size()) - 1; }
+  Eigen::Index block_offset(int block) const { return offsets_[block]; }
   /// The block in a block row and a block column, column <= row <= column + bandwidth.
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
   /// Replaces the matrix A by S A S with S = diag(scale).
-  void scale(const Eigen::VectorXd& scale);
+  void scale_symmetrically(const Eigen::VectorXd& scale);
   void add_to_diagonal(double value);
 
   /// Replaces the matrix A by its Cholesky factor L, A = L L^T.
@@ -32,11 +32,11 @@ class BlockBandedMatrix {
   void solve(Eigen::MatrixXd& b) const;
 
  private:
-  int last(int column) const { return std::min(column + bandwidth_, blocks() - 1); }
+  int last_block_row(int column) const { return std::min(column + bandwidth_, block_count() - 1); }
 
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
-  // For each block column, its blocks `column` .. last(column).
+  // For each block column, its blocks `column` .. last_block_row(column).
   std::vector<Eigen::MatrixXd> columns_;
 };
 

@@ -12,7 +12,7 @@ namespace fpkcheck::numerics {
 namespace {
 
 template <int kWidth>
-struct VectorOf {
+struct SimdVectorType {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
@@ -23,7 +23,7 @@ template <int kWidth, int kVectors, int kColumns>
 void subtract_product_blocked(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
                               const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
                               std::ptrdiff_t inner) {
-  using Vector = typename VectorOf<kWidth>::Type;
+  using Vector = typename SimdVectorType<kWidth>::Type;
   constexpr std::ptrdiff_t kRows = kVectors * kWidth;
   const std::ptrdiff_t blocks = (columns + kColumns - 1) / kColumns;
   const auto count = [](std::ptrdiff_t n) { return static_cast<std::size_t>(n); };

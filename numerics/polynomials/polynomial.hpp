@@ -46,13 +46,13 @@ class Polynomial {
     }
     return Polynomial(q);
   }
-  constexpr Polynomial times(double factor) const {
+  constexpr Polynomial multiplied_by(double factor) const {
     Coefficients p{};
     for (std::size_t n = 0; n <= kDegree; ++n) p[n] = factor * a_[n];
     return Polynomial(p);
   }
   /// The product of y and this polynomial. @pre degree() < kDegree
-  constexpr Polynomial times_argument() const {
+  constexpr Polynomial multiplied_by_argument() const {
     Coefficients p{};
     for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
     return Polynomial(p);

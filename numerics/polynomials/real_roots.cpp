@@ -25,7 +25,7 @@ std::vector<double> sign_changes(const Polynomial& polynomial, double low, doubl
   return roots;
 }
 
-double root_bound(const Polynomial& polynomial) {
+double root_modulus_bound(const Polynomial& polynomial) {
   const std::size_t degree = polynomial.degree();
   if (degree == 0) return 0;
   double largest = 0;

@@ -13,6 +13,6 @@ std::vector<double> sign_changes(const Polynomial& polynomial, double low, doubl
 
 /// Cauchy's bound of the roots, 1 + max |a_n / a_degree|: every root of the polynomial has a
 /// modulus below this bound. The bound is 0 for a constant polynomial.
-double root_bound(const Polynomial& polynomial);
+double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

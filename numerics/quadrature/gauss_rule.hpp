@@ -17,15 +17,15 @@ struct QuadratureRule {
 /// Composite Gauss-Legendre rule with N points on each panel. A panel is the interval between two
 /// neighbouring ends. The rule is exact for functions that are polynomials of degree 2 N - 1 on
 /// each panel. The points of a panel are ordered in pairs symmetric about the middle of the panel.
-/// @param cuts increasing ends of the panels
+/// @param panel_ends increasing ends of the panels
 template <unsigned N>
-QuadratureRule gauss_rule(std::span<const double> cuts) {
+QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
   using Gauss = boost::math::quadrature::gauss<double, N>;
   QuadratureRule rule;
   std::vector<double> weights;
-  for (std::size_t panel = 0; panel + 1 < cuts.size(); ++panel) {
-    const double centre = (cuts[panel] + cuts[panel + 1]) / 2;
-    const double half = (cuts[panel + 1] - cuts[panel]) / 2;
+  for (std::size_t panel = 0; panel + 1 < panel_ends.size(); ++panel) {
+    const double centre = (panel_ends[panel] + panel_ends[panel + 1]) / 2;
+    const double half = (panel_ends[panel + 1] - panel_ends[panel]) / 2;
     for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
       for (const double sign : {-1.0, 1.0}) {
         if (sign < 0 && Gauss::abscissa()[n] == 0) continue;  // the middle point has no partner

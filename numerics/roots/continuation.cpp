@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 
 namespace fpkcheck::numerics {
 namespace {
@@ -19,8 +19,8 @@ constexpr int kFoldBisections = 40;
 
 class CurveTracer {
  public:
-  CurveTracer(const Homotopy& family, const ContinuationOptions& options)
-      : family_(family), options_(options) {}
+  CurveTracer(const Homotopy& homotopy, const ContinuationOptions& options)
+      : homotopy_(homotopy), options_(options) {}
 
   SolutionCurve from(const VectorXd& start);
 
@@ -36,7 +36,7 @@ class CurveTracer {
   void record(const CurvePoint& at) { curve_.points.push_back(at); }
   void record_fold(const CurvePoint& at, const VectorXd& direction, double step);
 
-  const Homotopy& family_;
+  const Homotopy& homotopy_;
   const ContinuationOptions& options_;
   SolutionCurve curve_;
 };
@@ -50,8 +50,8 @@ CurvePoint predict(const CurvePoint& from, const VectorXd& tangent, double step)
 MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& at, const VectorXd& last_row) const {
   const Index n = at.a.size();
   MatrixXd matrix(n + 1, n + 1);
-  matrix.topLeftCorner(n, n) = family_.jacobian(at.a, at.t);
-  matrix.col(n).head(n) = family_.parameter_derivative(at.a, at.t);
+  matrix.topLeftCorner(n, n) = homotopy_.jacobian(at.a, at.t);
+  matrix.col(n).head(n) = homotopy_.parameter_derivative(at.a, at.t);
   matrix.row(n) = last_row.transpose();
   return matrix;
 }
@@ -72,7 +72,7 @@ std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const Ve
                                                double step) {
   const Index n = start.a.size();
   CurvePoint point = start;
-  VectorXd residual = family_.residual(point.a, point.t);
+  VectorXd residual = homotopy_.residual(point.a, point.t);
   for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
     VectorXd right(n + 1);
     right << -residual, 0;
@@ -80,7 +80,7 @@ std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const Ve
     point.a += change.head(n);
     point.t += change[n];
     ++curve_.iterations;
-    residual = family_.residual(point.a, point.t);
+    residual = homotopy_.residual(point.a, point.t);
     if (residual.allFinite() && is_converged(residual, change.norm())) {
       const double displacement = std::hypot((point.a - start.a).norm(), point.t - start.t);
       return displacement < options_.max_relative_correction * std::abs(step) ? std::optional(point)
@@ -92,12 +92,12 @@ std::optional<CurvePoint> CurveTracer::correct(const CurvePoint& start, const Ve
 
 // Newton steps for a at a fixed value of t.
 std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
-  VectorXd residual = family_.residual(point.a, point.t);
+  VectorXd residual = homotopy_.residual(point.a, point.t);
   for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
-    const VectorXd change = LuFactors(family_.jacobian(point.a, point.t)).solve(residual);
+    const VectorXd change = LuFactors(homotopy_.jacobian(point.a, point.t)).solve(residual);
     point.a -= change;
     ++curve_.iterations;
-    residual = family_.residual(point.a, point.t);
+    residual = homotopy_.residual(point.a, point.t);
     if (residual.allFinite() && is_converged(residual, change.norm())) return point;
   }
   return std::nullopt;
@@ -155,18 +155,18 @@ SolutionCurve CurveTracer::from(const VectorXd& start) {
     if (options_.locate_folds && onwards[n] * direction[n] < 0) record_fold(at, direction, step);
     record(*last);
     if (beyond) {
-      curve_.end = last->t == 1 ? Termination::end_reached : Termination::fell_back;
+      curve_.end = last->t == 1 ? TerminationReason::end_reached : TerminationReason::fell_back;
       return std::move(curve_);
     }
     if (next->a.norm() > options_.max_norm) {
-      curve_.end = Termination::diverged;
+      curve_.end = TerminationReason::diverged;
       return std::move(curve_);
     }
     at = *next;
     direction = onwards;
     step = std::min(options_.max_step, step * options_.step_growth);
   }
-  curve_.end = Termination::limit_exceeded;
+  curve_.end = TerminationReason::limit_exceeded;
   return std::move(curve_);
 }
 
@@ -182,13 +182,13 @@ Homotopy newton_homotopy(std::function<VectorXd(const VectorXd&)> residual,
           .parameter_derivative = [initial](const VectorXd&, double) { return initial; }};
 }
 
-const CurvePoint& SolutionCurve::furthest() const {
+const CurvePoint& SolutionCurve::point_with_largest_t() const {
   return *std::ranges::max_element(points, {}, &CurvePoint::t);
 }
 
-SolutionCurve trace_curve(const Homotopy& family, const VectorXd& start,
-                          const ContinuationOptions& options) {
-  return CurveTracer(family, options).from(start);
+SolutionCurve trace_solution_curve(const Homotopy& homotopy, const VectorXd& start,
+                                   const ContinuationOptions& options) {
+  return CurveTracer(homotopy, options).from(start);
 }
 
 }  // namespace fpkcheck::numerics

@@ -9,10 +9,12 @@ namespace fpkcheck::numerics {
 /// A homotopy: equations G(a, t) = 0, as many as a has components, whose solutions form a curve in
 /// the space of (a, t).
 struct Homotopy {
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& a, double t)> residual;  ///< G
-  std::function<Eigen::MatrixXd(const Eigen::VectorXd& a, double t)> jacobian;  ///< dG/da
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& a, double t)>
-      parameter_derivative;  ///< dG/dt
+  template <class Result>
+  using FunctionOfPoint = std::function<Result(const Eigen::VectorXd& a, double t)>;
+
+  FunctionOfPoint<Eigen::VectorXd> residual;              ///< G
+  FunctionOfPoint<Eigen::MatrixXd> jacobian;              ///< dG/da
+  FunctionOfPoint<Eigen::VectorXd> parameter_derivative;  ///< dG/dt
 };
 
 /// The Newton homotopy G(a, t) = R(a) - (1 - t) R(start). The solution curve begins at a = start
@@ -53,7 +55,7 @@ struct CurvePoint {
 };
 
 /// The reason why a continuation ended.
-enum class Termination {
+enum class TerminationReason {
   end_reached,     ///< t = 1 was reached
   fell_back,       ///< t fell to min_t
   diverged,        ///< |a| exceeded max_norm
@@ -66,11 +68,11 @@ struct SolutionCurve {
   /// Indices of the folds in `points`, where t has an extremum. Empty without
   /// ContinuationOptions::locate_folds.
   std::vector<std::size_t> folds;
-  Termination end = Termination::step_underflow;
+  TerminationReason end = TerminationReason::step_underflow;
   int iterations = 0;  ///< number of Newton steps
 
   /// The point of the curve with the largest t.
-  const CurvePoint& furthest() const;
+  const CurvePoint& point_with_largest_t() const;
 };
 
 /// Pseudo-arclength continuation (Keller): computes points of the solution curve of G = 0 from
@@ -78,7 +80,7 @@ struct SolutionCurve {
 /// extremum, but the curve is smooth as a function of arclength, so that the continuation passes
 /// the fold.
 /// @param start a solution of G(start, 0) = 0 within the tolerance of the options
-SolutionCurve trace_curve(const Homotopy& family, const Eigen::VectorXd& start,
-                          const ContinuationOptions& options);
+SolutionCurve trace_solution_curve(const Homotopy& homotopy, const Eigen::VectorXd& start,
+                                   const ContinuationOptions& options);
 
 }  // namespace fpkcheck::numerics

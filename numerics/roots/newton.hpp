@@ -27,8 +27,9 @@ struct NewtonResult {
 /// `accepts` returns true. Returns the accepted fraction, or 0 if the fraction has fallen to the
 /// second argument.
 template <class Accepts>
-double backtrack(double first, double least, const Accepts& accepts) {
-  for (double step_fraction = first; step_fraction > least; step_fraction /= 2) {
+double backtrack(double first_step_fraction, double min_step_fraction, const Accepts& accepts) {
+  for (double step_fraction = first_step_fraction; step_fraction > min_step_fraction;
+       step_fraction /= 2) {
     if (accepts(step_fraction)) return step_fraction;
   }
   return 0;
@@ -40,8 +41,8 @@ double backtrack(double first, double least, const Accepts& accepts) {
 ///     step(iterate)         the Newton step at the iterate, with its `change` of a
 ///     step_fraction(iterate, step)  the fraction of the step to take; 0 stops. Called when damped
 template <class Equations>
-NewtonResult newton(const Equations& equations, const Eigen::VectorXd& start,
-                    const NewtonOptions& options) {
+NewtonResult solve_by_newton(const Equations& equations, const Eigen::VectorXd& start,
+                             const NewtonOptions& options) {
   auto here = equations.at(start);
   NewtonResult best{start, here.size, 0, here.size < options.tolerance};
   while (std::isfinite(here.size) && best.iterations < options.max_iterations) {

@@ -2,7 +2,7 @@
 
 namespace fpkcheck::simd {
 
-std::vector<CodeVariant> available_variants() {
+std::vector<CodeVariant> available_code_variants() {
   std::vector<CodeVariant> lanes{
       {InstructionSet::baseline, 8}, {InstructionSet::baseline, 1}, {InstructionSet::baseline, 2}};
 #if defined(__x86_64__)

@@ -17,7 +17,7 @@ struct CodeVariant {
 
 /// The variants of the SIMD code that this program contains and this processor supports. The
 /// fastest variant is the last element.
-std::vector<CodeVariant> available_variants();
+std::vector<CodeVariant> available_code_variants();
 
 /// Selects the variant of a function that was compiled for the given instruction set.
 template <class Function>

@@ -57,9 +57,9 @@ FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
 /// A vector with the lane of a if the lane of the mask is set, else with 0.
-FPKCHECK_INLINE double where(bool mask, double a) { return mask ? a : 0; }
+FPKCHECK_INLINE double select_or_zero(bool mask, double a) { return mask ? a : 0; }
 template <class Mask, class Real>
-FPKCHECK_INLINE Real where(const Mask& mask, const Real& a) {
+FPKCHECK_INLINE Real select_or_zero(const Mask& mask, const Real& a) {
   return (Real)(mask & (Mask)a);
 }
 
@@ -72,10 +72,10 @@ FPKCHECK_INLINE Real lanewise_max(const Real& a, const Real& b) {
   return a > b ? a : b;
 }
 
-FPKCHECK_INLINE bool any(bool mask) { return mask; }
-FPKCHECK_INLINE bool any(int mask) { return mask != 0; }  // the type of bool & bool is int
+FPKCHECK_INLINE bool any_lane_set(bool mask) { return mask; }
+FPKCHECK_INLINE bool any_lane_set(int mask) { return mask != 0; }  // the type of bool & bool is int
 template <class Mask>
-FPKCHECK_INLINE bool any(const Mask& mask) {
+FPKCHECK_INLINE bool any_lane_set(const Mask& mask) {
   typedef std::int64_t Pair __attribute__((vector_size(16)));
   constexpr int kPairs = static_cast<int>(sizeof(Mask) / sizeof(Pair));
   Pair pairs[kPairs];
@@ -91,10 +91,10 @@ FPKCHECK_INLINE Real broadcast(double x) {
   return Real{} + x;
 }
 
-FPKCHECK_INLINE double lane(double x, int) { return x; }
-FPKCHECK_INLINE double lane(bool x, int) { return x ? 1 : 0; }
+FPKCHECK_INLINE double lane_value(double x, int) { return x; }
+FPKCHECK_INLINE double lane_value(bool x, int) { return x ? 1 : 0; }
 template <class Real>
-FPKCHECK_INLINE double lane(const Real& x, int i) {
+FPKCHECK_INLINE double lane_value(const Real& x, int i) {
   return static_cast<double>(x[i]);
 }
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "numerics/splines/basis.hpp"
+#include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::numerics {
 

@@ -14,11 +14,11 @@ QuinticBSplines::QuinticBSplines(std::vector<double> knots)
   }
 }
 
-QuinticBSplines::Values QuinticBSplines::at(double x) const {
+QuinticBSplines::ValuesAndSlopes QuinticBSplines::values_and_slopes(double x) const {
   const double inside = std::clamp(x, begin(), end());
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, inside);
   const int span = static_cast<int>(after - breaks_.begin()) - 1;
-  Values values{.first = first_[span], .value = {1}, .slope = {}};
+  ValuesAndSlopes values{.first = first_[span], .value = {1}, .slope = {}};
   const int last = values.first + kDegree;  // index of the last knot at the beginning of the span
   // Cox-de Boor recursion: value[l] is function last - p + l of degree p.
   std::array<double, kDegree + 1>& b = values.value;
@@ -46,8 +46,8 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // The recursion of at(), in which the last two degrees are replaced by differences p (previous
-  // share - share).
+  // The recursion of values_and_slopes(), in which the last two degrees are replaced by differences
+  // p (previous share - share).
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
@@ -63,7 +63,7 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   return b;
 }
 
-std::vector<double> QuinticBSplines::power(int power) const {
+std::vector<double> QuinticBSplines::coefficients_of_power(int power) const {
   constexpr std::array<double, kDegree + 1> kBinomials{1, 5, 10, 10, 5, 1};
   std::vector<double> coefficients;
   for (int i = 0; i < size(); ++i) {

@@ -25,19 +25,19 @@ class QuinticBSplines {
 
   /// Values and slopes at a point of the six basis functions first .. first + 5. All other basis
   /// functions are zero at the point.
-  struct Values {
+  struct ValuesAndSlopes {
     int first;
     std::array<double, kDegree + 1> value, slope;
   };
-  Values at(double x) const;
-  /// Second derivatives at x of the six basis functions that at(x) returns; 0 if x is beyond an
-  /// end.
+  ValuesAndSlopes values_and_slopes(double x) const;
+  /// Second derivatives at x of the six basis functions that values_and_slopes(x) returns; 0 if x
+  /// is beyond an end.
   std::array<double, kDegree + 1> second_derivatives(double x) const;
 
   /// Coefficients of the function x^power in this basis, 0 <= power <= 5, by Marsden's identity.
   /// The coefficient of a basis function is the mean of all products of `power` different knots
   /// among the five inner knots of the function.
-  std::vector<double> power(int power) const;
+  std::vector<double> coefficients_of_power(int power) const;
 
  private:
   std::vector<double> knots_, breaks_;

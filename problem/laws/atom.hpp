@@ -3,7 +3,7 @@
 namespace fpkcheck::problem {
 
 /// An atom of an amplitude law: an amplitude with positive probability, and this probability.
-struct Atom {
+struct AmplitudeAtom {
   double amplitude;
   double probability;
 };

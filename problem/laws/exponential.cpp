@@ -14,7 +14,8 @@ constexpr double kSkewness = 2;
 
 }  // namespace
 
-ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation, const LawShape& shape) {
+ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
+                                            const LawShapeParameters& shape) {
   const double skewness = shape.skewness.value_or(kSkewness);
   if (std::abs(skewness) != kSkewness) {
     throw InputError(
@@ -38,7 +39,7 @@ double ExponentialLaw::density(double y) const {
   return e >= 0 ? std::exp(-e) / std::abs(scale) : 0;
 }
 
-double ExponentialLaw::cumulative(double y) const {
+double ExponentialLaw::cumulative_probability(double y) const {
   const double e = 1 + (y - mean) / scale;  // value of E; increases in y for a positive scale
   if (scale > 0) return e > 0 ? -std::expm1(-e) : 0;
   return e > 0 ? std::exp(-e) : 1;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problem/laws/atom.hpp"
-#include "problem/laws/shape.hpp"
+#include "problem/laws/shape_parameters.hpp"
 
 namespace fpkcheck::problem {
 
@@ -21,7 +21,8 @@ struct ExponentialLaw {
   static constexpr std::string_view kWidthName = "scale";
   /// The exponential law with the given moments; the default skewness is 2.
   /// @throws InputError if the skewness is neither 2 nor -2
-  static ExponentialLaw from_moments(double mean, double deviation, const LawShape& shape);
+  static ExponentialLaw from_moments(double mean, double deviation,
+                                     const LawShapeParameters& shape);
   double width() const { return scale; }
   double standard_deviation() const;
 
@@ -29,15 +30,15 @@ struct ExponentialLaw {
   /// 1)^n], times the sign of scale^n.
   double standardised_moment(int n) const;
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const { return {}; }
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const { return {}; }
   std::vector<double> density_breakpoints() const;
   /// E[exp(iu (Y - mean))] = exp(-iu scale) / (1 - iu scale).
   std::complex<double> centred_characteristic_function(double u) const;
   /// E[exp(u (Y - mean))]; infinite for u scale >= 1.
   double centred_moment_generating_function(double u) const;
   /// The law of -Y.
-  ExponentialLaw mirrored() const { return {-mean, -scale}; }
+  ExponentialLaw mirror_image() const { return {-mean, -scale}; }
 };
 
 }  // namespace fpkcheck::problem

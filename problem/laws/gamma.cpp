@@ -22,7 +22,7 @@ double standardised_variate(const GammaLaw& law, double y) {
 
 }  // namespace
 
-GammaLaw GammaLaw::from_moments(double mean, double deviation, const LawShape& shape) {
+GammaLaw GammaLaw::from_moments(double mean, double deviation, const LawShapeParameters& shape) {
   const double skewness = shape.skewness.value_or(kDefaultSkewness), size = std::abs(skewness);
   if (!(size >= kMinSkewness && size <= kMaxSkewness)) {
     throw InputError(
@@ -50,7 +50,7 @@ double GammaLaw::density(double y) const {
   return g >= 0 ? boost::math::gamma_p_derivative(shape(), g) * std::sqrt(shape()) / deviation : 0;
 }
 
-double GammaLaw::cumulative(double y) const {
+double GammaLaw::cumulative_probability(double y) const {
   const double g = std::max(standardised_variate(*this, y), 0.0);
   return skewness > 0 ? boost::math::gamma_p(shape(), g) : boost::math::gamma_q(shape(), g);
 }

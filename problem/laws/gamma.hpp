@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problem/laws/atom.hpp"
-#include "problem/laws/shape.hpp"
+#include "problem/laws/shape_parameters.hpp"
 
 namespace fpkcheck::problem {
 
@@ -21,7 +21,7 @@ struct GammaLaw {
   static constexpr std::string_view kWidthName = "deviation";
   /// The gamma law with the given moments; the default skewness is 1.
   /// @throws InputError if |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
-  static GammaLaw from_moments(double mean, double deviation, const LawShape& shape);
+  static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   /// The width parameter: the standard deviation times the sign of the skewness.
   double width() const;
   double standard_deviation() const { return deviation; }
@@ -32,8 +32,8 @@ struct GammaLaw {
   /// m_{n-1}).
   double standardised_moment(int n) const;
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const { return {}; }
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const { return {}; }
   /// Break points of quadrature. The break points are closer together near the finite end of the
   /// support, where the density behaves like a power of the distance to the end.
   std::vector<double> density_breakpoints() const;
@@ -41,7 +41,7 @@ struct GammaLaw {
   /// E[exp(u (Y - mean))]; infinite for u deviation skewness / 2 >= 1.
   double centred_moment_generating_function(double u) const;
   /// The law of -Y.
-  GammaLaw mirrored() const { return {-mean, deviation, -skewness}; }
+  GammaLaw mirror_image() const { return {-mean, deviation, -skewness}; }
 
   /// The standardised quantile (x - k) / sqrt(k) of the gamma density, where P(G <= x) = p and P(G
   /// > x) = q. The quantile is computed from the smaller of p and q. @pre p + q = 1

@@ -14,7 +14,7 @@ double GaussianLaw::density(double y) const {
   return boost::math::pdf(boost::math::normal(mean, deviation), y);
 }
 
-double GaussianLaw::cumulative(double y) const {
+double GaussianLaw::cumulative_probability(double y) const {
   return boost::math::cdf(boost::math::normal(mean, deviation), y);
 }
 

@@ -23,8 +23,8 @@ struct GaussianLaw {
   /// E[((Y - mean) / deviation)^n]: (n-1)!! for even n, 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const { return {}; }
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const { return {}; }
   std::vector<double> density_breakpoints() const {
     return {mean - 9 * deviation, mean + 9 * deviation};
   }

@@ -15,7 +15,7 @@ double LaplaceLaw::density(double y) const {
   return boost::math::pdf(boost::math::laplace(mean, scale), y);
 }
 
-double LaplaceLaw::cumulative(double y) const {
+double LaplaceLaw::cumulative_probability(double y) const {
   return boost::math::cdf(boost::math::laplace(mean, scale), y);
 }
 

@@ -27,8 +27,8 @@ struct LaplaceLaw {
   /// E[((Y - mean) / standard_deviation())^n]: n! / 2^(n/2) for even n, 0 for odd n.
   double standardised_moment(int n) const;
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const { return {}; }
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const { return {}; }
   std::vector<double> density_breakpoints() const {
     return {mean - 42 * scale, mean, mean + 42 * scale};
   }

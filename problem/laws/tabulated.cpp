@@ -20,7 +20,7 @@ namespace {
 constexpr double kSmoothLength = 6;
 
 bool has_atoms(const TabulatedLaw& law) {
-  return law.standard->kind == AmplitudeTable::Kind::probability;
+  return law.standard->kind == AmplitudeTable::WeightType::probability;
 }
 
 // E[f(Z)] for a function f that is smooth on intervals of length `smooth`. With the default
@@ -33,7 +33,7 @@ auto expectation(const AmplitudeTable& table, const Function& f,
   const auto& z = table.amplitude;
   const auto& w = table.weight;
   for (std::size_t k = 0; k < z.size(); ++k) {
-    if (table.kind == AmplitudeTable::Kind::probability) {
+    if (table.kind == AmplitudeTable::WeightType::probability) {
       sum += w[k] * f(z[k]);
     } else if (k > 0) {
       const double length = z[k] - z[k - 1];
@@ -55,7 +55,7 @@ double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;
   double sum = 0;
-  if (table.kind == AmplitudeTable::Kind::probability) {
+  if (table.kind == AmplitudeTable::WeightType::probability) {
     for (std::size_t k = 0; k < z.size(); ++k) {
       if (z[k] < at || (with_equal && z[k] == at)) sum += w[k];
     }
@@ -70,7 +70,8 @@ double cumulative_of(const AmplitudeTable& table, double at, bool with_equal) {
 
 }  // namespace
 
-TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation, const LawShape& shape) {
+TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation,
+                                        const LawShapeParameters& shape) {
   if (shape.table.empty()) {
     throw InputError(
         "impulse.table is missing: impulse.law = tabulated needs a CSV file with the columns "
@@ -81,10 +82,10 @@ TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation, const Law
         "impulse.skewness = {}: a tabulated law has the skewness of its table; omit the key",
         *shape.skewness));
   }
-  AmplitudeTable table = parse_table_literal(shape.table);
+  AmplitudeTable table = parse_amplitude_table_literal(shape.table);
   const double centre = table.mean(), width = std::sqrt(table.variance());
   for (double& y : table.amplitude) y = (y - centre) / width;
-  if (table.kind == AmplitudeTable::Kind::density) {
+  if (table.kind == AmplitudeTable::WeightType::density) {
     for (double& w : table.weight) w *= width;
   }
   return {mean, deviation, std::make_shared<const AmplitudeTable>(std::move(table))};
@@ -109,13 +110,13 @@ double TabulatedLaw::density(double y) const {
   return std::lerp(standard->weight[k - 1], standard->weight[k], part) / std::abs(scale);
 }
 
-double TabulatedLaw::cumulative(double y) const {
+double TabulatedLaw::cumulative_probability(double y) const {
   const double at = (y - mean) / scale;
   return scale > 0 ? cumulative_of(*standard, at, true) : 1 - cumulative_of(*standard, at, false);
 }
 
-std::vector<Atom> TabulatedLaw::atoms() const {
-  std::vector<Atom> atoms;
+std::vector<AmplitudeAtom> TabulatedLaw::atoms() const {
+  std::vector<AmplitudeAtom> atoms;
   if (!has_atoms(*this)) return atoms;
   for (std::size_t k = 0; k < standard->amplitude.size(); ++k) {
     atoms.push_back({mean + scale * standard->amplitude[k], standard->weight[k]});

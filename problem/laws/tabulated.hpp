@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "problem/laws/atom.hpp"
-#include "problem/laws/shape.hpp"
+#include "problem/laws/shape_parameters.hpp"
 
 namespace fpkcheck::problem {
 
@@ -24,21 +24,21 @@ struct TabulatedLaw {
   static constexpr std::string_view kWidthName = "scale";
   /// The law of shape.table, shifted and scaled to the given mean and standard deviation.
   /// @throws InputError if the table is missing or invalid
-  static TabulatedLaw from_moments(double mean, double deviation, const LawShape& shape);
+  static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   double width() const { return scale; }
   double standard_deviation() const;
 
   double standardised_moment(int n) const;
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const;
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const;
   std::vector<double> density_breakpoints() const;
   std::complex<double> centred_characteristic_function(double u) const;
   double centred_moment_generating_function(double u) const;
   /// The law of Z.
   TabulatedLaw standardised() const { return {0, 1, standard}; }
   /// The law of -Y.
-  TabulatedLaw mirrored() const { return {-mean, -scale, standard}; }
+  TabulatedLaw mirror_image() const { return {-mean, -scale, standard}; }
 };
 
 }  // namespace fpkcheck::problem

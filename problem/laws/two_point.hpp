@@ -22,10 +22,12 @@ struct TwoPointLaw {
 
   double standardised_moment(int n) const { return n % 2 == 0 ? 1 : 0; }
   double density(double) const { return 0; }
-  double cumulative(double y) const {
+  double cumulative_probability(double y) const {
     return y < mean - deviation ? 0 : y < mean + deviation ? 0.5 : 1;
   }
-  std::vector<Atom> atoms() const { return {{mean - deviation, 0.5}, {mean + deviation, 0.5}}; }
+  std::vector<AmplitudeAtom> atoms() const {
+    return {{mean - deviation, 0.5}, {mean + deviation, 0.5}};
+  }
   std::vector<double> density_breakpoints() const { return {}; }
   std::complex<double> centred_characteristic_function(double u) const {
     return std::cos(u * deviation);

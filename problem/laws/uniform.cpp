@@ -10,7 +10,7 @@ double UniformLaw::density(double y) const {
   return boost::math::pdf(boost::math::uniform(mean - half_width, mean + half_width), y);
 }
 
-double UniformLaw::cumulative(double y) const {
+double UniformLaw::cumulative_probability(double y) const {
   return boost::math::cdf(boost::math::uniform(mean - half_width, mean + half_width), y);
 }
 

@@ -29,8 +29,8 @@ struct UniformLaw {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
   double density(double y) const;
-  double cumulative(double y) const;
-  std::vector<Atom> atoms() const { return {}; }
+  double cumulative_probability(double y) const;
+  std::vector<AmplitudeAtom> atoms() const { return {}; }
   std::vector<double> density_breakpoints() const { return {mean - half_width, mean + half_width}; }
   std::complex<double> centred_characteristic_function(double u) const;
   double centred_moment_generating_function(double u) const;

@@ -23,7 +23,7 @@
 #include "base/input_error.hpp"
 #include "base/options/parse_enum.hpp"
 #include "base/text/sanitise.hpp"
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "extension/options.hpp"
 #include "extension/saving.hpp"
 #include "extension/solving.hpp"
@@ -33,7 +33,7 @@
 #include "methods/external/external_methods.hpp"
 #include "methods/external/external_samples.hpp"
 #include "methods/external/families.hpp"
-#include "methods/external/label.hpp"
+#include "methods/external/label_requirements.hpp"
 #include "problem/case_file.hpp"
 #include "problem/named_cases.hpp"
 #include "report/table.hpp"
@@ -60,7 +60,7 @@ py::array_t<double> cells(const transform::GridDensity& density) {
   return py::array_t<double>({density.ny(), density.nv()}, density.averages.data());
 }
 
-base::Value value_in(const py::handle& object, const std::string& name) {
+base::Value value_from_python(const py::handle& object, const std::string& name) {
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
@@ -77,11 +77,11 @@ base::Value value_in(const py::handle& object, const std::string& name) {
                                    base::in_quotes(name), Py_TYPE(object.ptr())->tp_name));
 }
 
-base::Values values_in(const py::dict& dict) {
+base::Values values_from_python(const py::dict& dict) {
   base::Values values;
   for (const auto& [key, value] : dict) {
     const auto name = key.cast<std::string>();
-    values.push_back({name, value_in(value, name)});
+    values.push_back({name, value_from_python(value, name)});
   }
   return values;
 }
@@ -101,10 +101,11 @@ py::object to_python(const base::Value& value) {
 
 // -- problems
 
-std::vector<std::string> keys() {
+std::vector<std::string> setting_keys() {
   std::vector<std::string> all;
-  for (const auto* section : problem::case_descriptions()) {
-    for (const auto& parameter : section->all()) all.push_back(section->prefix() + parameter.name);
+  for (const auto* section : problem::case_section_descriptions()) {
+    for (const auto& parameter : section->parameters())
+      all.push_back(section->prefix() + parameter.name);
   }
   return all;
 }
@@ -138,7 +139,7 @@ void bind_problems(py::module_& module) {
     }
     return names;
   });
-  module.def("keys", keys);
+  module.def("keys", setting_keys);
   module.def(
       "load_case",
       [](const std::string& name_or_path, const std::vector<std::string>& settings) {
@@ -184,17 +185,18 @@ methods::Method function_method(const problem::Problem& problem, const Array& va
     throw InputError(
         fmt::format("density '{}': accuracy = {:g} (must be positive)", label, accuracy));
   }
-  return methods::make_function_method(external, {.normalise = normalise, .accuracy = accuracy},
-                                       points_between_walls(problem),
-                                       {values.data(), values.data() + values.size()});
+  return methods::make_method_from_density_values(
+      external, {.normalise = normalise, .accuracy = accuracy}, points_between_walls(problem),
+      {values.data(), values.data() + values.size()});
 }
 
 methods::Method samples_method(const Array& y, const Array& v, const std::string& label,
                                std::optional<std::string> equation, const std::string& impact,
                                std::optional<int> order, double independent, std::size_t index) {
   const auto external = external_density(label, equation, impact, order, index);
-  return methods::make_samples_method(external, {y.data(), static_cast<std::size_t>(y.size())},
-                                      {v.data(), static_cast<std::size_t>(v.size())}, independent);
+  return methods::make_method_from_samples(external, {y.data(), static_cast<std::size_t>(y.size())},
+                                           {v.data(), static_cast<std::size_t>(v.size())},
+                                           independent);
 }
 
 void bind_methods(py::module_& module) {
@@ -217,7 +219,7 @@ void bind_methods(py::module_& module) {
   });
   module.def("points_of", [](const problem::Problem& problem) {
     const methods::DensityPoints points = points_between_walls(problem);
-    return std::make_tuple(to_array(points.y()), to_array(points.v()));
+    return std::make_tuple(to_array(points.y_points()), to_array(points.v_points()));
   });
   module.def("function_method", function_method, py::arg("problem"), py::arg("values"),
              py::arg("label"), py::arg("equation"), py::arg("impact"), py::arg("order"),
@@ -250,8 +252,8 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
                       const std::string& command) {
   if (problems.empty()) throw InputError("there is no case to solve; give at least one");
   if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
-  Task task{problems, {}, threads, bounds, command};
-  auto settings = values_in(options);
+  RunRequest task{problems, {}, threads, bounds, command};
+  auto settings = values_from_python(options);
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
   task.methods = select_methods(registry(), methods_list.value_or(default_methods()), settings);
   auto external_methods = against;
@@ -291,7 +293,9 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   return std::make_shared<results::Run>(solve(std::move(task), poll));
 }
 
-const results::Case& case_of(const results::Run& run, std::size_t k) { return run.cases.at(k); }
+const results::CaseResult& case_result_at(const results::Run& run, std::size_t k) {
+  return run.cases.at(k);
+}
 
 py::list curve_list(const std::vector<results::Curve>& curves) {
   py::list all;
@@ -311,15 +315,15 @@ void bind_runs(py::module_& module) {
       .def("table",
            [](const results::Run& run, std::size_t width) { return report::table(run, width); })
       .def("problem",
-           [](const results::Run& run, std::size_t k) { return case_of(run, k).problem; })
+           [](const results::Run& run, std::size_t k) { return case_result_at(run, k).problem; })
       .def("curves", [](const results::Run& run,
-                        std::size_t k) { return curve_list(case_of(run, k).curves); })
+                        std::size_t k) { return curve_list(case_result_at(run, k).curves); })
       .def("smooth", [](const results::Run& run,
-                        std::size_t k) { return curve_list(case_of(run, k).smooth); })
+                        std::size_t k) { return curve_list(case_result_at(run, k).smooth); })
       .def("joints",
            [](const results::Run& run, std::size_t k) {
              py::list all;
-             for (const auto& [solution, density] : case_of(run, k).joints) {
+             for (const auto& [solution, density] : case_result_at(run, k).joints) {
                all.append(py::make_tuple(solution, to_array(density.y_edges),
                                          to_array(density.v_edges), cells(density)));
              }
@@ -328,7 +332,7 @@ void bind_runs(py::module_& module) {
       .def("error_sources",
            [](const results::Run& run, std::size_t k) {
              py::list all;
-             for (const auto& [solution, moment, density] : case_of(run, k).error_sources) {
+             for (const auto& [solution, moment, density] : case_result_at(run, k).error_sources) {
                all.append(py::make_tuple(solution, moment, to_array(density.y_edges),
                                          to_array(density.v_edges), cells(density)));
              }

@@ -13,7 +13,7 @@
 namespace fpkcheck::python {
 namespace {
 
-using base::NamedValue;
+using base::NamedParameterValue;
 using base::Value;
 using base::Values;
 
@@ -31,7 +31,7 @@ void require_known(const methods::Registry& registry, const std::string& option)
   for (const auto& solver : registry.solvers()) {
     if (option_name(solver, option)) return;
     if (option.find('.') != std::string::npos && !option.starts_with(solver.name + '.')) continue;
-    for (const auto& parameter : solver.option_descriptions->all()) {
+    for (const auto& parameter : solver.option_descriptions->parameters()) {
       known.push_back(solver.name + '.' + parameter.name);
     }
   }
@@ -43,31 +43,31 @@ void require_known(const methods::Registry& registry, const std::string& option)
 }
 
 // Converts the value of an option to the type of the option.
-Value convert_value(const base::Parameter& parameter, const NamedValue& option) {
+Value convert_value(const base::Parameter& parameter, const NamedParameterValue& option) {
   const std::string label = fmt::format("options: {} =", base::sanitise(option.name));
   if (const auto* text = std::get_if<std::string>(&option.value)) {
     return parse_value(parameter, *text, label);
   }
-  const auto value = parameter.converted_value(option.value);
+  const auto value = parameter.convert_to_parameter_type(option.value);
   if (!value) {
     throw InputError(fmt::format("{} {} (must be {})", label, base::text_of(option.value),
-                                 parameter.requirement()));
+                                 parameter.requirement_text()));
   }
   return *value;
 }
 
 methods::Method replace_options(const methods::Registry& registry, const methods::Method& method,
                                 const Values& options) {
-  const methods::Solver& solver = *registry.find(method.identity.method);
+  const methods::Solver& solver = *registry.find_solver(method.identity.method);
   Values replaced = method.options;
   for (const auto& option : options) {
     const auto name = option_name(solver, option.name);
     if (!name) continue;
     const Value value = convert_value(*solver.option_descriptions->find(*name), option);
-    const auto entry = std::ranges::find(replaced, *name, &NamedValue::name);
+    const auto entry = std::ranges::find(replaced, *name, &NamedParameterValue::name);
     if (entry != replaced.end()) entry->value = value;
   }
-  auto made = registry.method(solver, replaced);
+  auto made = registry.make_method(solver, replaced);
   if (made.id() != method.id()) {
     throw InputError(
         fmt::format("options: these values select {0} in place of {1}; list {0} in methods",
@@ -81,7 +81,7 @@ methods::Method replace_options(const methods::Registry& registry, const methods
 std::vector<methods::Method> select_methods(const methods::Registry& registry,
                                             const std::string& list, const Values& options) {
   for (const auto& option : options) require_known(registry, option.name);
-  auto methods = registry.select(list, {});
+  auto methods = registry.select_methods(list, {});
   for (auto& method : methods) method = replace_options(registry, method, options);
   return methods;
 }

@@ -8,11 +8,11 @@
 #include <future>
 #include <mutex>
 
-#include "base/process/stop.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "methods/builtin.hpp"
 #include "report/report.hpp"
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 #include "results/saved_run.hpp"
 
 namespace fpkcheck::python {
@@ -33,11 +33,11 @@ void silence_hdf5_in_this_thread() {
   if (set_auto != nullptr) set_auto(0, nullptr, nullptr);
 }
 
-std::vector<std::string> write_in_lock(const std::filesystem::path& directory,
-                                       const results::Run& run) {
+std::vector<std::string> write_files_locked(const std::filesystem::path& directory,
+                                            const results::Run& run) {
   const std::lock_guard lock(files_mutex());
   silence_hdf5_in_this_thread();
-  const base::WriteGuard write_guard;
+  const base::ExitBlocker write_guard;
   const auto directory_lock = results::prepare_output_directory(directory);
   return report::write_report(directory, run);
 }
@@ -47,7 +47,8 @@ std::vector<std::string> write_in_lock(const std::filesystem::path& directory,
 std::vector<std::string> save(const std::filesystem::path& directory, const results::Run& run,
                               const std::function<void()>& poll) {
   using namespace std::chrono_literals;
-  auto warnings = std::async(std::launch::async, [&] { return write_in_lock(directory, run); });
+  auto warnings =
+      std::async(std::launch::async, [&] { return write_files_locked(directory, run); });
   try {
     while (warnings.wait_for(50ms) != std::future_status::ready) poll();
   } catch (...) {
@@ -63,7 +64,7 @@ results::Run load(const std::filesystem::path& directory) {
   const std::lock_guard lock(files_mutex());
   silence_hdf5_in_this_thread();
   auto run = results::load_run(directory);
-  methods::builtin_registry().annotate(run);
+  methods::builtin_registry().complete_identities(run);
   return run;
 }
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "methods/complete_run.hpp"
+#include "methods/case_results.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -30,7 +30,7 @@ struct Cancelled : std::exception {
 /// since either thread may end last.
 class Work {
  public:
-  explicit Work(Task task) : task_(std::move(task)) {}
+  explicit Work(RunRequest task) : task_(std::move(task)) {}
 
   /// The function of the worker thread.
   void run() noexcept {
@@ -70,23 +70,23 @@ class Work {
  private:
   void solve_problems() {
     run_.program = results::this_program(task_.command);
-    run_.cases = methods::complete_run(task_.problems, task_.methods,
-                                       {.threads = task_.threads,
-                                        .with_backward = task_.bounds,
-                                        .progress =
-                                            [this](const methods::RunProgress& at) {
-                                              throw_if_cancelled();
-                                              const std::lock_guard lock(mutex_);
-                                              progress_update_ = at;
-                                            },
-                                        .poll = [this] { throw_if_cancelled(); }});
+    run_.cases = methods::compute_case_results(task_.problems, task_.methods,
+                                               {.threads = task_.threads,
+                                                .with_backward = task_.bounds,
+                                                .progress =
+                                                    [this](const methods::RunProgress& at) {
+                                                      throw_if_cancelled();
+                                                      const std::lock_guard lock(mutex_);
+                                                      progress_update_ = at;
+                                                    },
+                                                .poll = [this] { throw_if_cancelled(); }});
   }
 
   void throw_if_cancelled() const {
     if (is_cancelled_) throw Cancelled();
   }
 
-  Task task_;
+  RunRequest task_;
   results::Run run_;
   std::exception_ptr failure_;
   std::atomic<bool> is_cancelled_ = false;
@@ -112,7 +112,7 @@ AbandonedRuns& abandoned_runs() {
   return one;
 }
 
-void join_ended() {
+void join_ended_threads() {
   const std::lock_guard lock(abandoned_runs().mutex);
   std::erase_if(abandoned_runs().all, [](AbandonedRun& one) {
     if (!one.work->has_ended()) return false;
@@ -122,15 +122,15 @@ void join_ended() {
 }
 
 bool has_abandoned_runs() {
-  join_ended();
+  join_ended_threads();
   const std::lock_guard lock(abandoned_runs().mutex);
   return !abandoned_runs().all.empty();
 }
 
 }  // namespace
 
-results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll) {
-  join_ended();
+results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll) {
+  join_ended_threads();
   const auto work = std::make_shared<Work>(std::move(task));
   std::thread thread([work] { work->run(); });
   try {

@@ -14,7 +14,7 @@
 namespace fpkcheck::python {
 
 /// The problems, methods and settings of a run.
-struct Task {
+struct RunRequest {
   std::vector<problem::Problem> problems;
   std::vector<methods::Method> methods;  ///< by increasing trust
   int threads = 0;                       ///< number of threads; 0 for one per processor
@@ -32,7 +32,7 @@ struct Task {
 ///        the progress of the run if the progress has changed, else null. An exception of `poll`
 ///        cancels the run within a third of a second
 /// @throws the exceptions of solvers and of `poll`
-results::Run solve(Task task, const std::function<void(const methods::RunProgress*)>& poll);
+results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll);
 
 /// Prepares exit() for abandoned threads; must be called when the Python interpreter ends. If
 /// abandoned threads still run at exit(), the process ends with the same exit status, but the data

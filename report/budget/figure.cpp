@@ -18,9 +18,9 @@
 namespace fpkcheck::report {
 namespace {
 
-using compare::BudgetPart;
-using compare::BudgetRow;
-using compare::ClosureBudget;
+using compare::ClosureErrorBudget;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 using transform::Status;
 using transform::Variable;
 
@@ -36,19 +36,19 @@ struct BudgetPanel {
   const char* title;
   const char* label;
   Variable variable;
-  double BudgetRow::*total;
-  double BudgetPart::*part;
+  double ErrorBudgetRow::*total;
+  double ErrorBudgetPart::*part;
   const char* block;  ///< prefix of the names of its data blocks
 };
 constexpr std::array kPanels{
     BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
-                &BudgetRow::total, &BudgetPart::l1, "y_l1"},
+                &ErrorBudgetRow::total, &ErrorBudgetPart::l1, "y_l1"},
     BudgetPanel{"displacement, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
-                Variable::y, &BudgetRow::total_tail, &BudgetPart::tail, "y_tail"},
+                Variable::y, &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail, "y_tail"},
     BudgetPanel{"velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
-                &BudgetRow::total, &BudgetPart::l1, "v_l1"},
+                &ErrorBudgetRow::total, &ErrorBudgetPart::l1, "v_l1"},
     BudgetPanel{"velocity, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
-                Variable::ydot, &BudgetRow::total_tail, &BudgetPart::tail, "v_tail"}};
+                Variable::ydot, &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail, "v_tail"}};
 
 std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
   return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
@@ -58,15 +58,16 @@ std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_tot
 
 /// A bar of the figure: its position on the axis of closures (closure k is at k), its width and its
 /// value.
-struct Bar {
+struct BudgetBar {
   double centre, width, value;
 };
 
 // The bars of a closure by the names of their parts; all bars of a group have equal width.
-std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const ClosureBudget& budget,
-                                              std::size_t place) {
-  std::vector<std::pair<std::string, Bar>> result;
-  const BudgetRow* row = budget.row(panel.variable);
+std::vector<std::pair<std::string, BudgetBar>> bars(const BudgetPanel& panel,
+                                                    const ClosureErrorBudget& budget,
+                                                    std::size_t place) {
+  std::vector<std::pair<std::string, BudgetBar>> result;
+  const ErrorBudgetRow* row = budget.row(panel.variable);
   if (row == nullptr) return result;
   const double width = kGroupWidth / static_cast<double>(row->parts.size());
   double left = static_cast<double>(place) + 1 - kGroupWidth / 2;
@@ -77,7 +78,7 @@ std::vector<std::pair<std::string, Bar>> bars(const BudgetPanel& panel, const Cl
   return result;
 }
 
-std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets,
+std::string data(const BudgetPanel& panel, const std::vector<ClosureErrorBudget>& budgets,
                  const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t n = 0; n < names.size(); ++n) {
@@ -95,7 +96,7 @@ std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& bud
   }
   text += totals_block(panel) + " << EOD\n";
   for (std::size_t place = 0; place < budgets.size(); ++place) {
-    const BudgetRow* row = budgets[place].row(panel.variable);
+    const ErrorBudgetRow* row = budgets[place].row(panel.variable);
     if (row == nullptr || !(row->*panel.total > 0)) continue;
     text += fmt::format("{:.4f} {:.6g} {:.4f}\n", static_cast<double>(place) + 1 - kGroupWidth / 2,
                         row->*panel.total, kGroupWidth);
@@ -105,10 +106,10 @@ std::string data(const BudgetPanel& panel, const std::vector<ClosureBudget>& bud
 
 /// The axis range in whole decades that contains all bars above kSmallestFraction of the largest
 /// total.
-struct Range {
+struct DecadeRange {
   double from, to;
 };
-Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets) {
+DecadeRange range(const BudgetPanel& panel, const std::vector<ClosureErrorBudget>& budgets) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
   const auto include = [&](double value) {
     if (!(value > 0)) return;
@@ -117,7 +118,7 @@ Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets)
   };
   for (std::size_t place = 0; place < budgets.size(); ++place) {
     for (const auto& [name, bar] : bars(panel, budgets[place], place)) include(bar.value);
-    const BudgetRow* row = budgets[place].row(panel.variable);
+    const ErrorBudgetRow* row = budgets[place].row(panel.variable);
     if (row != nullptr) include(row->*panel.total);
   }
   if (greatest == 0) return {1e-5, 1};
@@ -128,7 +129,7 @@ Range range(const BudgetPanel& panel, const std::vector<ClosureBudget>& budgets)
 }
 
 // The id of a closure without the name of the method; an asterisk marks a closure that is not ok.
-std::string tic_label(const results::Case& case_result, const ClosureBudget& budget) {
+std::string tic_label(const results::CaseResult& case_result, const ClosureErrorBudget& budget) {
   std::string label = budget.solution;
   const auto* solution = case_result.find(label);
   if (solution != nullptr && label.starts_with(solution->identity.method + '-')) {
@@ -137,20 +138,21 @@ std::string tic_label(const results::Case& case_result, const ClosureBudget& bud
   return budget.status == Status::ok ? label : label + " *";
 }
 
-std::string axes(const BudgetPanel& panel, char letter, const std::vector<ClosureBudget>& budgets,
-                 const results::Case& case_result, const PanelBox& place_of_panel) {
+std::string axes(const BudgetPanel& panel, char letter,
+                 const std::vector<ClosureErrorBudget>& budgets,
+                 const results::CaseResult& case_result, const PanelBox& place_of_panel) {
   std::vector<std::string> tics;
   for (std::size_t place = 0; place < budgets.size(); ++place) {
     tics.push_back(
         fmt::format("{} {}", gnuplot_literal(tic_label(case_result, budgets[place])), place + 1));
   }
-  const Range y = range(panel, budgets);
+  const DecadeRange y = range(panel, budgets);
   return fmt::format(
       "set title {}\nset ylabel {}\n{}"
       "set xtics ({}) rotate by 35 right\n"
       "set xrange [0.4:{:.1f}]\nset yrange [{:g}:{:g}]\n",
       gnuplot_text(fmt::format("({}) {}", letter, panel.title)), gnuplot_text(panel.label),
-      margin_commands(place_of_panel), fmt::join(tics, ", "),
+      panel_position_commands(place_of_panel), fmt::join(tics, ", "),
       static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
 }
 
@@ -158,8 +160,8 @@ std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names
   std::vector<std::string> plots;
   for (std::size_t n = 0; n < names.size(); ++n) {
     for (const bool ok : {true, false}) {
-      plots.push_back(
-          fmt::format("{} using 1:2:3 {} notitle", block(panel, n, ok), part_boxes(names[n], !ok)));
+      plots.push_back(fmt::format("{} using 1:2:3 {} notitle", block(panel, n, ok),
+                                  budget_part_bar_style(names[n], !ok)));
     }
   }
   plots.push_back(totals_block(panel) +
@@ -171,7 +173,7 @@ std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names
 Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
   Legend legend{{}, 2};
   for (const auto& name : names) {
-    legend.entries.push_back({"NaN " + part_boxes(name, false), name});
+    legend.entries.push_back({"NaN " + budget_part_bar_style(name, false), name});
   }
   legend.entries.push_back({"NaN with lines linewidth 2.5 linecolor rgb '#000000'", "total"});
   if (any_not_ok) {
@@ -183,13 +185,13 @@ Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
 
 }  // namespace
 
-bool has_budget(const results::Case& case_result) { return !case_result.budget.empty(); }
+bool has_budget(const results::CaseResult& case_result) { return !case_result.budget.empty(); }
 
-std::string budget_script(const results::Case& case_result, const std::string& file_stem,
+std::string budget_script(const results::CaseResult& case_result, const std::string& file_stem,
                           FigureWidth width) {
   constexpr int kOnScreen = 1500, kRotatedTics = 120;
-  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
-  const auto names = compare::part_names(budgets);
+  const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
+  const auto names = compare::budget_part_names(budgets);
   const bool any_not_ok =
       std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
   const Legend entries = legend(names, any_not_ok);
@@ -203,7 +205,8 @@ std::string budget_script(const results::Case& case_result, const std::string& f
   grid.legend_height = legend_height(entries, grid.width);
   const FigureTitle title = figure_title(case_result.problem, grid.size());
   grid.title_height = title.height;
-  std::string text = output_commands(file_stem, grid.size()) + "# Columns: place, value, width\n";
+  std::string text =
+      gnuplot_output_commands(file_stem, grid.size()) + "# Columns: place, value, width\n";
   for (const auto& panel : kPanels) text += data(panel, budgets, names);
   text += fmt::format(
       "\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
@@ -212,11 +215,11 @@ std::string budget_script(const results::Case& case_result, const std::string& f
   for (std::size_t k = 0; k < kPanels.size(); ++k) {
     if (narrow && k % 2 == 1) continue;
     const std::size_t place = narrow ? k / 2 : k;
-    text +=
-        axes(kPanels[k], static_cast<char>('a' + place), budgets, case_result, grid.place(place)) +
-        plot(kPanels[k], names);
+    text += axes(kPanels[k], static_cast<char>('a' + place), budgets, case_result,
+                 grid.panel_box(place)) +
+            plot(kPanels[k], names);
   }
-  return text + legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
+  return text + legend_strip_commands(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

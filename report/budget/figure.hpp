@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 /// Whether a case has an error budget.
-bool has_budget(const results::Case& case_result);
+bool has_budget(const results::CaseResult& case_result);
 
 /// A gnuplot script that draws the error budget of a case on logarithmic axes: for each marginal
 /// density a panel of the L1 distances and a panel of the tail distances. Each closure has a group
@@ -16,7 +16,7 @@ bool has_budget(const results::Case& case_result);
 /// closures that are not ok are paler. A figure for a single journal column omits the panels of the
 /// tail distances.
 /// @param file_stem file name of the script and of its picture, without extension
-std::string budget_script(const results::Case& case_result, const std::string& file_stem,
+std::string budget_script(const results::CaseResult& case_result, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);
 
 }  // namespace fpkcheck::report

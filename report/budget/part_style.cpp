@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compare/budget.hpp"
+#include "compare/error_budget.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -16,21 +16,21 @@ struct PartStyle {
 // Colours of Okabe and Ito, which are distinct for colour-blind readers; hatching distinguishes
 // colours that are equal in grey print.
 PartStyle part_style(const std::string& part) {
-  using compare::Link;
-  const auto links = compare::parse_links(part);
-  if (links.size() > 1) return {"#999999", ".", 2};
-  switch (links.front()) {
-    case Link::closure:
+  using compare::Approximation;
+  const auto approximations = compare::parse_approximations(part);
+  if (approximations.size() > 1) return {"#999999", ".", 2};
+  switch (approximations.front()) {
+    case Approximation::closure:
       return {"#D55E00", "", 0};
-    case Link::impact:
+    case Approximation::impact:
       return {"#E69F00", "/", 4};
-    case Link::truncation:
+    case Approximation::truncation:
       return {"#0072B2", "", 0};
-    case Link::white_noise:
+    case Approximation::white_noise:
       return {"#009E73", "|", 6};
-    case Link::discretisation:
+    case Approximation::discretisation:
       return {"#56B4E9", "\\", 5};
-    case Link::sampling:
+    case Approximation::sampling:
       break;
   }
   return {"#CC79A7", "x", 1};
@@ -38,9 +38,9 @@ PartStyle part_style(const std::string& part) {
 
 }  // namespace
 
-const char* part_colour(const std::string& part) { return part_style(part).colour; }
+const char* budget_part_colour(const std::string& part) { return part_style(part).colour; }
 
-std::string part_boxes(const std::string& part, bool faint) {
+std::string budget_part_bar_style(const std::string& part, bool faint) {
   const auto& [colour, pattern, hatch] = part_style(part);
   if (hatch == 0) {
     return fmt::format("with boxes fillstyle solid {} border rgb '{}' linecolor rgb '{}'",
@@ -58,6 +58,6 @@ std::string part_boxes(const std::string& part, bool faint) {
                      colour, hatch_colour);
 }
 
-const char* part_pattern(const std::string& part) { return part_style(part).pattern; }
+const char* budget_part_fill_pattern(const std::string& part) { return part_style(part).pattern; }
 
 }  // namespace fpkcheck::report

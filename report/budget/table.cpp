@@ -12,27 +12,27 @@
 namespace fpkcheck::report {
 namespace {
 
-using compare::BudgetPart;
-using compare::BudgetRow;
-using compare::ClosureBudget;
-using compare::Link;
+using compare::Approximation;
+using compare::ClosureErrorBudget;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 using transform::Variable;
 
 constexpr int kTailImportance = 1, kLastPartImportance = 2;
 
-std::string l1_cell(double l1) { return std::isfinite(l1) ? l1_text(l1) : kAbsent; }
+std::string l1_cell_text(double l1) { return std::isfinite(l1) ? l1_text(l1) : kAbsent; }
 
 std::string tail_cell(double tail) {
   return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : kAbsent;
 }
 
-const BudgetPart* find_part(const BudgetRow* row, const std::string& name) {
+const ErrorBudgetPart* find_part(const ErrorBudgetRow* row, const std::string& name) {
   return row == nullptr ? nullptr : row->find(name);
 }
 
-bool is_common_part(const std::vector<ClosureBudget>& budgets, const std::string& name) {
-  return std::ranges::any_of(budgets, [&](const ClosureBudget& budget) {
-    const BudgetPart* part = find_part(budget.rows().front(), name);
+bool is_common_part(const std::vector<ClosureErrorBudget>& budgets, const std::string& name) {
+  return std::ranges::any_of(budgets, [&](const ClosureErrorBudget& budget) {
+    const ErrorBudgetPart* part = find_part(budget.rows().front(), name);
     return part != nullptr && part->is_reference_error();
   });
 }
@@ -41,41 +41,42 @@ bool is_common_part(const std::vector<ClosureBudget>& budgets, const std::string
 /// cell for each part that has a row of its own because all closures share its value.
 class VariableColumns {
  public:
-  VariableColumns(const std::vector<ClosureBudget>& budgets, const std::vector<std::string>& below,
-                  Variable variable)
+  VariableColumns(const std::vector<ClosureErrorBudget>& budgets,
+                  const std::vector<std::string>& below, Variable variable)
       : budgets_(budgets), below_(below), variable_(variable) {}
 
   std::string symbol() const { return variable_ == Variable::y ? "p(y)" : "p(y')"; }
 
-  Column total() const {
-    return with_rows_below({"L1 of " + symbol(), "total", false, kAlwaysShown}, l1_cell,
-                           &BudgetRow::total, &BudgetPart::l1);
+  TextColumn total() const {
+    return with_rows_below({"L1 of " + symbol(), "total", false, kAlwaysShown}, l1_cell_text,
+                           &ErrorBudgetRow::total, &ErrorBudgetPart::l1);
   }
 
-  Column tail() const {
+  TextColumn tail() const {
     return with_rows_below({"tail", symbol(), false, kTailImportance}, tail_cell,
-                           &BudgetRow::total_tail, &BudgetPart::tail);
+                           &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail);
   }
 
-  Column part(const std::string& name, int importance) const {
-    Column column{"L1 of " + symbol(), part_header(name), false, importance};
+  TextColumn part(const std::string& name, int importance) const {
+    TextColumn column{"L1 of " + symbol(), budget_part_header(name), false, importance};
     for (const auto& budget : budgets_) {
-      const BudgetPart* part = find_part(budget.row(variable_), name);
-      column.cells.push_back(part ? l1_cell(part->l1) : kAbsent);
+      const ErrorBudgetPart* part = find_part(budget.row(variable_), name);
+      column.cells.push_back(part ? l1_cell_text(part->l1) : kAbsent);
     }
     column.cells.resize(column.cells.size() + below_.size(), kAbsent);
     return column;
   }
 
  private:
-  Column with_rows_below(Column column, std::string (*cell)(double), double BudgetRow::*of_row,
-                         double BudgetPart::*of_part) const {
+  TextColumn with_rows_below(TextColumn column, std::string (*cell)(double),
+                             double ErrorBudgetRow::*of_row,
+                             double ErrorBudgetPart::*of_part) const {
     for (const auto& budget : budgets_) {
-      const BudgetRow* row = budget.row(variable_);
+      const ErrorBudgetRow* row = budget.row(variable_);
       column.cells.push_back(row ? cell(row->*of_row) : kAbsent);
     }
     for (const auto& name : below_) {
-      const BudgetPart* part = nullptr;
+      const ErrorBudgetPart* part = nullptr;
       for (auto budget = budgets_.begin(); part == nullptr && budget != budgets_.end(); ++budget) {
         part = find_part(budget->row(variable_), name);
       }
@@ -84,14 +85,14 @@ class VariableColumns {
     return column;
   }
 
-  const std::vector<ClosureBudget>& budgets_;
+  const std::vector<ClosureErrorBudget>& budgets_;
   const std::vector<std::string>& below_;
   Variable variable_;
 };
 
-Column names_column(const std::vector<ClosureBudget>& budgets,
-                    const std::vector<std::string>& below) {
-  Column column{"", "error budget", true, kAlwaysShown};
+TextColumn names_column(const std::vector<ClosureErrorBudget>& budgets,
+                        const std::vector<std::string>& below) {
+  TextColumn column{"", "error budget", true, kAlwaysShown};
   for (const auto& budget : budgets) {
     column.cells.push_back(budget.solution + (budget.status == transform::Status::ok ? "" : "*"));
   }
@@ -101,20 +102,21 @@ Column names_column(const std::vector<ClosureBudget>& budgets,
 
 }  // namespace
 
-std::string part_header(const std::string& part) {
-  if (part == name(Link::truncation)) return "trunc.";
-  if (part == name(Link::white_noise)) return "white";
+std::string budget_part_header(const std::string& part) {
+  if (part == name(Approximation::truncation)) return "trunc.";
+  if (part == name(Approximation::white_noise)) return "white";
   return part;
 }
 
-std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format) {
-  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
+std::vector<TextColumn> budget_columns(const results::CaseResult& case_result,
+                                       const TextFormat& format) {
+  const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
   if (budgets.empty()) return {};
   std::vector<std::string> beside, below;
-  for (const auto& name : compare::part_names(budgets)) {
+  for (const auto& name : compare::budget_part_names(budgets)) {
     (is_common_part(budgets, name) ? below : beside).push_back(name);
   }
-  std::vector<Column> all{names_column(budgets, below)}, tails;
+  std::vector<TextColumn> all{names_column(budgets, below)}, tails;
   for (const auto variable : transform::kVariables) {
     const VariableColumns columns(budgets, below, variable);
     all.push_back(columns.total());
@@ -126,10 +128,10 @@ std::vector<Column> budget_columns(const results::Case& case_result, const TextF
   return fit_columns(std::move(all), format);
 }
 
-std::string budget_table(const results::Case& case_result, const TextFormat& format) {
+std::string budget_table(const results::CaseResult& case_result, const TextFormat& format) {
   const auto columns = budget_columns(case_result, format);
   if (columns.empty()) return "";
-  const std::string text = rows(columns, format);
+  const std::string text = table_rows_text(columns, format);
   return case_result.limits.empty() ? text
                                     : text + wrap_text("  " + case_result.limits, format.width, 2);
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/budget.hpp"
+#include "compare/error_budget.hpp"
 #include "report/text/columns.hpp"
 #include "report/text/format.hpp"
 #include "results/run.hpp"
@@ -17,12 +17,13 @@ namespace fpkcheck::report {
 /// case has no error budget.
 /// @param format format of the text: if rows exceed its width, the columns of the tail distances
 ///               are omitted first, then the columns of the last parts
-std::string budget_table(const results::Case& case_result, const TextFormat& format);
+std::string budget_table(const results::CaseResult& case_result, const TextFormat& format);
 
 /// The columns that budget_table displays in this format; no column if the case has no budget.
-std::vector<Column> budget_columns(const results::Case& case_result, const TextFormat& format);
+std::vector<TextColumn> budget_columns(const results::CaseResult& case_result,
+                                       const TextFormat& format);
 
 /// The short name of a part of the error budget for the header of a narrow column: "trunc.".
-std::string part_header(const std::string& part);
+std::string budget_part_header(const std::string& part);
 
 }  // namespace fpkcheck::report

@@ -9,13 +9,13 @@
 namespace fpkcheck::report {
 namespace {
 
-using results::Case;
+using results::CaseResult;
 using results::Curve;
 using transform::Variable;
 
 // The curve of the reference over smooth bins if the curve has confidence intervals in all bins,
 // else a null pointer.
-const Curve* smooth_reference(const Case& case_result, const std::string& reference,
+const Curve* smooth_reference(const CaseResult& case_result, const std::string& reference,
                               Variable variable) {
   const Curve* curve = case_result.smooth_curve(reference, variable);
   if (curve == nullptr) return nullptr;
@@ -27,8 +27,8 @@ const Curve* smooth_reference(const Case& case_result, const std::string& refere
 
 // The id of the reference of a case; empty if the case has no reference, or if the reference lacks
 // the curve of one of the marginal densities.
-std::string reference_id(const Case& case_result) {
-  const auto* reference = compare::reference(case_result.solutions);
+std::string reference_id(const CaseResult& case_result) {
+  const auto* reference = compare::select_reference(case_result.solutions);
   if (reference == nullptr) return "";
   const bool whole = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
     return case_result.curve(reference->id(), variable) != nullptr;
@@ -36,9 +36,9 @@ std::string reference_id(const Case& case_result) {
   return whole ? reference->id() : "";
 }
 
-Difference difference(const Curve& curve, const Curve* reference) {
+CurveDifference difference(const Curve& curve, const Curve* reference) {
   if (reference == nullptr || curve.abscissa != reference->abscissa) return {};
-  Difference result{.abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
+  CurveDifference result{.abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < curve.density.size(); ++k) {
     const double less = reference->density[k];
     result.values.push_back(curve.density[k] - less);
@@ -49,9 +49,9 @@ Difference difference(const Curve& curve, const Curve* reference) {
   return result;
 }
 
-Difference smooth_difference(const Curve* curve, const Curve& reference) {
+CurveDifference smooth_difference(const Curve* curve, const Curve& reference) {
   if (curve == nullptr || curve->abscissa != reference.abscissa) return {};
-  Difference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
+  CurveDifference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < reference.density.size(); ++k) {
     const double half_width = (reference.upper[k] - reference.lower[k]) / 2;
     result.values.push_back(
@@ -60,7 +60,7 @@ Difference smooth_difference(const Curve* curve, const Curve& reference) {
   return result;
 }
 
-MarginalCurves marginal_curves(const Case& case_result, Variable variable,
+MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
                                const std::string& reference,
                                const std::optional<std::set<std::string>>& shown) {
   MarginalCurves marginal{variable, {}, {}};
@@ -82,8 +82,9 @@ MarginalCurves marginal_curves(const Case& case_result, Variable variable,
   std::vector<DrawnCurve> ok_curves;
   std::ranges::copy_if(marginal.curves, std::back_inserter(ok_curves),
                        [](const auto& drawn) { return drawn.solution->is_ok(); });
-  marginal.ranges = figure_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
-  const FigureRanges of_differences = difference_ranges(marginal.curves, smooth != nullptr);
+  marginal.ranges = density_axis_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
+  const MarginalAxisRanges of_differences =
+      difference_axis_ranges(marginal.curves, smooth != nullptr);
   marginal.ranges.largest_difference = of_differences.largest_difference;
   marginal.ranges.least_difference = of_differences.least_difference;
   return marginal;
@@ -91,16 +92,16 @@ MarginalCurves marginal_curves(const Case& case_result, Variable variable,
 
 }  // namespace
 
-FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
+MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
   std::vector<DrawnCurve> differing;
   std::ranges::copy_if(curves, std::back_inserter(differing), [&](const auto& drawn) {
     return logarithmic || drawn.solution->is_ok() ||
            drawn.solution->status == transform::Status::inaccurate;
   });
-  return differing.empty() ? figure_ranges(curves) : figure_ranges(differing);
+  return differing.empty() ? density_axis_ranges(curves) : density_axis_ranges(differing);
 }
 
-FigureContent figure_content(const Case& case_result,
+FigureContent figure_content(const CaseResult& case_result,
                              const std::optional<std::set<std::string>>& shown) {
   FigureContent content{
       .reference = reference_id(case_result), .smooth_differences = false, .marginals = {}};

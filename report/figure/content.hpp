@@ -16,13 +16,14 @@ struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
   /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
-  /// solution is ok. The ranges of the differences come from difference_ranges.
-  FigureRanges ranges;
+  /// solution is ok. The ranges of the differences come from difference_axis_ranges.
+  MarginalAxisRanges ranges;
 };
 
 /// The content of the figure of a case. The curves point to objects of the case.
 struct FigureContent {
-  /// Id of the reference (compare::reference), which is subtracted from all other solutions, or "".
+  /// Id of the reference (compare::select_reference), which is subtracted from all other solutions,
+  /// or "".
   std::string reference;
   /// Whether the differences are differences between averages over smooth bins. Averages over
   /// smooth bins have small errors, so that absolute differences are shown on a logarithmic axis.
@@ -35,11 +36,11 @@ struct FigureContent {
 /// the differences of all curves. A linear axis contains only the differences of solutions that are
 /// ok or inaccurate, since a single outlier would compress all other curves; if no solution is ok
 /// or inaccurate, the axis contains all curves.
-FigureRanges difference_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
+MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
 /// The content of the figure of a case: curves, ranges and reference.
 /// @param shown ids of the solutions to show; all solutions are shown if this argument is empty
-FigureContent figure_content(const results::Case& case_result,
+FigureContent figure_content(const results::CaseResult& case_result,
                              const std::optional<std::set<std::string>>& shown = {});
 
 }  // namespace fpkcheck::report

@@ -13,24 +13,25 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Identity;
-using transform::Role;
+using transform::SolutionIdentity;
+using transform::SolutionRole;
 
 constexpr const char* kAll = "all";
 
-bool matches(const std::string& requested, const Identity& identity) {
+bool matches(const std::string& requested, const SolutionIdentity& identity) {
   return requested == kAll || requested == identity.id || requested == identity.family ||
          requested == identity.method;
 }
 
-bool has_curve(const results::Case& case_result, const transform::Solution& solution) {
+bool has_curve(const results::CaseResult& case_result, const transform::Solution& solution) {
   return std::ranges::any_of(transform::kVariables, [&](transform::Variable variable) {
     return case_result.curve(solution.id(), variable) != nullptr;
   });
 }
 
 // All solutions that have a curve, by decreasing priority for the default selection.
-std::vector<const transform::Solution*> solutions_by_priority(const results::Case& case_result) {
+std::vector<const transform::Solution*> solutions_by_priority(
+    const results::CaseResult& case_result) {
   std::vector<const transform::Solution*> order;
   const auto add = [&](const transform::Solution& solution) {
     const bool is_new = std::ranges::count(order, &solution) == 0;
@@ -45,7 +46,7 @@ std::vector<const transform::Solution*> solutions_by_priority(const results::Cas
   }
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
        ++solution) {
-    if (solution->identity.role != Role::closure && solution->is_ok()) add(*solution);
+    if (solution->identity.role != SolutionRole::closure && solution->is_ok()) add(*solution);
   }
   for (const auto& rank : closures) add(*rank.solution);
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
@@ -57,7 +58,7 @@ std::vector<const transform::Solution*> solutions_by_priority(const results::Cas
 
 }  // namespace
 
-std::set<std::string> select_curves(const results::Case& case_result,
+std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested) {
   std::set<std::string> ids;
   for (const auto& solution : case_result.solutions) {
@@ -76,10 +77,10 @@ std::set<std::string> select_curves(const results::Case& case_result,
 }
 
 void validate_curves(const std::vector<std::string>& requested,
-                     std::span<const Identity> available) {
+                     std::span<const SolutionIdentity> available) {
   for (const auto& item : requested) {
     const bool known =
-        item == kAll || std::ranges::any_of(available, [&](const Identity& identity) {
+        item == kAll || std::ranges::any_of(available, [&](const SolutionIdentity& identity) {
           return matches(item, identity);
         });
     if (known) continue;

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxCurves = 6;
 /// solutions of other equations by decreasing trust, other closures (ok and closest first).
 /// @param requested ids, families or solvers whose curves are shown; or "all"; an empty list for
 ///               the default selection
-std::set<std::string> select_curves(const results::Case& case_result,
+std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested = {});
 
 /// Checks that every requested id, family or solver matches a solution.
@@ -29,6 +29,6 @@ std::set<std::string> select_curves(const results::Case& case_result,
 /// @param available  identities of the available solutions
 /// @throws InputError with a message of one line if a requested name matches no solution
 void validate_curves(const std::vector<std::string>& requested,
-                     std::span<const transform::Identity> available);
+                     std::span<const transform::SolutionIdentity> available);
 
 }  // namespace fpkcheck::report

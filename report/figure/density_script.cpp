@@ -35,7 +35,7 @@ std::string data(const FigureContent& content) {
   for (const auto& marginal : content.marginals) {
     for (const auto& drawn : marginal.curves) {
       const results::Curve& c = *drawn.curve;
-      const Difference& d = drawn.difference;
+      const CurveDifference& d = drawn.difference;
       text += curve_block(block_name(marginal, drawn), c.abscissa, c.density, c.lower, c.upper);
       if (d.empty()) continue;
       text += curve_block(difference_block_name(marginal, drawn), d.abscissa, d.values, d.lower,
@@ -55,7 +55,7 @@ std::string settings() {
 }
 
 /// A panel and its letter.
-struct PlacedPanel {
+struct LetteredPanel {
   Panel panel;
   std::size_t marginal;
   char letter;
@@ -63,13 +63,13 @@ struct PlacedPanel {
 
 // The panels row by row, lettered as in the paper. A figure for a single journal column omits
 // panels, and letters the remaining panels consecutively.
-std::vector<PlacedPanel> placed_panels(const FigureContent& content, FigureWidth width) {
+std::vector<LetteredPanel> placed_panels(const FigureContent& content, FigureWidth width) {
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
     shown.push_back(content.smooth_differences ? Panel::smooth_difference : Panel::difference);
     if (width == FigureWidth::one_column) shown.erase(shown.begin());
   }
-  std::vector<PlacedPanel> placed;
+  std::vector<LetteredPanel> placed;
   for (std::size_t marginal = 0; marginal < content.marginals.size(); ++marginal) {
     const bool of_y = content.marginals[marginal].variable == transform::Variable::y;
     for (const Panel panel : shown) {
@@ -151,17 +151,17 @@ std::string density_script(const problem::Problem& problem, const FigureContent&
   std::string panels;
   for (std::size_t k = 0; k < placed.size(); ++k) {
     const auto& [panel, marginal, letter] = placed[k];
-    panels += margin_commands(grid.place(k)) + panel_commands(panel, content.marginals[marginal],
-                                                              letter, content.reference,
-                                                              width != FigureWidth::screen);
+    panels += panel_position_commands(grid.panel_box(k)) +
+              panel_commands(panel, content.marginals[marginal], letter, content.reference,
+                             width != FigureWidth::screen);
   }
-  return output_commands(file_stem, grid.size()) +
+  return gnuplot_output_commands(file_stem, grid.size()) +
          "dot = format eq 'svg' ? 0.45 : 0.6\nmark = format eq 'svg' ? 0.8 : 1.1\n"
          // By default the box of a point type erases the lines below a confidence interval, and in
          // SVG also lines in a wide area around the interval.
          "set pointintervalbox 0.0001\n\n" +
          data(content) + settings() + PanelGrid::kLabels + title.command + panels +
-         legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
+         legend_strip_commands(entries, grid.size()) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
@@ -111,8 +111,8 @@ void draw_latex(const std::string& gnuplot, const fs::path& script, const fs::pa
 
 }  // namespace
 
-void draw(const std::string& gnuplot, const fs::path& script, const fs::path& picture,
-          FigureWidth width) {
+void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::path& picture,
+                  FigureWidth width) {
   const std::string format = picture.extension().string().substr(1);
   if (format == name(FigureFormat::tex)) {
     draw_latex(gnuplot, script, picture);
@@ -121,7 +121,7 @@ void draw(const std::string& gnuplot, const fs::path& script, const fs::path& pi
   base::replace_file(picture, [&](const fs::path& temporary) {
     run_script(gnuplot, script, format, temporary, picture);
     if (format != name(FigureFormat::svg) || width == FigureWidth::screen) return;
-    const std::string svg = set_printed_size(bytes_of(temporary), printed_width(width));
+    const std::string svg = set_printed_size(bytes_of(temporary), printed_width_mm(width));
     std::ofstream(temporary, std::ios::binary | std::ios::trunc) << svg;
   });
 }
@@ -131,8 +131,8 @@ std::vector<std::string> draw_formats(const std::string& gnuplot, const fs::path
   // Draws the picture in one format; returns a warning if gnuplot drew no picture.
   const auto attempt = [&](FigureFormat format) -> std::vector<std::string> {
     try {
-      draw(gnuplot, figures / (stem + ".gp"), figures / fmt::format("{}.{}", stem, name(format)),
-           options.width);
+      draw_picture(gnuplot, figures / (stem + ".gp"),
+                   figures / fmt::format("{}.{}", stem, name(format)), options.width);
     } catch (const GnuplotMissing&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -164,7 +164,7 @@ std::vector<std::string> write_pictures(const fs::path& figures, const std::stri
   }
 }
 
-void remove_pictures_of(const fs::path& figures, const std::string& stem) {
+void remove_script_and_pictures(const fs::path& figures, const std::string& stem) {
   std::error_code ignored;
   for (const char* ending : {".png", ".svg", ".pdf", ".tex", "-tex.pdf", ".gp"}) {
     fs::remove(figures / (stem + ending), ignored);

@@ -20,8 +20,8 @@ struct GnuplotMissing : std::runtime_error {
 /// graphics file that STEM.tex includes, is likewise replaced as a whole or left unchanged.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
-void draw(const std::string& gnuplot, const std::filesystem::path& script,
-          const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
+void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
+                  const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
 /// Draws the script STEM.gp in all formats of the options. The pictures are written to the
 /// directory of the script.
@@ -38,6 +38,6 @@ std::vector<std::string> write_pictures(const std::filesystem::path& figures,
                                         const FigureOptions& options, const std::string& gnuplot);
 
 /// Removes the script STEM.gp and its pictures in all formats from a directory.
-void remove_pictures_of(const std::filesystem::path& figures, const std::string& stem);
+void remove_script_and_pictures(const std::filesystem::path& figures, const std::string& stem);
 
 }  // namespace fpkcheck::report

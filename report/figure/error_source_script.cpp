@@ -17,7 +17,7 @@
 namespace fpkcheck::report {
 namespace {
 
-using results::Case;
+using results::CaseResult;
 using results::ErrorSource;
 using transform::Moments;
 
@@ -26,19 +26,20 @@ constexpr int kColourBar = 12, kBesideMap = 80;  // width of a colour bar, and w
 // Outer cells with values below this fraction of the largest value are invisible, and are omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
-struct MapRow {
+struct ErrorMapRow {
   const char* moment;
   const char* symbol;
   double Moments::*member;
 };
-constexpr MapRow kRows[] = {{"y2", "E[{/:Italic y}²]", &Moments::y2},
-                            {"v2", "E[{/:Italic y}'²]", &Moments::v2}};
+constexpr ErrorMapRow kRows[] = {{"y2", "E[{/:Italic y}²]", &Moments::y2},
+                                 {"v2", "E[{/:Italic y}'²]", &Moments::v2}};
 
-std::vector<std::string> selected_solutions(const Case& case_result, std::size_t most = kMaxMaps) {
+std::vector<std::string> selected_solutions(const CaseResult& case_result,
+                                            std::size_t most = kMaxMaps) {
   std::vector<std::string> ids;
   std::set<std::string> formulations;
   const auto add = [&](const transform::Solution& solution) {
-    const bool whole = std::ranges::all_of(kRows, [&](const MapRow& row) {
+    const bool whole = std::ranges::all_of(kRows, [&](const ErrorMapRow& row) {
       return case_result.error_source(solution.id(), row.moment) != nullptr;
     });
     if (whole && ids.size() < most) ids.push_back(solution.id());
@@ -57,7 +58,7 @@ std::vector<std::string> selected_solutions(const Case& case_result, std::size_t
   return ids;
 }
 
-std::string source_block_name(std::size_t column, const MapRow& row) {
+std::string source_block_name(std::size_t column, const ErrorMapRow& row) {
   return fmt::format("${}_{}", row.moment, column);
 }
 
@@ -69,21 +70,21 @@ double largest_value(const ErrorSource& source) {
 
 /// The range of the cells that have a visible value in at least one map. The range is symmetric in
 /// y', and includes y = 0 if the cells begin at y = 0.
-struct VisiblePart {
+struct VisibleCells {
   std::size_t y_begin = 0, y_end = 1, v_begin = 0, v_end = 0;
 };
 
-VisiblePart visible_part(const Case& case_result, const std::vector<std::string>& ids) {
+VisibleCells visible_part(const CaseResult& case_result, const std::vector<std::string>& ids) {
   const auto& cells = case_result.error_source(ids.front(), kRows[0].moment)->density;
-  VisiblePart part{.v_begin = cells.nv(), .v_end = 0};
+  VisibleCells part{.v_begin = cells.nv(), .v_end = 0};
   if (cells.y_edges.front() != 0) part.y_begin = cells.ny() - 1;
   for (const auto& id : ids) {
-    for (const MapRow& row : kRows) {
+    for (const ErrorMapRow& row : kRows) {
       const ErrorSource& source = *case_result.error_source(id, row.moment);
       const double least = kVisibleErrorFraction * largest_value(source);
       for (std::size_t i = 0; i < source.density.ny(); ++i) {
         for (std::size_t j = 0; j < source.density.nv(); ++j) {
-          if (std::abs(source.density.average(i, j)) <= least) continue;
+          if (std::abs(source.density.cell_average(i, j)) <= least) continue;
           part.y_begin = std::min(part.y_begin, i);
           part.y_end = std::max(part.y_end, i + 1);
           part.v_begin = std::min({part.v_begin, j, cells.nv() - 1 - j});
@@ -105,12 +106,12 @@ double limit_of(const ErrorSource& source) { return std::max(largest_value(sourc
 
 // The data block of a heat map, with a row of cells for each y'.
 std::string source_block(const ErrorSource& source, const std::string& name,
-                         const VisiblePart& part) {
+                         const VisibleCells& part) {
   std::string text = name + " << EOD\n";
   const double limit = limit_of(source);
   for (std::size_t j = part.v_begin; j < part.v_end; ++j) {
     for (std::size_t i = part.y_begin; i < part.y_end; ++i) {
-      text += fmt::format("{:.3g} ", signed_root(source.density.average(i, j), limit));
+      text += fmt::format("{:.3g} ", signed_root(source.density.cell_average(i, j), limit));
     }
     text += '\n';
   }
@@ -135,11 +136,11 @@ std::string colour_axis(double limit) {
                      fmt::join(tics, ", "));
 }
 
-std::string source_panel(const Case& case_result, const std::string& id, std::size_t column,
-                         const MapRow& moment_row, const VisiblePart& part, const PanelGrid& grid,
-                         std::size_t panel) {
+std::string source_panel(const CaseResult& case_result, const std::string& id, std::size_t column,
+                         const ErrorMapRow& moment_row, const VisibleCells& part,
+                         const PanelGrid& grid, std::size_t panel) {
   constexpr int kMostTics = 4;  // fit under a map on a screen
-  const PanelBox place = grid.place(panel);
+  const PanelBox place = grid.panel_box(panel);
   const auto* own = case_result.moment_error_estimate(id);
   const double error = own == nullptr ? 0 : own->error.*moment_row.member;
   const ErrorSource& source = *case_result.error_source(id, moment_row.moment);
@@ -154,7 +155,7 @@ std::string source_panel(const Case& case_result, const std::string& id, std::si
       gnuplot_text(fmt::format("({}) {} of {}: {}", static_cast<char>('a' + panel),
                                moment_row.symbol, escape_enhanced_text(id),
                                scientific_text(error))),
-      gnuplot_text("{/:Italic y}'"), margin_commands(place), y[part.y_begin], y[part.y_end],
+      gnuplot_text("{/:Italic y}'"), panel_position_commands(place), y[part.y_begin], y[part.y_end],
       tic_step(y[part.y_begin], y[part.y_end], kMostTics), v[part.v_begin], v[part.v_end],
       colour_axis(limit_of(source)), place.right + 8.0 / grid.width, place.bottom,
       static_cast<double>(kColourBar) / grid.width, place.top - place.bottom,
@@ -181,16 +182,16 @@ PanelGrid grid_for(std::size_t densities, FigureWidth width) {
 
 }  // namespace
 
-bool has_error_sources(const Case& case_result) {
+bool has_error_sources(const CaseResult& case_result) {
   const auto ids = selected_solutions(case_result);
   return std::ranges::any_of(ids, [&](const std::string& id) {
-    return std::ranges::any_of(kRows, [&](const MapRow& row) {
+    return std::ranges::any_of(kRows, [&](const ErrorMapRow& row) {
       return largest_value(*case_result.error_source(id, row.moment)) > 0;
     });
   });
 }
 
-std::string error_source_script(const Case& case_result, const std::string& file_stem,
+std::string error_source_script(const CaseResult& case_result, const std::string& file_stem,
                                 FigureWidth width) {
   const auto ids = selected_solutions(
       case_result, width == FigureWidth::one_column ? kMaxMapsInColumn : kMaxMaps);
@@ -198,7 +199,7 @@ std::string error_source_script(const Case& case_result, const std::string& file
   const FigureTitle title = figure_title(case_result.problem, grid.size());
   grid.title_height = title.height;
   std::string blocks, panels;
-  const VisiblePart part = visible_part(case_result, ids);
+  const VisibleCells part = visible_part(case_result, ids);
   for (std::size_t column = 0; column < ids.size(); ++column) {
     for (std::size_t row = 0; row < std::size(kRows); ++row) {
       blocks += source_block(*case_result.error_source(ids[column], kRows[row].moment),
@@ -208,7 +209,7 @@ std::string error_source_script(const Case& case_result, const std::string& file
       panels += source_panel(case_result, ids[column], column, kRows[row], part, grid, panel);
     }
   }
-  return output_commands(file_stem, grid.size()) +
+  return gnuplot_output_commands(file_stem, grid.size()) +
          "# A line for each y', from the lowest; values are sign(e) sqrt(|e|/largest)\n" + blocks +
          "\nset palette defined (0 '#053061', 0.2 '#2166ac', 0.4 '#92c5de', 0.5 '#ffffff', "
          "0.6 '#f4a582', 0.8 '#b2182b', 1 '#67001f')\n"

@@ -51,13 +51,13 @@ std::string cairo_scale(const FigureSize& size) {
 
 }  // namespace
 
-int figure_width(FigureWidth medium, int on_screen) {
-  if (medium == FigureWidth::screen) return on_screen;
-  return static_cast<int>(printed_width(medium) / kMillimetresPerInch * kPointsPerInch /
+int figure_width(FigureWidth medium, int screen_width_pixels) {
+  if (medium == FigureWidth::screen) return screen_width_pixels;
+  return static_cast<int>(printed_width_mm(medium) / kMillimetresPerInch * kPointsPerInch /
                           kPointsPerPixel);
 }
 
-double printed_width(FigureWidth medium) {
+double printed_width_mm(FigureWidth medium) {
   switch (medium) {
     case FigureWidth::screen:
       return 0;
@@ -69,7 +69,7 @@ double printed_width(FigureWidth medium) {
   return 0;
 }
 
-std::string output_commands(const std::string& file_stem, const FigureSize& size) {
+std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size) {
   return fmt::format(
       "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp; likewise pdf, and tex\n"
       "# for LaTeX: {0}.tex with a {0}.pdf that it includes\n"

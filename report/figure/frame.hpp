@@ -19,16 +19,16 @@ struct FigureSize {
 };
 
 /// Width of the layout of a figure in pixels.
-/// @param on_screen width of the picture on a screen, in pixels
-int figure_width(FigureWidth medium, int on_screen);
+/// @param screen_width_pixels width of the picture on a screen, in pixels
+int figure_width(FigureWidth medium, int screen_width_pixels);
 
 /// Printed width of a figure in mm; 0 for a figure on a screen.
-double printed_width(FigureWidth medium);
+double printed_width_mm(FigureWidth medium);
 
 /// The first commands of a gnuplot script, which set terminal and output. The script draws
 /// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects another format; the
 /// script refuses all other values. The gnuplot variable `target` sets another file name.
-std::string output_commands(const std::string& file_stem, const FigureSize& size);
+std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size);
 
 /// The title of a figure above all panels, broken into lines.
 struct FigureTitle {

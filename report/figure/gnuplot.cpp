@@ -18,7 +18,7 @@
 #include <system_error>
 #include <thread>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 
 extern char** environ;
 
@@ -33,9 +33,9 @@ using Clock = std::chrono::steady_clock;
 
 /// A pipe from standard output and standard error of a child process. The standard input of the
 /// child process is empty.
-class ErrorPipe {
+class OutputPipe {
  public:
-  ErrorPipe() {
+  OutputPipe() {
     // Both ends of the pipe are closed on exec: a child process that another thread starts must not
     // inherit the ends.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
@@ -46,9 +46,9 @@ class ErrorPipe {
     posix_spawn_file_actions_addclose(&actions_, ends_[0]);
     posix_spawn_file_actions_addclose(&actions_, ends_[1]);
   }
-  ErrorPipe(const ErrorPipe&) = delete;
-  ErrorPipe& operator=(const ErrorPipe&) = delete;
-  ~ErrorPipe() {
+  OutputPipe(const OutputPipe&) = delete;
+  OutputPipe& operator=(const OutputPipe&) = delete;
+  ~OutputPipe() {
     posix_spawn_file_actions_destroy(&actions_);
     for (const int end : ends_) {
       if (end >= 0) close(end);
@@ -87,9 +87,9 @@ class ErrorPipe {
 
 /// Spawn attributes that reset SIGPIPE to its default action. fpkcheck ignores SIGPIPE, and a child
 /// process would inherit this setting.
-class DefaultSignals {
+class SigpipeResetAttributes {
  public:
-  DefaultSignals() {
+  SigpipeResetAttributes() {
     sigset_t default_signals;
     sigemptyset(&default_signals);
     sigaddset(&default_signals, SIGPIPE);
@@ -97,9 +97,9 @@ class DefaultSignals {
     posix_spawnattr_setsigdefault(&attributes_, &default_signals);
     posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
   }
-  DefaultSignals(const DefaultSignals&) = delete;
-  DefaultSignals& operator=(const DefaultSignals&) = delete;
-  ~DefaultSignals() { posix_spawnattr_destroy(&attributes_); }
+  SigpipeResetAttributes(const SigpipeResetAttributes&) = delete;
+  SigpipeResetAttributes& operator=(const SigpipeResetAttributes&) = delete;
+  ~SigpipeResetAttributes() { posix_spawnattr_destroy(&attributes_); }
 
   const posix_spawnattr_t* attributes() const { return &attributes_; }
 
@@ -162,8 +162,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
   auto environment = environment_without("GNUTERM=");
   auto envp = null_terminated_pointers(environment);
 
-  ErrorPipe error_pipe;
-  const DefaultSignals signals;
+  OutputPipe error_pipe;
+  const SigpipeResetAttributes signals;
   pid_t child = 0;
   const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),
                                  signals.attributes(), argv.data(), envp.data());

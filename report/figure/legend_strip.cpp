@@ -33,7 +33,7 @@ int legend_height(const Legend& legend, int width) {
   return static_cast<int>(std::ceil(kMargin + kLine * rows));
 }
 
-std::string legend_strip(const Legend& legend, const FigureSize& size) {
+std::string legend_strip_commands(const Legend& legend, const FigureSize& size) {
   std::vector<std::string> plots;
   for (const auto& [plot, label] : legend.entries) {
     plots.push_back(fmt::format("{} title {}", plot, gnuplot_literal(label)));

@@ -26,6 +26,6 @@ int legend_height(const Legend& legend, int width);
 /// gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a
 /// multiplot.
 /// @param size size of the figure
-std::string legend_strip(const Legend& legend, const FigureSize& size);
+std::string legend_strip_commands(const Legend& legend, const FigureSize& size);
 
 }  // namespace fpkcheck::report

@@ -17,7 +17,7 @@ inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFo
                                                                        {FigureFormat::svg, "svg"},
                                                                        {FigureFormat::pdf, "pdf"},
                                                                        {FigureFormat::tex, "tex"}};
-constexpr std::span<const base::EnumEntry<FigureFormat>> names(FigureFormat) {
+constexpr std::span<const base::EnumEntry<FigureFormat>> enumerator_names(FigureFormat) {
   return kFigureFormatNames;
 }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
@@ -28,7 +28,7 @@ inline constexpr base::EnumEntry<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
     {FigureWidth::two_columns, "170", "both columns of a journal, in mm"},
     {FigureWidth::one_column, "85", "one column of a journal, in mm"}};
-constexpr std::span<const base::EnumEntry<FigureWidth>> names(FigureWidth) {
+constexpr std::span<const base::EnumEntry<FigureWidth>> enumerator_names(FigureWidth) {
   return kFigureWidthNames;
 }
 constexpr std::string_view name(FigureWidth width) { return base::name_of(width); }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/convergence.hpp"
+#include "report/convergence_over_order.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/legend_strip.hpp"
@@ -32,7 +32,7 @@ struct FamilyStyle {
   PointTypes points;
 };
 
-FamilyStyle family_style(const Family& family) {
+FamilyStyle family_style(const SolutionFamily& family) {
   const auto& plot_style = family.solutions[family.solutions.size() / 2]->identity.plot_style;
   return {gnuplot_string(plot_style.colour), point_types(plot_style.symbol)};
 }
@@ -71,11 +71,11 @@ std::string block_identifier(transform::Variable variable, const char* what, std
 /// The data blocks and the plot commands of one panel.
 class OrderPanel {
  public:
-  explicit OrderPanel(const Convergence& distances) : distances_(distances) {
-    const auto [first, last] = distances.orders();
+  explicit OrderPanel(const ConvergenceOverOrder& distances) : distances_(distances) {
+    const auto [first, last] = distances.order_range();
     from_ = first - 1;
     to_ = last + 1;
-    for (const Family& family : distances.families) add(family);
+    for (const SolutionFamily& family : distances.families) add(family);
     for (const Solution* external_density : distances.external_densities) add(*external_density);
     for (const UncertaintyLine& line : distances.uncertainty_lines) {
       const std::string block = store_block("level", horizontal_line_rows(line.l1));
@@ -88,7 +88,7 @@ class OrderPanel {
   std::string commands(char letter, const PanelBox& place) const {
     return fmt::format("set title '({}) {}'\n{}set xrange [{}:{}]\nset ylabel {}\nplot {}\n\n",
                        letter, kTitles[distances_.variable == transform::Variable::y ? 0 : 1],
-                       margin_commands(place), from_, to_,
+                       panel_position_commands(place), from_, to_,
                        gnuplot_text(fmt::format("{{/:Italic L}}_1 distance of {} to {}",
                                                 density_symbol(distances_.variable),
                                                 escape_enhanced_text(distances_.reference->id()))),
@@ -97,7 +97,7 @@ class OrderPanel {
 
  private:
   // A member that is not ok gets a white filled mark, and an open mark over the filled mark.
-  void add(const Family& family) {
+  void add(const SolutionFamily& family) {
     std::string all, hollow;
     for (const Solution* member : family.solutions) {
       const std::string row =
@@ -136,16 +136,16 @@ class OrderPanel {
     return block;
   }
 
-  const Convergence& distances_;
+  const ConvergenceOverOrder& distances_;
   int from_, to_;
   std::string data_;
   std::vector<std::string> plots_;
 };
 
-Legend order_legend(const Convergence& distances) {
+Legend order_legend(const ConvergenceOverOrder& distances) {
   Legend legend{{}, 4};
   bool any_hollow = false;
-  for (const Family& family : distances.families) {
+  for (const SolutionFamily& family : distances.families) {
     legend.entries.push_back({"NaN " + family_line_style(family_style(family)), family.name});
     any_hollow = any_hollow || !std::ranges::all_of(family.solutions, &Solution::is_ok);
   }
@@ -164,21 +164,22 @@ Legend order_legend(const Convergence& distances) {
   return legend;
 }
 
-std::vector<Convergence> order_panels(const results::Case& case_result) {
-  std::vector<Convergence> all;
+std::vector<ConvergenceOverOrder> order_panels(const results::CaseResult& case_result) {
+  std::vector<ConvergenceOverOrder> all;
   for (const auto variable : transform::kVariables) {
-    if (auto distances = convergence(case_result, variable)) all.push_back(std::move(*distances));
+    if (auto distances = convergence_over_order(case_result, variable))
+      all.push_back(std::move(*distances));
   }
   return all;
 }
 
 }  // namespace
 
-bool has_several_orders(const results::Case& case_result) {
+bool has_several_orders(const results::CaseResult& case_result) {
   return !order_panels(case_result).empty();
 }
 
-std::string order_script(const results::Case& case_result, const std::string& file_stem,
+std::string order_script(const results::CaseResult& case_result, const std::string& file_stem,
                          FigureWidth width) {
   constexpr int kOnScreen = 1100;
   const auto all = order_panels(case_result);
@@ -192,19 +193,20 @@ std::string order_script(const results::Case& case_result, const std::string& fi
   const auto title = figure_title(case_result.problem, grid.size());
   grid.title_height = title.height;
 
-  std::string text = output_commands(file_stem, grid.size());
+  std::string text = gnuplot_output_commands(file_stem, grid.size());
   std::string commands;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const OrderPanel panel(all[k]);
     text += panel.data();
-    commands += panel.commands(static_cast<char>('a' + k), grid.place(k));
+    commands += panel.commands(static_cast<char>('a' + k), grid.panel_box(k));
   }
   text += fmt::format(
       "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\nunset key\n{}"
       "set logscale y\nset format y {}\nset xtics 2\nset xlabel {}\n{}",
       PanelGrid::kLabels, kPowerOfTenFormat, gnuplot_text("order {/:Italic n} of the closure"),
       title.command);
-  return text + commands + legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
+  return text + commands + legend_strip_commands(entries, grid.size()) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

@@ -36,7 +36,7 @@ std::string title(Panel panel, const MarginalCurves& marginal, char letter,
 }
 
 std::string axes(Panel panel, const MarginalCurves& marginal) {
-  const FigureRanges& r = marginal.ranges;
+  const MarginalAxisRanges& r = marginal.ranges;
   const bool is_logarithmic = panel == Panel::logarithmic;
   const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
                to = is_logarithmic ? r.logarithmic_to : r.linear_to;
@@ -56,7 +56,7 @@ std::string axes(Panel panel, const MarginalCurves& marginal) {
     case Panel::logarithmic:
       text += fmt::format(
           "smallest = {:.4g}\nset logscale y\nset format y {}\nset yrange [smallest:{:.4g}]\n",
-          logarithmic_bottom(r), kPowerOfTenFormat, logarithmic_top(r));
+          logarithmic_axis_bottom(r), kPowerOfTenFormat, logarithmic_axis_top(r));
       break;
     case Panel::difference: {
       // If all differences are 0, as for the reference alone, the range is arbitrary.
@@ -66,7 +66,7 @@ std::string axes(Panel panel, const MarginalCurves& marginal) {
       break;
     }
     case Panel::smooth_difference: {
-      const auto [least, most] = difference_decades(r);
+      const auto [least, most] = difference_axis_decades(r);
       text += fmt::format("set logscale y\nset format y {}\nset yrange [{:.0e}:{:.0e}]\n",
                           kPowerOfTenFormat, least, most);
       density = "|Δ" + density + "|";
@@ -102,7 +102,7 @@ std::string plot(Panel panel, const MarginalCurves& marginal, const std::string&
                             }));
   std::size_t place = 0;  // index among the curves with marks
   for (const auto& drawn : marginal.curves) {
-    const Difference& difference = drawn.difference;
+    const CurveDifference& difference = drawn.difference;
     if (of_differences && difference.empty()) continue;
     const bool with_interval =
         panel != Panel::linear &&
@@ -158,9 +158,9 @@ std::string curve_style(const transform::PlotStyle& plot_style, bool with_interv
                      dash_type(plot_style), colour);
 }
 
-bool has_marks(const transform::Identity& identity) {
-  return !identity.plot_style.as_points &&
-         (identity.role == transform::Role::closure || identity.role == transform::Role::external);
+bool has_marks(const transform::SolutionIdentity& identity) {
+  return !identity.plot_style.as_points && (identity.role == transform::SolutionRole::closure ||
+                                            identity.role == transform::SolutionRole::external);
 }
 
 std::string mark_style(const transform::Solution& solution) {

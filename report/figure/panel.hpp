@@ -19,11 +19,11 @@ std::string block_name(const MarginalCurves& marginal, const DrawnCurve& drawn);
 std::string difference_block_name(const MarginalCurves& marginal, const DrawnCurve& drawn);
 
 /// The style of a curve as a part of a gnuplot plot command.
-std::string curve_style(const transform::PlotStyle& look, bool with_interval);
+std::string curve_style(const transform::PlotStyle& plot_style, bool with_interval);
 
 /// Whether the curve of a solution has marks, which distinguish curves in grey print. Closures and
 /// external densities have marks; solutions of density equations have lines only.
-bool has_marks(const transform::Identity& identity);
+bool has_marks(const transform::SolutionIdentity& identity);
 /// The style of a solution's marks without the colour: filled marks for status ok, else open marks.
 std::string mark_style(const transform::Solution& solution);
 

@@ -13,7 +13,7 @@ FigureSize PanelGrid::size() const {
   return {.width = width, .height = title_height + rows * row + legend_height, .medium = medium};
 }
 
-PanelBox PanelGrid::place(int row, int column) const {
+PanelBox PanelGrid::panel_box(int row, int column) const {
   const double height = size().height;
   const double of_a_column = static_cast<double>(width - left_margin - right_margin) / columns;
   const double top = title_height + row * (above + panel_height + below) + above;
@@ -24,8 +24,8 @@ PanelBox PanelGrid::place(int row, int column) const {
           .bottom = 1 - (top + panel_height) / height};
 }
 
-PanelGrid panel_grid(FigureWidth medium, int on_screen) {
-  PanelGrid grid{.medium = medium, .width = figure_width(medium, on_screen)};
+PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels) {
+  PanelGrid grid{.medium = medium, .width = figure_width(medium, screen_width_pixels)};
   if (medium == FigureWidth::one_column) {
     grid.above = 36;
     grid.below = 62;

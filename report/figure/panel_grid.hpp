@@ -27,16 +27,16 @@ struct PanelGrid {
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
   FigureSize size() const;
-  PanelBox place(int row, int column) const;
+  PanelBox panel_box(int row, int column) const;
   /// @param panel index of the panel, counted row by row from 0
-  PanelBox place(std::size_t panel) const {
-    return place(static_cast<int>(panel) / columns, static_cast<int>(panel) % columns);
+  PanelBox panel_box(std::size_t panel) const {
+    return panel_box(static_cast<int>(panel) / columns, static_cast<int>(panel) % columns);
   }
 };
 
 /// Makes the panel grid of a figure with the width of a medium. A figure for a single journal
 /// column has less space between the rows.
-/// @param on_screen width of the picture on a screen, in pixels
-PanelGrid panel_grid(FigureWidth medium, int on_screen);
+/// @param screen_width_pixels width of the picture on a screen, in pixels
+PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels);
 
 }  // namespace fpkcheck::report

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "report/budget/figure.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/figure/density_script.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/error_source_script.hpp"
 #include "report/figure/order_script.hpp"
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 
 namespace fpkcheck::report {
 namespace fs = std::filesystem;
@@ -21,9 +21,9 @@ std::string sources_stem(const std::string& stem) { return stem + "-sources"; }
 std::string order_stem(const std::string& stem) { return stem + "-order"; }
 
 // @param warnings list to which a line is added for each case that has no density to draw
-std::vector<Picture> pictures_of(const results::Run& run, const FigureOptions& options,
-                                 std::vector<std::string>& warnings) {
-  std::vector<Picture> pictures;
+std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOptions& options,
+                                       std::vector<std::string>& warnings) {
+  std::vector<PictureScript> pictures;
   for (const auto& case_result : run.cases) {
     FigureContent content = figure_content(case_result, select_curves(case_result, options.curves));
     const std::string stem = results::file_stem(case_result.name());
@@ -56,21 +56,21 @@ void remove_pictures(const fs::path& directory, const results::Run& run) {
   for (const auto& case_result : run.cases) {
     const auto stem = results::file_stem(case_result.name());
     for (const auto& each : {stem, budget_stem(stem), sources_stem(stem), order_stem(stem)}) {
-      remove_pictures_of(directory / "figures", each);
+      remove_script_and_pictures(directory / "figures", each);
     }
   }
 }
 
 std::vector<std::string> draw_pictures(const fs::path& directory, const results::Run& run,
                                        const FigureOptions& options, const std::string& gnuplot,
-                                       const std::vector<Picture>& others) {
+                                       const std::vector<PictureScript>& others) {
   const fs::path figures = directory / "figures";
   std::vector<std::string> warnings;
   auto pictures = pictures_of(run, options, warnings);
   pictures.insert(pictures.end(), others.begin(), others.end());
   fs::create_directories(figures);
   remove_pictures(directory, run);
-  for (const auto& picture : others) remove_pictures_of(figures, picture.stem);
+  for (const auto& picture : others) remove_script_and_pictures(figures, picture.stem);
   for (const auto& [stem, script] : pictures) {
     base::write_file(figures / (stem + ".gp"), script);
   }

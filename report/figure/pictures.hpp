@@ -25,6 +25,6 @@ void remove_pictures(const std::filesystem::path& directory, const results::Run&
 std::vector<std::string> draw_pictures(const std::filesystem::path& directory,
                                        const results::Run& run, const FigureOptions& options = {},
                                        const std::string& gnuplot = "gnuplot",
-                                       const std::vector<Picture>& others = {});
+                                       const std::vector<PictureScript>& others = {});
 
 }  // namespace fpkcheck::report

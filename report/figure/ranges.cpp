@@ -44,7 +44,7 @@ void include_walls(const results::Curve& curve, double peak, Extent& linear, Ext
 
 }  // namespace
 
-std::vector<bool> DrawnCurve::broad_bins() const {
+std::vector<bool> DrawnCurve::broad_bin_flags() const {
   const auto widths = results::bin_widths(*curve);
   const double widest = widths.empty() ? 0 : std::ranges::max(widths);
   std::vector<bool> broad;
@@ -52,32 +52,32 @@ std::vector<bool> DrawnCurve::broad_bins() const {
   return broad;
 }
 
-std::pair<double, double> difference_decades(const FigureRanges& r) {
+std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& r) {
   if (!(r.largest_difference > 0)) return {1e-6, 1};
   const double to = std::pow(10, std::ceil(std::log10(r.largest_difference)));
   const double from = std::pow(10, std::floor(std::log10(r.least_difference)) - 2);
   return {std::max(from, 1e-8 * to), to};
 }
 
-double logarithmic_bottom(const FigureRanges& ranges, double floor) {
+double logarithmic_axis_bottom(const MarginalAxisRanges& ranges, double floor) {
   // The factor 0.8 leaves space between the lowest point and the axis.
-  const double least = std::min(0.8 * ranges.least_density, logarithmic_top(ranges) / 10);
+  const double least = std::min(0.8 * ranges.least_density, logarithmic_axis_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }
 
-std::string spike_note(const FigureRanges& ranges) {
+std::string spike_note(const MarginalAxisRanges& ranges) {
   if (ranges.largest_density <= 1.08 * ranges.linear_top) return "";
   return fmt::format("spike up to {:.3g}", ranges.largest_density);
 }
 
-FigureRanges figure_ranges(std::span<const DrawnCurve> curves) {
+MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
   Extent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity(),
          least_density = least_difference;
   for (const auto& drawn : curves) {
     const results::Curve* curve = drawn.curve;
-    const std::vector<bool> broad = drawn.broad_bins();
+    const std::vector<bool> broad = drawn.broad_bin_flags();
     double peak = 0;
     for (std::size_t k = 0; k < curve->density.size(); ++k) {
       const double p = curve->density[k];

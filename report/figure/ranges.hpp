@@ -14,7 +14,7 @@ namespace fpkcheck::report {
 inline constexpr double kSmallestDrawnDensity = 1e-6;
 
 /// The axis ranges of the panels of one marginal density.
-struct FigureRanges {
+struct MarginalAxisRanges {
   double linear_from, linear_to;            ///< where a density exceeds 1/500 of linear_top
   double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
   double linear_top;          ///< the largest density, excluding the narrow bins at a spike
@@ -27,7 +27,7 @@ struct FigureRanges {
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
 /// absolute differences; for the reference itself, the values are the half-widths of its 95 %
 /// confidence intervals, which limit the significance of differences.
-struct Difference {
+struct CurveDifference {
   std::vector<double> abscissa, values;
   std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
 
@@ -38,11 +38,11 @@ struct Difference {
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::Curve* curve;
-  Difference difference;  ///< from the curve of the reference; empty without reference
+  CurveDifference difference;  ///< from the curve of the reference; empty without reference
 
   /// Whether each bin has the regular width. At a spike of the density compare::comparison_axes
   /// uses narrow bins, whose large densities would compress all other values on an axis.
-  std::vector<bool> broad_bins() const;
+  std::vector<bool> broad_bin_flags() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
@@ -50,20 +50,23 @@ struct DrawnCurve {
 /// The range of a logarithmic axis of differences, in whole decades and at most eight decades. The
 /// upper end is the largest difference. The lower end is two decades below the smallest of the
 /// curves' maxima.
-std::pair<double, double> difference_decades(const FigureRanges& ranges);
+std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& ranges);
 
 /// The lower end of the logarithmic axis of a density: a power of ten that is below all values and
 /// at least a decade below the upper end, but at least `floor`.
-double logarithmic_bottom(const FigureRanges& ranges, double floor = kSmallestDrawnDensity);
+double logarithmic_axis_bottom(const MarginalAxisRanges& ranges,
+                               double floor = kSmallestDrawnDensity);
 /// The upper end of the logarithmic axis of a density, above the peak of the density.
-inline double logarithmic_top(const FigureRanges& ranges) { return 3 * ranges.largest_density; }
+inline double logarithmic_axis_top(const MarginalAxisRanges& ranges) {
+  return 3 * ranges.largest_density;
+}
 
 /// A note that states the height of a spike beyond the linear axis; empty if no spike exceeds the
 /// axis.
-std::string spike_note(const FigureRanges& ranges);
+std::string spike_note(const MarginalAxisRanges& ranges);
 
 /// The axis ranges that contain all given curves. Callers should pass only reliable curves, since a
 /// single outlier would compress all other curves.
-FigureRanges figure_ranges(std::span<const DrawnCurve> curves);
+MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

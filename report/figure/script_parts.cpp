@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-std::string margin_commands(const PanelBox& place) {
+std::string panel_position_commands(const PanelBox& place) {
   return fmt::format(
       "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
       "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n",
@@ -19,8 +19,8 @@ std::string data_block(const std::string& name, const std::string& rows) {
   return fmt::format("${} << EOD\n{}EOD\n", name, rows);
 }
 
-double tic_step(double from, double to, int most_steps) {
-  const double least = (to - from) / most_steps;
+double tic_step(double from, double to, int max_steps) {
+  const double least = (to - from) / max_steps;
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0}) {
     if (digit * power >= least) return digit * power;
@@ -49,7 +49,7 @@ std::string dash_type(const transform::PlotStyle& plot_style) {
   return lengths && !plot_style.dash.empty() ? plot_style.dash : "solid";
 }
 
-std::vector<SeriesStyle> series_styles(std::span<const transform::Identity> identities) {
+std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdentity> identities) {
   std::vector<SeriesStyle> looks;
   for (const auto& one : identities) {
     const auto [filled, open] = point_types(one.plot_style.symbol);

@@ -15,15 +15,15 @@ struct PanelBox {
   double left, right, top, bottom;
 };
 /// gnuplot commands that set the position of a panel.
-std::string margin_commands(const PanelBox& place);
+std::string panel_position_commands(const PanelBox& place);
 
 /// A named data block of a gnuplot script.
 /// @param rows rows of the block, each ended by a newline
 std::string data_block(const std::string& name, const std::string& rows);
 
-/// The smallest tic distance that divides an axis range into at most `most_steps` steps and is 1, 2
+/// The smallest tic distance that divides an axis range into at most `max_steps` steps and is 1, 2
 /// or 5 times a power of ten.
-double tic_step(double from, double to, int most_steps = 6);
+double tic_step(double from, double to, int max_steps = 6);
 
 /// The symbol of a marginal density in gnuplot's enhanced text: "p(y)" or "p(y')".
 std::string density_symbol(transform::Variable variable);
@@ -38,7 +38,7 @@ PointTypes point_types(const std::string& symbol);
 
 /// The dash type of a plot style; "solid" if the dash type is invalid, since a file may contain an
 /// invalid dash type.
-std::string dash_type(const transform::PlotStyle& look);
+std::string dash_type(const transform::PlotStyle& plot_style);
 
 /// The plot style of a series of points. In grey print the shapes of marks distinguish families,
 /// and the dash types distinguish members of a family.
@@ -50,6 +50,6 @@ struct SeriesStyle {
 
 /// The series style of each solution, with colour, symbol and dash type of the solution's plot
 /// style.
-std::vector<SeriesStyle> series_styles(std::span<const transform::Identity> identities);
+std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdentity> identities);
 
 }  // namespace fpkcheck::report

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::report {
 
-std::string base64(std::span<const std::byte> bytes) {
+std::string encode_base64(std::span<const std::byte> bytes) {
   namespace it = boost::archive::iterators;
   using Encoder = it::base64_from_binary<it::transform_width<const char*, 6, 8>>;
   // The iterators read whole groups of three bytes.

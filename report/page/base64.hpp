@@ -7,6 +7,6 @@
 namespace fpkcheck::report {
 
 /// Base64 encoding of bytes (RFC 4648).
-std::string base64(std::span<const std::byte> bytes);
+std::string encode_base64(std::span<const std::byte> bytes);
 
 }  // namespace fpkcheck::report

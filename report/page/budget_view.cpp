@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "compare/budget.hpp"
+#include "compare/error_budget.hpp"
 #include "report/budget/part_style.hpp"
 #include "report/page/html.hpp"
 #include "report/page/log_range.hpp"
@@ -18,35 +18,35 @@ namespace fpkcheck::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using compare::BudgetPart;
-using compare::BudgetRow;
-using compare::ClosureBudget;
+using compare::ClosureErrorBudget;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 using transform::Variable;
 
 /// The error budget of one closure for one marginal density.
-struct LabelledRow {
+struct LabelledBudgetRow {
   std::string label;  ///< id of the closure, with kNotOkMark if not ok
-  const BudgetRow* row;
+  const ErrorBudgetRow* row;
 };
 
 /// The error budgets of all closures for one marginal density, and the names of all parts in the
 /// order in which the approximations are removed.
 struct MarginalBudget {
   Variable variable;
-  std::vector<LabelledRow> rows;
+  std::vector<LabelledBudgetRow> rows;
   std::vector<std::string> parts;
 };
 
 constexpr const char* kNotOkMark = " *";
 
-std::vector<MarginalBudget> marginal_budgets(const results::Case& case_result) {
-  const auto budgets = compare::closure_budgets(case_result.budget, case_result.solutions);
+std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_result) {
+  const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
   std::vector<MarginalBudget> sides;
   for (const Variable variable : transform::kVariables) {
-    MarginalBudget marginal{variable, {}, compare::part_names(budgets)};
+    MarginalBudget marginal{variable, {}, compare::budget_part_names(budgets)};
     for (const auto& budget : budgets) {
       const bool is_ok = budget.status == transform::Status::ok;
-      const BudgetRow* row = budget.row(variable);
+      const ErrorBudgetRow* row = budget.row(variable);
       if (row != nullptr)
         marginal.rows.push_back({budget.solution + (is_ok ? "" : kNotOkMark), row});
     }
@@ -77,7 +77,7 @@ Json total_trace(const MarginalBudget& marginal) {
 Json bars(const MarginalBudget& marginal, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
   for (const auto& [label, row] : marginal.rows) {
-    const BudgetPart* part = row->find(name);
+    const ErrorBudgetPart* part = row->find(name);
     // A part without a positive L1 distance is omitted, since the axis is logarithmic.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
@@ -94,9 +94,9 @@ Json bars(const MarginalBudget& marginal, const std::string& name) {
           {"customdata", steps},
           {"error_x", {{"type", "data"}, {"array", errors}, {"thickness", 1}, {"width", 2}}},
           {"marker",
-           {{"color", part_colour(name)},
+           {{"color", budget_part_colour(name)},
             {"pattern",
-             {{"shape", part_pattern(name)},
+             {{"shape", budget_part_fill_pattern(name)},
               {"fillmode", "overlay"},
               {"fgcolor", "#ffffff"},
               {"size", 6}}}}},
@@ -107,7 +107,7 @@ std::string figure(const MarginalBudget& marginal) {
   Json data = Json::array(), labels = Json::array();
   for (const auto& name : marginal.parts) data.push_back(bars(marginal, name));
   data.push_back(total_trace(marginal));
-  LogRange range;
+  LogAxisRange range;
   for (const auto& [label, row] : marginal.rows) {
     labels.push_back(plotly_text(label));
     range.include(row->total);
@@ -135,12 +135,12 @@ std::string figure(const MarginalBudget& marginal) {
 }
 
 /// A function that makes the table cell of a part of the budget.
-using PartCell = std::function<std::string(const BudgetPart&)>;
+using PartCell = std::function<std::string(const ErrorBudgetPart&)>;
 
 // The table columns of closures, total distances and parts of the budget.
 std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
                                             const std::function<std::string(double)>& text,
-                                            double BudgetRow::*total, const PartCell& cell) {
+                                            double ErrorBudgetRow::*total, const PartCell& cell) {
   std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
   for (const auto& [label, row] : marginal.rows) {
     columns[0].cells.push_back(label);
@@ -149,7 +149,7 @@ std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
   for (const auto& name : marginal.parts) {
     HtmlColumn column{name};
     for (const auto& [label, row] : marginal.rows) {
-      const BudgetPart* part = row->find(name);
+      const ErrorBudgetPart* part = row->find(name);
       column.cells.push_back(part != nullptr ? cell(*part) : std::string(kNoValue));
     }
     columns.push_back(std::move(column));
@@ -160,24 +160,25 @@ std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
 // A table column with a sampling error of the last part of the budget, the distance to the
 // simulation.
 HtmlColumn sampling_error_column(const MarginalBudget& marginal, const std::string& header,
-                                 std::optional<double> BudgetPart::*member) {
+                                 std::optional<double> ErrorBudgetPart::*member) {
   HtmlColumn column{header};
   for (const auto& [label, row] : marginal.rows) {
-    column.cells.push_back(l1_cell(row->parts.back().*member));
+    column.cells.push_back(l1_cell_text(row->parts.back().*member));
   }
   return column;
 }
 
 std::string l1_table(const MarginalBudget& marginal) {
-  const auto with_uncertainty = [](const BudgetPart& part) {
-    const std::string l1 = l1_cell(part.l1);
-    return part.uncertainty ? l1 + " \u00b1 " + l1_cell(part.uncertainty) : l1;
+  const auto with_uncertainty = [](const ErrorBudgetPart& part) {
+    const std::string l1 = l1_cell_text(part.l1);
+    return part.uncertainty ? l1 + " \u00b1 " + l1_cell_text(part.uncertainty) : l1;
   };
-  auto columns = budget_part_columns(marginal, l1_cell, &BudgetRow::total, with_uncertainty);
-  columns.push_back(
-      sampling_error_column(marginal, "L1 of sampling error alone: mean", &BudgetPart::expected));
+  auto columns =
+      budget_part_columns(marginal, l1_cell_text, &ErrorBudgetRow::total, with_uncertainty);
+  columns.push_back(sampling_error_column(marginal, "L1 of sampling error alone: mean",
+                                          &ErrorBudgetPart::expected));
   columns.push_back(sampling_error_column(marginal, "L1 of sampling error alone: 99 % quantile",
-                                          &BudgetPart::quantile_99));
+                                          &ErrorBudgetPart::quantile_99));
   return table_html(fmt::format("Error budget of {}: L1", density_text(marginal.variable)),
                     std::move(columns));
 }
@@ -186,15 +187,15 @@ std::string tail_table(const MarginalBudget& marginal) {
   const auto text = [](double tail) {
     return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : std::string(kNoValue);
   };
-  const auto cell = [&](const BudgetPart& part) { return text(part.tail); };
+  const auto cell = [&](const ErrorBudgetPart& part) { return text(part.tail); };
   return table_html(fmt::format("Error budget of the tail of {}: mean |\u0394 log10 p|",
                                 density_text(marginal.variable)),
-                    budget_part_columns(marginal, text, &BudgetRow::total_tail, cell));
+                    budget_part_columns(marginal, text, &ErrorBudgetRow::total_tail, cell));
 }
 
 }  // namespace
 
-std::string budget_introduction(const results::Case& case_result) {
+std::string budget_introduction(const results::CaseResult& case_result) {
   if (case_result.budget.empty()) return "";
   return fmt::format(
       "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the "
@@ -203,7 +204,7 @@ std::string budget_introduction(const results::Case& case_result) {
       escape_html(case_result.budget.front().reference));
 }
 
-std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix) {
+std::vector<Plot> budget_plots(const results::CaseResult& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const auto& marginal : marginal_budgets(case_result)) {
     const bool marked = std::ranges::any_of(
@@ -216,7 +217,7 @@ std::vector<Plot> budget_plots(const results::Case& case_result, const std::stri
   return plots;
 }
 
-std::string budget_tables(const results::Case& case_result) {
+std::string budget_tables(const results::CaseResult& case_result) {
   std::string html;
   for (const auto& marginal : marginal_budgets(case_result))
     html += l1_table(marginal) + tail_table(marginal);

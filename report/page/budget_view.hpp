@@ -12,14 +12,14 @@ namespace fpkcheck::report {
 
 /// A paragraph that explains the plots and tables of the error budget, and names the solution to
 /// which the total distances refer. The paragraph is empty if the case has no error budget.
-std::string budget_introduction(const results::Case& case_result);
+std::string budget_introduction(const results::CaseResult& case_result);
 
 /// A bar plot of the error budget for each marginal density. The list of plots is empty if the case
 /// has no error budget.
 /// @param prefix prefix of the ids of the plots
-std::vector<Plot> budget_plots(const results::Case& case_result, const std::string& prefix);
+std::vector<Plot> budget_plots(const results::CaseResult& case_result, const std::string& prefix);
 
 /// HTML tables of the L1 distances and the tail distances of the error budget.
-std::string budget_tables(const results::Case& case_result);
+std::string budget_tables(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

@@ -35,7 +35,7 @@ constexpr std::pair<const char*, double Moments::*> kShownMoments[] = {
 /// Builds a table with a row for each solution. Each call of a member function adds a column.
 class SolutionsTable {
  public:
-  explicit SolutionsTable(const results::Case& case_result) : case_result_(case_result) {
+  explicit SolutionsTable(const results::CaseResult& case_result) : case_result_(case_result) {
     add_text("solution", &Solution::id);
   }
 
@@ -75,7 +75,7 @@ class SolutionsTable {
   }
 
  private:
-  const results::Case& case_result_;
+  const results::CaseResult& case_result_;
   std::vector<HtmlColumn> columns_;
 };
 
@@ -88,7 +88,7 @@ std::optional<double> optional_member(const std::optional<Part>& part, const Num
 
 }  // namespace
 
-std::string results_table(const results::Case& case_result) {
+std::string results_table(const results::CaseResult& case_result) {
   SolutionsTable table(case_result);
   table.add_text("solves", [](const Solution& s) { return equation_and_impact_text(s.identity); });
   table.add_status();
@@ -104,7 +104,7 @@ std::string results_table(const results::Case& case_result) {
     for (const Variable variable : transform::kVariables) {
       table.add_number(fmt::format("L1 to {}, {}", measure->id(), density_text(variable)),
                        [&](const Solution& s) {
-                         return l1_cell(case_result.l1(s.id(), measure->id(), variable));
+                         return l1_cell_text(case_result.l1(s.id(), measure->id(), variable));
                        });
     }
   }
@@ -113,7 +113,7 @@ std::string results_table(const results::Case& case_result) {
   return std::move(table).html("All solutions");
 }
 
-std::string residual_errors_table(const results::Case& case_result) {
+std::string residual_errors_table(const results::CaseResult& case_result) {
   if (case_result.moment_error_estimates.empty()) return "";
   SolutionsTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
@@ -125,11 +125,11 @@ std::string residual_errors_table(const results::Case& case_result) {
   return std::move(table).html("Errors of moments, estimated from residuals");
 }
 
-std::string bound_errors_table(const results::Case& case_result) {
+std::string bound_errors_table(const results::CaseResult& case_result) {
   if (!case_result.bounds || case_result.bounds->each.empty()) return "";
   SolutionsTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
-    const compare::Bound* bound = compare::bound_of(*case_result.bounds, member);
+    const compare::GuaranteedBound* bound = compare::find_moment_bound(*case_result.bounds, member);
     if (bound == nullptr) continue;
     const auto [lower, upper] = round_outward(bound->lower, bound->upper);
     const auto error = [&, member = member](const Solution& s) -> std::string {
@@ -143,7 +143,7 @@ std::string bound_errors_table(const results::Case& case_result) {
   return std::move(table).html("Errors of moments, from the guaranteed bounds");
 }
 
-std::string reasons_html(const results::Case& case_result) {
+std::string reasons_html(const results::CaseResult& case_result) {
   std::string items;
   for (const auto& [solutions, status, reason] : status_reasons(case_result)) {
     items += fmt::format("<li><strong>{} {}</strong>: {}.</li>\n",
@@ -153,7 +153,7 @@ std::string reasons_html(const results::Case& case_result) {
   return items.empty() ? "" : "<ul class=\"reasons\">\n" + items + "</ul>\n";
 }
 
-std::string diagnostics_tables(const results::Case& case_result) {
+std::string diagnostics_tables(const results::CaseResult& case_result) {
   using transform::StandardErrors;
   SolutionsTable table(case_result);
   table.add_status();
@@ -164,22 +164,22 @@ std::string diagnostics_tables(const results::Case& case_result) {
     return number_text(optional_member(s.standard_errors, &StandardErrors::energy_residual), 1);
   });
   table.add_number("error estimate of p(y), L1", [](const Solution& s) {
-    return l1_cell(optional_member(s.error, &transform::ErrorEstimate::y_l1));
+    return l1_cell_text(optional_member(s.error, &transform::ErrorEstimate::y_l1));
   });
   table.add_number("error estimate of p(y\u2032), L1", [](const Solution& s) {
-    return l1_cell(optional_member(s.error, &transform::ErrorEstimate::ydot_l1));
+    return l1_cell_text(optional_member(s.error, &transform::ErrorEstimate::ydot_l1));
   });
   table.add_number("sampling error of p(y), L1", [](const Solution& s) {
-    return l1_cell(s.sampling ? s.sampling->y : std::nullopt);
+    return l1_cell_text(s.sampling ? s.sampling->y : std::nullopt);
   });
   table.add_number("sampling error of p(y\u2032), L1", [](const Solution& s) {
-    return l1_cell(s.sampling ? s.sampling->ydot : std::nullopt);
+    return l1_cell_text(s.sampling ? s.sampling->ydot : std::nullopt);
   });
   table.add_number("sampling error of p(y), smooth bins", [](const Solution& s) {
-    return l1_cell(s.smooth_sampling ? s.smooth_sampling->y : std::nullopt);
+    return l1_cell_text(s.smooth_sampling ? s.smooth_sampling->y : std::nullopt);
   });
   table.add_number("sampling error of p(y\u2032), smooth bins", [](const Solution& s) {
-    return l1_cell(s.smooth_sampling ? s.smooth_sampling->ydot : std::nullopt);
+    return l1_cell_text(s.smooth_sampling ? s.smooth_sampling->ydot : std::nullopt);
   });
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(

@@ -6,14 +6,14 @@ namespace fpkcheck::report {
 
 using transform::GridDensity;
 
-CellWindow window_above(const GridDensity& density, double part) {
+CellWindow cells_above_fraction(const GridDensity& density, double part) {
   const double peak = *std::ranges::max_element(density.averages);
   if (!(peak > 0)) return {density.ny(), 0, density.nv()};
   CellWindow window{1, density.nv() - 1, 1};
   if (density.y_edges.front() != 0) window.y_begin = density.ny() - 1;
   for (std::size_t i = 0; i < density.ny(); ++i) {
     for (std::size_t j = 0; j < density.nv(); ++j) {
-      if (density.average(i, j) <= part * peak) continue;
+      if (density.cell_average(i, j) <= part * peak) continue;
       window.y_begin = std::min(window.y_begin, i);
       window.y_end = std::max(window.y_end, i + 1);
       window.v_begin = std::min(window.v_begin, j);
@@ -28,7 +28,7 @@ std::vector<double> rows_of_constant_velocity(const GridDensity& density,
   std::vector<double> values;
   for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
     for (std::size_t i = window.y_begin; i < window.y_end; ++i)
-      values.push_back(density.average(i, j));
+      values.push_back(density.cell_average(i, j));
   }
   return values;
 }

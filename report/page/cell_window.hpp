@@ -17,7 +17,7 @@ struct CellWindow {
 };
 /// The window of the cells with a density above a fraction of the peak. The window includes y = 0
 /// if the cells begin at y = 0. Without a positive peak the window has all cells.
-CellWindow window_above(const transform::GridDensity& density, double part);
+CellWindow cells_above_fraction(const transform::GridDensity& density, double part);
 
 /// The cell averages in a window as rows of constant y', shape (nv, ny), the order that heat maps
 /// require.

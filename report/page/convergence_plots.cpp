@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/reference.hpp"
-#include "report/convergence.hpp"
+#include "report/convergence_over_order.hpp"
 #include "report/families.hpp"
 #include "report/page/log_range.hpp"
 
@@ -20,7 +20,7 @@ using transform::Variable;
 // The properties that the plotly.js traces of order plots and cost plots share. Solutions that are
 // not ok have open marks.
 template <class L1>
-Json base_trace(const Family& family, const L1& l1, LogRange& range) {
+Json base_trace(const SolutionFamily& family, const L1& l1, LogAxisRange& range) {
   Json l1s = Json::array(), names = Json::array(), symbols = Json::array(), colours = Json::array();
   for (const Solution* solution : family.solutions) {
     l1s.push_back(l1(*solution));
@@ -37,7 +37,7 @@ Json base_trace(const Family& family, const L1& l1, LogRange& range) {
           {"marker", {{"color", colours}, {"symbol", symbols}, {"size", 9}}}};
 }
 
-Json log_axis(const std::string& title, const LogRange& range) {
+Json log_axis(const std::string& title, const LogAxisRange& range) {
   // The axis range leaves space for marks and names at both ends.
   return {{"type", "log"},
           {"range", range.exponents(0.3, 0.4)},
@@ -48,7 +48,7 @@ Json log_axis(const std::string& title, const LogRange& range) {
 }
 
 std::string figure(const Json& data, const Json& x_axis, Variable variable,
-                   const Solution& reference, const LogRange& l1s) {
+                   const Solution& reference, const LogAxisRange& l1s) {
   const std::string y_title =
       fmt::format("L1 distance of {} to {}", density_text(variable), plotly_text(reference.id()));
   const Json json{
@@ -90,9 +90,9 @@ Json external_density_trace(const Solution& external_density, double l1, double 
   return trace;
 }
 
-std::string order_figure(const Convergence& distances) {
+std::string order_figure(const ConvergenceOverOrder& distances) {
   Json data = Json::array();
-  LogRange l1s;
+  LogAxisRange l1s;
   const auto l1_of = [&](const Solution& solution) { return distances.l1(solution); };
   for (const auto& family : distances.families) {
     Json trace = base_trace(family, l1_of, l1s), orders = Json::array();
@@ -104,7 +104,7 @@ std::string order_figure(const Convergence& distances) {
     trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
     data.push_back(trace);
   }
-  const auto [first, last] = distances.orders();
+  const auto [first, last] = distances.order_range();
   const double from = first - 0.5, to = last + 0.5;
   for (const Solution* external_density : distances.external_densities) {
     const double l1 = distances.l1(*external_density);
@@ -130,10 +130,11 @@ const char* text_position(std::size_t place_of_family, std::size_t place_in_it) 
   return kSides[(place_of_family + place_in_it) % kSides.size()];
 }
 
-std::string cost_figure(const std::vector<Family>& compared, const results::Case& case_result,
-                        const Solution& reference, Variable variable) {
+std::string cost_figure(const std::vector<SolutionFamily>& compared,
+                        const results::CaseResult& case_result, const Solution& reference,
+                        Variable variable) {
   Json data = Json::array();
-  LogRange times, l1s;
+  LogAxisRange times, l1s;
   const auto l1_of = [&](const Solution& solution) {
     return case_result.l1(solution.id(), reference.id(), variable).value_or(0);
   };
@@ -161,10 +162,10 @@ std::string cost_figure(const std::vector<Family>& compared, const results::Case
 
 }  // namespace
 
-std::vector<Plot> order_plots(const results::Case& case_result, const std::string& prefix) {
+std::vector<Plot> order_plots(const results::CaseResult& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const Variable variable : transform::kVariables) {
-    const auto distances = convergence(case_result, variable);
+    const auto distances = convergence_over_order(case_result, variable);
     if (!distances) continue;
     plots.push_back({fmt::format("{}-order-{}", prefix, name(variable)),
                      fmt::format("Convergence of the closures in {}; open marks: not ok",
@@ -174,9 +175,9 @@ std::vector<Plot> order_plots(const results::Case& case_result, const std::strin
   return plots;
 }
 
-std::vector<Plot> cost_plots(const results::Case& case_result, const std::string& prefix) {
+std::vector<Plot> cost_plots(const results::CaseResult& case_result, const std::string& prefix) {
   std::vector<Plot> plots;
-  const Solution* reference = compare::reference(case_result.solutions);
+  const Solution* reference = compare::select_reference(case_result.solutions);
   if (reference == nullptr) return plots;
   for (const Variable variable : transform::kVariables) {
     std::vector<const Solution*> compared;
@@ -188,7 +189,7 @@ std::vector<Plot> cost_plots(const results::Case& case_result, const std::string
     plots.push_back(
         {fmt::format("{}-cost-{}", prefix, name(variable)),
          fmt::format("L1 distance in {} against computing time", density_text(variable)),
-         cost_figure(families(compared), case_result, *reference, variable)});
+         cost_figure(group_by_family(compared), case_result, *reference, variable)});
   }
   return plots;
 }

@@ -13,10 +13,10 @@ namespace fpkcheck::report {
 /// as a horizontal line if the density has no order. The list of plots is empty unless a family of
 /// closures has two orders with known distances.
 /// @param prefix prefix of the ids of the plots
-std::vector<Plot> order_plots(const results::Case& case_result, const std::string& prefix);
+std::vector<Plot> order_plots(const results::CaseResult& case_result, const std::string& prefix);
 
 /// For each marginal density a plot of the L1 distance to the reference against the computing time.
 /// The list of plots is empty if the case has no reference.
-std::vector<Plot> cost_plots(const results::Case& case_result, const std::string& prefix);
+std::vector<Plot> cost_plots(const results::CaseResult& case_result, const std::string& prefix);
 
 }  // namespace fpkcheck::report

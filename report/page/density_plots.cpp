@@ -10,7 +10,7 @@
 #include <set>
 
 #include "report/figure/content.hpp"
-#include "report/page/initially_visible.hpp"
+#include "report/page/initially_visible_solutions.hpp"
 #include "report/page/typed_array.hpp"
 
 namespace fpkcheck::report {
@@ -39,7 +39,7 @@ std::vector<double> at_least(std::vector<double> values, double least) {
 class DensityPlot {
  public:
   /// @param shown ids of the solutions that are initially visible
-  DensityPlot(const results::Case& case_result, const MarginalCurves& marginal,
+  DensityPlot(const results::CaseResult& case_result, const MarginalCurves& marginal,
               const FigureContent& content, const std::set<std::string>& shown)
       : case_result_(case_result),
         marginal_(marginal),
@@ -72,7 +72,7 @@ class DensityPlot {
     add_curve(drawn, kLinear, "p");
     add_curve(drawn, kLogarithmic, "p");
     if (drawn.difference.empty()) return;
-    const Difference& difference = drawn.difference;
+    const CurveDifference& difference = drawn.difference;
     if (difference_abscissa_name(drawn) == solution + " difference x") {
       store_array(solution + " difference x", difference.abscissa);
     }
@@ -158,7 +158,7 @@ class DensityPlot {
   }
 
   Json layout() const {
-    const FigureRanges& r = marginal_.ranges;
+    const MarginalAxisRanges& r = marginal_.ranges;
     const std::string p = density_text(marginal_.variable);
     const bool with_difference = !reference_.empty();
     const double gap = 0.07;
@@ -171,23 +171,23 @@ class DensityPlot {
     const auto x_axis = [&](Row row, double from, double to) {
       return Json{{"anchor", axis('y', row)}, {"range", {from, to}}, {"title", {{"text", ""}}}};
     };
-    Json json{
-        {"xaxis", x_axis(kLinear, r.linear_from, r.linear_to)},
-        {"yaxis",
-         {{"domain", domain(kLinear)},
-          {"anchor", "x"},
-          {"range", {0, 1.08 * r.linear_top}},
-          {"title", {{"text", p}}}}},
-        {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
-        {"yaxis2",
-         {{"domain", domain(kLogarithmic)},
-          {"anchor", "x2"},
-          {"type", "log"},
-          {"dtick", 1},
-          {"exponentformat", "power"},
-          {"range",
-           {std::log10(logarithmic_bottom(r, kSmallestShown)), std::log10(logarithmic_top(r))}},
-          {"title", {{"text", p + ", logarithmic"}}}}}};
+    Json json{{"xaxis", x_axis(kLinear, r.linear_from, r.linear_to)},
+              {"yaxis",
+               {{"domain", domain(kLinear)},
+                {"anchor", "x"},
+                {"range", {0, 1.08 * r.linear_top}},
+                {"title", {{"text", p}}}}},
+              {"xaxis2", x_axis(kLogarithmic, r.logarithmic_from, r.logarithmic_to)},
+              {"yaxis2",
+               {{"domain", domain(kLogarithmic)},
+                {"anchor", "x2"},
+                {"type", "log"},
+                {"dtick", 1},
+                {"exponentformat", "power"},
+                {"range",
+                 {std::log10(logarithmic_axis_bottom(r, kSmallestShown)),
+                  std::log10(logarithmic_axis_top(r))}},
+                {"title", {{"text", p + ", logarithmic"}}}}}};
     if (const std::string beyond = spike_note(r); !beyond.empty()) {
       json["annotations"] = Json::array({{{"xref", "x"},
                                           {"yref", "y domain"},
@@ -205,7 +205,7 @@ class DensityPlot {
                         {"exponentformat", "power"},
                         {"title", {{"text", p + " \u2212 " + plotly_text(reference_)}}}};
       if (smooth_) {
-        const auto [from, to] = difference_decades(visible_ranges());
+        const auto [from, to] = difference_axis_decades(visible_ranges());
         json["yaxis3"]["type"] = "log";
         json["yaxis3"]["dtick"] = 1;
         json["yaxis3"]["range"] = {std::log10(from), std::log10(to)};
@@ -217,15 +217,15 @@ class DensityPlot {
   }
 
   // The axis range of the differences, which ignores initially hidden curves.
-  FigureRanges visible_ranges() const {
+  MarginalAxisRanges visible_ranges() const {
     std::vector<DrawnCurve> curves;
     std::ranges::copy_if(
         marginal_.curves, std::back_inserter(curves),
         [&](const DrawnCurve& drawn) { return shown_.contains(drawn.curve->solution); });
-    return curves.empty() ? marginal_.ranges : difference_ranges(curves, smooth_);
+    return curves.empty() ? marginal_.ranges : difference_axis_ranges(curves, smooth_);
   }
 
-  const results::Case& case_result_;
+  const results::CaseResult& case_result_;
   const MarginalCurves& marginal_;
   const std::string& reference_;  // id, or "" without reference
   bool smooth_;                   // differences between averages over smooth bins
@@ -235,8 +235,9 @@ class DensityPlot {
 
 }  // namespace
 
-std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,
-                                const std::set<std::string>& shown, const std::string& prefix) {
+std::vector<Plot> density_plots(const results::CaseResult& case_result,
+                                const FigureContent& content, const std::set<std::string>& shown,
+                                const std::string& prefix) {
   std::vector<Plot> plots;
   for (const auto& marginal : content.marginals) {
     std::string caption(base::meaning_of(marginal.variable));
@@ -256,9 +257,9 @@ std::vector<Plot> density_plots(const results::Case& case_result, const FigureCo
   return plots;
 }
 
-std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix) {
-  return density_plots(case_result, figure_content(case_result), initially_visible(case_result),
-                       prefix);
+std::vector<Plot> density_plots(const results::CaseResult& case_result, const std::string& prefix) {
+  return density_plots(case_result, figure_content(case_result),
+                       initially_visible_solutions(case_result), prefix);
 }
 
 }  // namespace fpkcheck::report

@@ -14,12 +14,13 @@ namespace fpkcheck::report {
 /// logarithmic axis, and the difference from the reference. The simulation is shown as points
 /// within a band of 95 % confidence intervals.
 /// @param prefix prefix of the ids of the plots
-std::vector<Plot> density_plots(const results::Case& case_result, const std::string& prefix);
+std::vector<Plot> density_plots(const results::CaseResult& case_result, const std::string& prefix);
 
 /// The density plots of a case for given curves.
 /// @param content the curves of the case
 /// @param shown   ids of the initially visible solutions
-std::vector<Plot> density_plots(const results::Case& case_result, const FigureContent& content,
-                                const std::set<std::string>& shown, const std::string& prefix);
+std::vector<Plot> density_plots(const results::CaseResult& case_result,
+                                const FigureContent& content, const std::set<std::string>& shown,
+                                const std::string& prefix);
 
 }  // namespace fpkcheck::report

@@ -29,10 +29,10 @@ class DistancePlot {
       }
     }
     for (const auto& case_result : run.cases) {
-      if (const Solution* reference = compare::reference(case_result.solutions)) {
+      if (const Solution* reference = compare::select_reference(case_result.solutions)) {
         const double error =
-            std::max(compare::error_estimate(*reference, transform::Variable::y),
-                     compare::error_estimate(*reference, transform::Variable::ydot));
+            std::max(compare::l1_error_estimate(*reference, transform::Variable::y),
+                     compare::l1_error_estimate(*reference, transform::Variable::ydot));
         if (std::isfinite(error)) reference_error_ = std::max(reference_error_, error);
       }
     }

@@ -16,7 +16,7 @@ namespace fpkcheck::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using results::Case;
+using results::CaseResult;
 using transform::Moments;
 
 // Number of levels of a map's values, which limits the resolution of the colours and of the value
@@ -33,7 +33,7 @@ constexpr MappedMoment kMappedMoments[] = {{"y2", "E[y\u00b2]", &Moments::y2},
 
 // The ids of the solutions: first the closures that are ok, the closest closure first, then all
 // other solutions.
-std::vector<std::string> solutions_by_accuracy(const Case& one) {
+std::vector<std::string> solutions_by_accuracy(const CaseResult& one) {
   std::vector<std::string> ids;
   for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
     ids.push_back(rank.solution->id());
@@ -44,7 +44,8 @@ std::vector<std::string> solutions_by_accuracy(const Case& one) {
   return ids;
 }
 
-ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const CellWindow& window) {
+ErrorMaps::OfSolution maps_of(const CaseResult& one, const std::string& id,
+                              const CellWindow& window) {
   ErrorMaps::OfSolution maps{id, {}};
   const auto* own = one.moment_error_estimate(id);
   if (own == nullptr) return maps;
@@ -60,7 +61,7 @@ ErrorMaps::OfSolution maps_of(const Case& one, const std::string& id, const Cell
 
 }  // namespace
 
-std::optional<ErrorMaps> error_maps(const Case& one) {
+std::optional<ErrorMaps> error_maps(const CaseResult& one) {
   if (one.error_sources.empty()) return std::nullopt;
   const auto& cells = one.error_sources.front().density;
   const bool same = std::ranges::all_of(one.error_sources, [&](const auto& source) {
@@ -68,7 +69,7 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
   });
   // The maps use the window of the reference, or the window of the first joint density if there is
   // no reference: nearly all densities have the same window.
-  const auto* measure = compare::reference(one.solutions);
+  const auto* measure = compare::select_reference(one.solutions);
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();
   });
@@ -76,7 +77,7 @@ std::optional<ErrorMaps> error_maps(const Case& one) {
       joint->density.v_edges != cells.v_edges) {
     return std::nullopt;
   }
-  const CellWindow window = window_above(joint->density, kLogarithmicFraction);
+  const CellWindow window = cells_above_fraction(joint->density, kLogarithmicFraction);
   ErrorMaps maps{{cells.y_edges.begin() + std::ptrdiff_t(window.y_begin),
                   cells.y_edges.begin() + std::ptrdiff_t(window.y_end) + 1},
                  {cells.v_edges.begin() + std::ptrdiff_t(window.v_begin),

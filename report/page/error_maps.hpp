@@ -32,7 +32,7 @@ struct ErrorMaps {
 /// The error maps of a case.
 /// @return nothing if the case has no error sources, or if their cells are not the cells of the
 ///         joint densities
-std::optional<ErrorMaps> error_maps(const results::Case& one);
+std::optional<ErrorMaps> error_maps(const results::CaseResult& one);
 
 /// The HTML elements of the heat maps of error sources, with a control; page.js draws the maps.
 std::string error_maps_html(const ErrorMaps& maps, const std::string& prefix);

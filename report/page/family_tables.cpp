@@ -21,7 +21,7 @@ constexpr int kDigits = 4;
 
 bool is_repeated_option(const Metric& observation, const Solution& solution) {
   return std::ranges::find(solution.options,
-                           base::NamedValue{observation.path, observation.value}) !=
+                           base::NamedParameterValue{observation.path, observation.value}) !=
          solution.options.end();
 }
 
@@ -35,9 +35,9 @@ std::string_view group_of(const std::string& path) {
 // The paths of the metrics that have a value and repeat no option, in the order of the first
 // solution with the metric. Grouped metrics follow, sorted by the name of the group, since a file
 // keeps the order only within a group.
-std::vector<std::string> metric_paths(const Family& family) {
+std::vector<std::string> metric_paths(const SolutionFamily& family) {
   std::vector<std::string> paths;
-  std::set<std::string> told;
+  std::set<std::string> metric_value_text;
   for (const Solution* solution : family.solutions) {
     auto at = paths.begin();
     for (const auto& observation : solution->metrics) {
@@ -45,11 +45,11 @@ std::vector<std::string> metric_paths(const Family& family) {
       const auto known = std::ranges::find(paths, observation.path);
       at = (known != paths.end() ? known : paths.insert(at, observation.path)) + 1;
       if (!base::is_unset(observation.value) && !is_repeated_option(observation, *solution)) {
-        told.insert(observation.path);
+        metric_value_text.insert(observation.path);
       }
     }
   }
-  std::erase_if(paths, [&](const auto& path) { return !told.contains(path); });
+  std::erase_if(paths, [&](const auto& path) { return !metric_value_text.contains(path); });
   std::ranges::stable_sort(paths, {}, group_of);
   return paths;
 }
@@ -68,24 +68,24 @@ std::string path_text(const std::string& path) {
 // The text of a metric's value. In a confined closure Q_n may rise although the whole exponent
 // decreases, because of the fixed confinement term. The radius alone would then wrongly appear to
 // be the reason for status inadmissible, so that the text adds an explanation.
-std::string told(const Solution& solution, const std::string& path) {
-  const Metric* found = find(solution.metrics, path);
+std::string metric_value_text(const Solution& solution, const std::string& path) {
+  const Metric* found = find_metric(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);
-  const bool is_confined = transform::word(solution.metrics, "tail.kind") == "confined";
+  const bool is_confined = transform::metric_text(solution.metrics, "tail.kind") == "confined";
   if (path == "support.rises_from" && is_confined && text != kNoValue) {
     text = fmt::format("confined (Q_n rises from {})", text);
   }
   return text;
 }
 
-std::string family_table(const Family& family) {
+std::string family_table(const SolutionFamily& family) {
   const auto paths = metric_paths(family);
   std::vector<HtmlColumn> table{{"quantity", Align::left}};
   for (const auto& path : paths) table.front().cells.push_back(path_text(path));
   for (const Solution* solution : family.solutions) {
     table.push_back({transform::short_name(solution->identity)});
     for (const auto& path : paths) {
-      table.back().cells.push_back(told(*solution, path));
+      table.back().cells.push_back(metric_value_text(*solution, path));
     }
   }
   return table_html(fmt::format("Metrics of {}", family.name), std::move(table));
@@ -93,9 +93,9 @@ std::string family_table(const Family& family) {
 
 }  // namespace
 
-std::string family_tables(const results::Case& case_result) {
+std::string family_tables(const results::CaseResult& case_result) {
   std::string html;
-  for (const auto& family : families(case_result.solutions)) html += family_table(family);
+  for (const auto& family : group_by_family(case_result.solutions)) html += family_table(family);
   return html.empty() ? "" : "<div class=\"families\">\n" + html + "</div>\n";
 }
 

@@ -10,6 +10,6 @@ namespace fpkcheck::report {
 /// row for each metric; grouped metrics ("support.edge_density") are below all other metrics. The
 /// tables omit lists (coefficients, quantiles), metrics without a value in the family, and metrics
 /// that repeat an option.
-std::string family_tables(const results::Case& case_result);
+std::string family_tables(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

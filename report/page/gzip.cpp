@@ -29,7 +29,7 @@ std::string gzip_base64(std::string_view text) {
   bytes.resize(stream.total_out);
   deflateEnd(&stream);
   if (result != Z_STREAM_END) throw std::bad_alloc();
-  return base64(bytes);
+  return encode_base64(bytes);
 }
 
 }  // namespace fpkcheck::report

@@ -54,7 +54,7 @@ std::string escape_html(std::string_view text) {
   return html;
 }
 
-std::string element(std::string_view tag, std::string_view text) {
+std::string html_element(std::string_view tag, std::string_view text) {
   return fmt::format("<{0}>{1}</{0}>\n", tag, escape_html(text));
 }
 

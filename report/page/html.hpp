@@ -10,7 +10,7 @@ namespace fpkcheck::report {
 std::string escape_html(std::string_view text);
 
 /// The HTML element <tag>text</tag>, with the text escaped.
-std::string element(std::string_view tag, std::string_view text);
+std::string html_element(std::string_view tag, std::string_view text);
 
 /// A closed <details> element with the given content; empty if the content is empty.
 /// @param id id of the element, for links

@@ -31,7 +31,7 @@ double l1_distance(const GridDensity& a, const GridDensity& b) {
   for (std::size_t i = 0; i < a.ny(); ++i) {
     for (std::size_t j = 0; j < a.nv(); ++j) {
       const double area = (a.y_edges[i + 1] - a.y_edges[i]) * (a.v_edges[j + 1] - a.v_edges[j]);
-      sum += area * std::abs(a.average(i, j) - b.average(i, j));
+      sum += area * std::abs(a.cell_average(i, j) - b.cell_average(i, j));
     }
   }
   return sum;
@@ -46,14 +46,14 @@ JointDifference difference(const JointDensity& joint, const JointDensity& refere
           signed_roots(values, kLevels)};
 }
 
-const JointDensity* find(const results::Case& one, const std::string& solution) {
+const JointDensity* find(const results::CaseResult& one, const std::string& solution) {
   const auto found = std::ranges::find(one.joints, solution, &JointDensity::solution);
   return found == one.joints.end() ? nullptr : &*found;
 }
 
 // The ids of the closures that are ok, the closest closure first, then of the other solutions that
 // are ok.
-std::vector<std::string> compared_solutions(const results::Case& one,
+std::vector<std::string> compared_solutions(const results::CaseResult& one,
                                             const std::string& reference) {
   std::vector<std::string> ids;
   for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
@@ -73,11 +73,11 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
 // The reference of the joint densities: the solution of the full problem with the smallest error
 // estimate. A simulation with control variates has the lowest priority, since control variates
 // reduce the sampling error of smooth bins but not of cells.
-const transform::Solution* joint_reference(const results::Case& one) {
+const transform::Solution* joint_reference(const results::CaseResult& one) {
   const transform::Solution* best = nullptr;
   const auto error = [](const transform::Solution& solution) {
     return solution.smooth_sampling ? std::numeric_limits<double>::infinity()
-                                    : compare::error_estimate(solution);
+                                    : compare::l1_error_estimate(solution);
   };
   for (const auto* solution : references(one)) {
     if (find(one, solution->id()) == nullptr) continue;
@@ -88,13 +88,13 @@ const transform::Solution* joint_reference(const results::Case& one) {
 
 }  // namespace
 
-std::optional<JointMaps> joint_maps(const results::Case& one) {
+std::optional<JointMaps> joint_maps(const results::CaseResult& one) {
   const auto* measure = joint_reference(one);
   const JointDensity* reference = measure != nullptr ? find(one, measure->id()) : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;
-  const CellWindow window = window_above(density, kLogarithmicFraction),
-                   bulk = window_above(density, kLinearFraction);
+  const CellWindow window = cells_above_fraction(density, kLogarithmicFraction),
+                   bulk = cells_above_fraction(density, kLinearFraction);
   JointMaps maps{
       reference->solution,
       {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
@@ -108,7 +108,7 @@ std::optional<JointMaps> joint_maps(const results::Case& one) {
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(difference(*joint, *reference, window));
     // The atoms are points of the phase plane, which the integral over the cells does not include.
-    maps.differences.back().l1 += compare::atom_distance(
+    maps.differences.back().l1 += compare::rest_atom_l1_distance(
         transform::find_solution(one.solutions, id)->atoms, measure->atoms, transform::Variable::y);
   }
   if (maps.differences.empty()) return std::nullopt;
@@ -119,7 +119,7 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& one : maps.differences) {
     options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>", escape_html(one.solution),
-                           l1_cell(one.l1));
+                           l1_cell_text(one.l1));
   }
   const std::string reference = escape_html(maps.reference);
   const std::string first = escape_html(maps.differences.front().solution);

@@ -30,7 +30,7 @@ struct JointMaps {
 
 /// The maps of the joint densities of a case.
 /// @return nothing if the case has no reference, or no other solution with status ok
-std::optional<JointMaps> joint_maps(const results::Case& one);
+std::optional<JointMaps> joint_maps(const results::CaseResult& one);
 
 /// The HTML elements of the heat maps of joint densities, with controls; page.js draws the maps.
 std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);

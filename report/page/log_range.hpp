@@ -9,7 +9,7 @@ namespace fpkcheck::report {
 
 /// The range of a logarithmic axis that contains all values passed to include(), with a margin at
 /// both ends. Values without a finite logarithm are ignored.
-class LogRange {
+class LogAxisRange {
  public:
   void include(double value) {
     if (!(value > 0) || !std::isfinite(value)) return;
@@ -18,9 +18,9 @@ class LogRange {
   }
 
   /// The ends of the axis as exponents of ten; the margins are in decades.
-  std::array<double, 2> exponents(double room_below, double room_above) const {
+  std::array<double, 2> exponents(double margin_below, double margin_above) const {
     if (most_ < least_) return {-1, 1};
-    return {std::log10(least_) - room_below, std::log10(most_) + room_above};
+    return {std::log10(least_) - margin_below, std::log10(most_) + margin_above};
   }
 
  private:

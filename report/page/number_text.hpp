@@ -18,7 +18,7 @@ std::string number_text(const std::optional<double>& value, int digits);
 std::string value_text(const base::Value& value, int digits = 6);
 
 /// The text of an L1 distance in a table cell: 0.0044, 6.0e-6.
-std::string l1_cell(const std::optional<double>& l1);
+std::string l1_cell_text(const std::optional<double>& l1);
 
 /// The text of a time in seconds: 0.0042, 0.21, 16.9, 130.
 std::string seconds_text(const std::optional<double>& seconds);

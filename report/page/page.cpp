@@ -27,7 +27,7 @@ namespace {
 std::string list_html(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return "";
   std::string html = "<ul>\n";
-  for (const auto& sentence : sentences) html += element("li", sentence);
+  for (const auto& sentence : sentences) html += html_element("li", sentence);
   return html + "</ul>\n";
 }
 
@@ -37,14 +37,14 @@ constexpr const char* kSimulationHint =
 constexpr const char* kLegendHint =
     "<p class=\"on-screen\">A click on a name in a legend hides or shows the solution in all plots "
     "of this case; a double click hides all other solutions.</p>\n";
-bool has_simulation(const results::Case& case_result) {
+bool has_simulation(const results::CaseResult& case_result) {
   return std::ranges::any_of(case_result.solutions, [](const transform::Solution& solution) {
-    return solution.identity.role == transform::Role::simulation && solution.is_ok();
+    return solution.identity.role == transform::SolutionRole::simulation && solution.is_ok();
   });
 }
 
 /// A subsection in the section of a case, with a link in the menu.
-struct Part {
+struct CaseSubsection {
   std::string anchor, name;
 };
 
@@ -52,7 +52,8 @@ struct Part {
 /// all other subsections are in closed <details> elements.
 class CaseSection {
  public:
-  CaseSection(const results::Run& run, const results::Case& case_result, const std::string& id)
+  CaseSection(const results::Run& run, const results::CaseResult& case_result,
+              const std::string& id)
       : id_(id) {
     const std::string reference = compare::reference_text(case_result.solutions);
     const std::string parameters = run.cases.size() > 1
@@ -64,7 +65,7 @@ class CaseSection {
     add_plots("densities", "Densities and differences", hint + kLegendHint,
               density_plots(case_result, id));
     begin("results", "Results");
-    html_ += element("p", reference) + results_table(case_result) + reasons_html(case_result);
+    html_ += html_element("p", reference) + results_table(case_result) + reasons_html(case_result);
     auto sentences = findings(case_result);
     std::erase(sentences, reference);  // already above the table
     if (!case_result.limits.empty()) sentences.push_back(case_result.limits);
@@ -92,7 +93,7 @@ class CaseSection {
   }
 
   const std::string& html() const { return html_; }
-  const std::vector<Part>& parts() const { return parts_; }
+  const std::vector<CaseSubsection>& parts() const { return parts_; }
 
   /// The plots and maps of the section in JSON, the input of page.js.
   std::string plots() const {
@@ -119,7 +120,7 @@ class CaseSection {
   }
 
   std::string id_, html_;
-  std::vector<Part> parts_;
+  std::vector<CaseSubsection> parts_;
   std::vector<Plot> plots_;
   std::string maps_ = "null", errors_ = "null";
 };
@@ -132,7 +133,7 @@ std::string link(std::string_view anchor, std::string_view text) {
 
 std::string section_html(const PageSection& section) {
   return fmt::format("<section id=\"{}\">\n", escape_html(section.anchor)) +
-         element("h2", section.heading) + section.html + "</section>\n";
+         html_element("h2", section.heading) + section.html + "</section>\n";
 }
 
 // Links to the sections of the page. A few cases have direct links; a menu has all cases with their
@@ -161,7 +162,8 @@ std::string navigation(const results::Run& run, const std::vector<CaseSection>& 
 }
 
 std::string timings_section(const results::Run& run) {
-  return "<section id=\"repeat\">\n" + element("h2", "Timings and command") + timings_table(run) +
+  return "<section id=\"repeat\">\n" + html_element("h2", "Timings and command") +
+         timings_table(run) +
          fmt::format(
              "<p>Command of this run, by {} {}:</p>\n<pre><code>{}</code></pre>\n</section>\n",
              escape_html(run.program.name), escape_html(run.program.version),
@@ -201,17 +203,18 @@ std::string page(const results::Run& run, const Supplement& supplement) {
       plots += fmt::format(R"({}{{"plots":{}}})", plots.empty() ? "" : ",", plots_json(group));
     }
   }
-  const bool with_walls = std::ranges::any_of(run.cases, [](const results::Case& case_result) {
-    return case_result.problem.system.left() || case_result.problem.system.right();
-  });
+  const bool with_walls =
+      std::ranges::any_of(run.cases, [](const results::CaseResult& case_result) {
+        return case_result.problem.system.left_wall() || case_result.problem.system.right_wall();
+      });
   const std::string title = std::string("fpkcheck: stationary densities of ") +
                             (with_walls ? "a vibro-impact oscillator" : "an oscillator");
   const std::string body =
-      navigation(run, sections, supplement.sections) + "<main>\n" + element("h1", title) +
-      (run.stopped.empty() ? "" : "<p>" + element("strong", run.stopped) + "</p>\n") +
-      (supplement.summary.empty() ? "" : answer_html(supplement.summary.front())) +
+      navigation(run, sections, supplement.sections) + "<main>\n" + html_element("h1", title) +
+      (run.stopped.empty() ? "" : "<p>" + html_element("strong", run.stopped) + "</p>\n") +
+      (supplement.summary.empty() ? "" : verdict_paragraph_html(supplement.summary.front())) +
       verdict_html(run, anchors) + others + "<section id=\"problem\">\n" +
-      element("h2", "The problem") + problem_html(run) +
+      html_element("h2", "The problem") + problem_html(run) +
       details_html("names", "Glossary", glossary_html(run)) + "</section>\n" + cases +
       timings_section(run) + "</main>\n";
   // plotly.js is constant, and is therefore compressed only once per process.

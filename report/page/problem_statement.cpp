@@ -29,22 +29,22 @@ constexpr const char* kUnknownText =
     "The unknown is the\nstationary probability density p(y, y′) of displacement and velocity, "
     "with the marginal densities p(y) and p(y′). All quantities are\nnon-dimensional.";
 
-struct Term {
+struct EquationTerm {
   double SystemCoefficients::*coefficient;
   const char* symbol;
 };
-constexpr Term kDamping[] = {{&SystemCoefficients::damping, "c"},
-                             {&SystemCoefficients::van_der_pol, "c<sub>yy</sub> y²"},
-                             {&SystemCoefficients::rayleigh, "c<sub>vv</sub> y′²"}};
-constexpr Term kForce[] = {{&SystemCoefficients::constant, "g₀"},
-                           {&SystemCoefficients::stiffness, "k y"},
-                           {&SystemCoefficients::quadratic, "k₂ y²"},
-                           {&SystemCoefficients::cubic, "μ y³"},
-                           {&SystemCoefficients::quintic, "k₅ y⁵"}};
+constexpr EquationTerm kDamping[] = {{&SystemCoefficients::damping, "c"},
+                                     {&SystemCoefficients::van_der_pol, "c<sub>yy</sub> y²"},
+                                     {&SystemCoefficients::rayleigh, "c<sub>vv</sub> y′²"}};
+constexpr EquationTerm kForce[] = {{&SystemCoefficients::constant, "g₀"},
+                                   {&SystemCoefficients::stiffness, "k y"},
+                                   {&SystemCoefficients::quadratic, "k₂ y²"},
+                                   {&SystemCoefficients::cubic, "μ y³"},
+                                   {&SystemCoefficients::quintic, "k₅ y⁵"}};
 
-class Statement {
+class ProblemStatement {
  public:
-  explicit Statement(std::span<const Problem* const> problems) : problems_(problems) {}
+  explicit ProblemStatement(std::span<const Problem* const> problems) : problems_(problems) {}
 
   std::string html() const {
     const bool impulses = any([](const Problem& p) { return p.impulses.is_present(); });
@@ -65,9 +65,9 @@ class Statement {
     return std::ranges::any_of(problems_, [&](const Problem* p) { return has(*p); });
   }
   template <std::size_t N>
-  std::vector<std::string> present(const Term (&terms)[N]) const {
+  std::vector<std::string> present(const EquationTerm (&terms)[N]) const {
     std::vector<std::string> symbols;
-    for (const Term& term : terms) {
+    for (const EquationTerm& term : terms) {
       if (any([&](const Problem& p) { return p.system.coefficients().*term.coefficient != 0; })) {
         symbols.emplace_back(term.symbol);
       }
@@ -86,10 +86,10 @@ class Statement {
     return text;
   }
   bool left() const {
-    return any([](const Problem& p) { return p.system.left().has_value(); });
+    return any([](const Problem& p) { return p.system.left_wall().has_value(); });
   }
   bool right() const {
-    return any([](const Problem& p) { return p.system.right().has_value(); });
+    return any([](const Problem& p) { return p.system.right_wall().has_value(); });
   }
   // A problem without wall parameters has the single wall of the base class, at y = 0 with the
   // restitution coefficient r.
@@ -129,7 +129,7 @@ std::string problem_statement(std::span<const Problem* const> problems) {
       problems, [](const Problem* p) { return problem::is_paper_oscillator(*p); });
   if (is_paper_oscillator_only)
     return fmt::format("{}<p>{}{}</p>\n", kBaseClassStatement, kImpulses, kUnknownText);
-  return Statement(problems).html();
+  return ProblemStatement(problems).html();
 }
 
 }  // namespace fpkcheck::report

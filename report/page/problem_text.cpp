@@ -52,7 +52,7 @@ std::vector<const Solution*> distinct_solutions(const results::Run& run) {
 
 std::string families_html(const std::vector<const Solution*>& solutions) {
   std::string html;
-  for (const auto& [name, members] : families(solutions)) {
+  for (const auto& [name, members] : group_by_family(solutions)) {
     std::vector<std::string> ids;
     for (const Solution* member : members) ids.push_back(member->id());
     html += term(fmt::format("{}", fmt::join(ids, ", ")), members.front()->identity.meaning);
@@ -63,10 +63,10 @@ std::string families_html(const std::vector<const Solution*>& solutions) {
 // The glossary entries for those values of an enum that occur in the column "solves".
 template <class Enum>
 std::string solves_html(const std::vector<const Solution*>& solutions,
-                        std::optional<Enum> transform::Identity::*member, const char* form,
+                        std::optional<Enum> transform::SolutionIdentity::*member, const char* form,
                         const char* what) {
   std::string html;
-  for (const auto& [value, name, meaning] : names(Enum{})) {
+  for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
     const bool there = std::ranges::any_of(
         solutions, [&, value = value](const Solution* s) { return s->identity.*member == value; });
     if (there) {
@@ -87,7 +87,7 @@ std::string statuses_html() {
 
 std::string parts_html() {
   std::string html = "<p id=\"budget-terms\">Parts of an error budget:</p>\n<dl>\n";
-  for (const auto& [link, name, meaning] : compare::kLinkNames) {
+  for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
     html += term(name, fmt::format("{}.", meaning));
   }
   return html + kUncertainty + "</dl>\n";
@@ -104,7 +104,7 @@ std::optional<base::Value> value_in(const Problem& other, const DisplayedParamet
 }
 
 bool varies(const results::Run& run, const DisplayedParameter& parameter) {
-  return std::ranges::any_of(run.cases, [&](const results::Case& case_result) {
+  return std::ranges::any_of(run.cases, [&](const results::CaseResult& case_result) {
     return value_in(case_result.problem, parameter) != parameter.value;
   });
 }
@@ -139,14 +139,14 @@ std::string problem_html(const results::Run& run) {
   for (const auto& case_result : run.cases) problems.push_back(&case_result.problem);
   std::string html = problem_statement(problems);
   if (!same.empty()) {
-    html += element(
+    html += html_element(
         "p", fmt::format("{}: {}.", run.cases.size() > 1 ? "Parameters of all cases" : "Parameters",
                          fmt::join(same, "; ")));
   }
   return html + table_html("Parameters that differ between cases", std::move(columns));
 }
 
-std::string varying_parameters(const results::Run& run, const results::Case& case_result) {
+std::string varying_parameters(const results::Run& run, const results::CaseResult& case_result) {
   std::vector<std::string> parts;
   for (const auto& parameter : problem::displayed_parameters(case_result.problem)) {
     if (!varies(run, parameter)) continue;
@@ -157,11 +157,11 @@ std::string varying_parameters(const results::Run& run, const results::Case& cas
 }
 
 std::string glossary_html(const results::Run& run) {
-  using transform::Identity;
+  using transform::SolutionIdentity;
   const auto solutions = distinct_solutions(run);
   std::string html = "<dl>\n" + families_html(solutions);
-  html += solves_html(solutions, &Identity::equation, "solves {}/\u2026", "Excitation");
-  html += solves_html(solutions, &Identity::impact, "solves \u2026/{}", "Impact");
+  html += solves_html(solutions, &SolutionIdentity::equation, "solves {}/\u2026", "Excitation");
+  html += solves_html(solutions, &SolutionIdentity::impact, "solves \u2026/{}", "Impact");
   const auto given = std::ranges::find_if(
       solutions, [](const Solution* s) { return !s->identity.equation || !s->identity.impact; });
   if (given != solutions.end()) {

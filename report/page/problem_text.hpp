@@ -13,7 +13,7 @@ std::string problem_html(const results::Run& run);
 
 /// The text of those parameters of a case that differ between the cases of the run: "μ = 1, λE[Y²]
 /// = 0.1".
-std::string varying_parameters(const results::Run& run, const results::Case& case_result);
+std::string varying_parameters(const results::Run& run, const results::CaseResult& case_result);
 
 /// The glossary of the names in this run: names of solutions, equations, impact conditions, columns
 /// and statuses.

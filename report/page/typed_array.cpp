@@ -11,7 +11,7 @@ static_assert(std::endian::native == std::endian::little, "plotly.js reads littl
 
 TypedArray float_array(std::span<const double> values) {
   const std::vector<float> rounded(values.begin(), values.end());
-  return {"f4", base64(std::as_bytes(std::span(rounded)))};
+  return {"f4", encode_base64(std::as_bytes(std::span(rounded)))};
 }
 
 }  // namespace fpkcheck::report

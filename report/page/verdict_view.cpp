@@ -119,20 +119,20 @@ std::string lines_html(const std::vector<VerdictLine>& lines) {
 
 }  // namespace
 
-std::string answer_html(const std::string& sentence) {
+std::string verdict_paragraph_html(const std::string& sentence) {
   return fmt::format("<p class=\"answer\">{}</p>\n", escape_html(sentence));
 }
 
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors) {
-  const Verdict run_verdict = verdict(run);
+  const Verdict run_verdict = make_verdict(run);
   std::string html = "<section id=\"verdict\">\n";
-  for (const auto& sentence : run_verdict.answer) html += answer_html(sentence);
+  for (const auto& sentence : run_verdict.answer) html += verdict_paragraph_html(sentence);
   html += "<div class=\"front\">\n<div>\n" + matrix_html(run, run_verdict.agreement_rows, anchors) +
           "</div>\n";
   html += distance_plot(run, run_verdict.agreement_rows) + "</div>\n";
-  html += element("h2", "Outcome of each method") + lines_html(run_verdict.lines);
-  html += element("h2", "Recommendation");
-  for (const auto& sentence : run_verdict.recommendation) html += element("p", sentence);
+  html += html_element("h2", "Outcome of each method") + lines_html(run_verdict.lines);
+  html += html_element("h2", "Recommendation");
+  for (const auto& sentence : run_verdict.recommendation) html += html_element("p", sentence);
   return html + "</section>\n";
 }
 

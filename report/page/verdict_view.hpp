@@ -8,7 +8,7 @@
 namespace fpkcheck::report {
 
 /// A paragraph of the verdict's answer in HTML, in the style of the top of the page.
-std::string answer_html(const std::string& sentence);
+std::string verdict_paragraph_html(const std::string& sentence);
 
 /// The first section of the page, the verdict: the answer, the matrix of distances, a picture of
 /// the matrix, the outcome of each method, and the recommendation.

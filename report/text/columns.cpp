@@ -12,7 +12,7 @@
 namespace fpkcheck::report {
 namespace {
 
-std::size_t total_width(const std::vector<Column>& shown_columns, std::size_t gap) {
+std::size_t total_width(const std::vector<TextColumn>& shown_columns, std::size_t gap) {
   std::size_t total = 0;
   for (const auto& column : shown_columns) total += column.width() + gap;
   return total - std::min(total, gap);
@@ -33,7 +33,7 @@ fmt::text_style status_style(const std::string& cell) {
   return fmt::fg(fmt::terminal_color::yellow);
 }
 
-std::string group_line(const std::vector<Column>& all, const std::string& gap) {
+std::string group_line(const std::vector<TextColumn>& all, const std::string& gap) {
   std::string line;
   for (std::size_t c = 0; c < all.size();) {
     std::size_t span = all[c].width(), next = c + 1;
@@ -47,18 +47,18 @@ std::string group_line(const std::vector<Column>& all, const std::string& gap) {
   return without_trailing_spaces(line);
 }
 
-std::string aligned(const Column& column, const std::string& text) {
+std::string aligned(const TextColumn& column, const std::string& text) {
   return column.left_aligned ? fmt::format("{:<{}}", text, column.width())
                              : fmt::format("{:>{}}", text, column.width());
 }
 
-std::string header_line(const std::vector<Column>& all, const std::string& gap) {
+std::string header_line(const std::vector<TextColumn>& all, const std::string& gap) {
   std::string line;
   for (const auto& column : all) line += aligned(column, column.header) + gap;
   return without_trailing_spaces(line);
 }
 
-std::string row(const std::vector<Column>& all, const std::string& gap, std::size_t k,
+std::string row(const std::vector<TextColumn>& all, const std::string& gap, std::size_t k,
                 bool colour) {
   std::string line;
   for (const auto& column : all) {
@@ -75,27 +75,28 @@ std::string bold(const std::string& line) {
 
 }  // namespace
 
-std::size_t Column::width() const {
+std::size_t TextColumn::width() const {
   std::size_t width = header.size();
   for (const auto& cell : cells) width = std::max(width, cell.size());
   return width;
 }
 
-Column status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
+TextColumn status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
-std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format) {
+std::vector<TextColumn> fit_columns(std::vector<TextColumn> columns, const TextFormat& format) {
   while (total_width(columns, 1) > format.width) {
-    const int least = std::ranges::min_element(columns, {}, &Column::importance)->importance;
+    const int least = std::ranges::min_element(columns, {}, &TextColumn::importance)->importance;
     if (least == kAlwaysShown) break;
-    std::erase_if(columns, [&](const Column& column) { return column.importance == least; });
+    std::erase_if(columns, [&](const TextColumn& column) { return column.importance == least; });
   }
   return columns;
 }
 
-std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown) {
+std::string omitted_columns(const std::vector<TextColumn>& all,
+                            const std::vector<TextColumn>& shown) {
   std::vector<std::string> names;
   for (const auto& column : all) {
-    const auto same = [&](const Column& other) {
+    const auto same = [&](const TextColumn& other) {
       return other.group == column.group && other.header == column.header;
     };
     const std::string& name = column.group.empty() ? column.header : column.group;
@@ -105,12 +106,12 @@ std::string omitted_columns(const std::vector<Column>& all, const std::vector<Co
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string rows(std::vector<Column> columns, const TextFormat& format) {
+std::string table_rows_text(std::vector<TextColumn> columns, const TextFormat& format) {
   columns = fit_columns(std::move(columns), format);
   if (columns.empty()) return "";
   const std::string gap(total_width(columns, 2) <= format.width ? 2 : 1, ' ');
   std::string head;
-  if (std::ranges::any_of(columns, [](const Column& c) { return !c.group.empty(); })) {
+  if (std::ranges::any_of(columns, [](const TextColumn& c) { return !c.group.empty(); })) {
     head = group_line(columns, gap);
     if (format.colour) head = bold(head);
   }

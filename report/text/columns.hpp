@@ -12,7 +12,7 @@ namespace fpkcheck::report {
 inline constexpr const char* kAbsent = "-";
 
 /// A column of a plain-text table.
-struct Column {
+struct TextColumn {
   std::string group;  ///< common header above neighbouring columns of the same group
   std::string header;
   bool left_aligned;
@@ -28,18 +28,19 @@ struct Column {
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
 /// An empty column for the statuses of solutions.
-Column status_column();
+TextColumn status_column();
 
 /// The columns that fit into the width of the format: if all columns exceed the width, the least
 /// important columns are omitted.
-std::vector<Column> fit_columns(std::vector<Column> columns, const TextFormat& format);
+std::vector<TextColumn> fit_columns(std::vector<TextColumn> columns, const TextFormat& format);
 
 /// The names of the columns of `all` that are not in `shown`, in one text: "L1 to fd-kf, energy".
 /// The text is empty if no column of a table is omitted.
-std::string omitted_columns(const std::vector<Column>& all, const std::vector<Column>& shown);
+std::string omitted_columns(const std::vector<TextColumn>& all,
+                            const std::vector<TextColumn>& shown);
 
 /// The text of a table: the columns side by side under their headers, with one line for each row.
 /// If the columns exceed the width, the least important columns are omitted.
-std::string rows(std::vector<Column> columns, const TextFormat& format);
+std::string table_rows_text(std::vector<TextColumn> columns, const TextFormat& format);
 
 }  // namespace fpkcheck::report

@@ -20,7 +20,7 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
 // Whether the distances are at most the error estimate of the reference, and thus not significant.
 bool is_within_reference_error(const Solution& reference, const AgreementEntry& entry) {
   const auto within = [&](const std::optional<double>& l1, Variable variable) {
-    const double known = compare::error_estimate(reference, variable);
+    const double known = compare::l1_error_estimate(reference, variable);
     return !l1 || (std::isfinite(known) && *l1 <= known);
   };
   return within(entry.y, Variable::y) && within(entry.ydot, Variable::ydot);
@@ -30,15 +30,15 @@ bool is_within_reference_error(const Solution& reference, const AgreementEntry& 
 
 std::optional<double> AgreementEntry::largest_l1() const { return larger_of(y, ydot); }
 
-bool AgreementEntry::reproduces() const {
+bool AgreementEntry::reproduces_reference() const {
   return agreement == Agreement::reference || agreement == Agreement::indistinguishable ||
          agreement == Agreement::close;
 }
 
-AgreementEntry agreement_entry(const results::Case& one, std::string_view id) {
+AgreementEntry agreement_entry(const results::CaseResult& one, std::string_view id) {
   AgreementEntry entry{.solution = one.find(id)};
   if (entry.solution == nullptr) return entry;
-  const Solution* reference = compare::reference(one.solutions);
+  const Solution* reference = compare::select_reference(one.solutions);
   if (reference == entry.solution) {
     entry.agreement = Agreement::reference;
     return entry;
@@ -62,14 +62,14 @@ AgreementEntry agreement_entry(const results::Case& one, std::string_view id) {
 }
 
 int AgreementRow::case_count() const {
-  return static_cast<int>(entries.size()) - count(Agreement::absent);
+  return static_cast<int>(entries.size()) - case_count_with(Agreement::absent);
 }
 
-int AgreementRow::reproduced_count() const {
-  return static_cast<int>(std::ranges::count_if(entries, &AgreementEntry::reproduces));
+int AgreementRow::reproduced_case_count() const {
+  return static_cast<int>(std::ranges::count_if(entries, &AgreementEntry::reproduces_reference));
 }
 
-int AgreementRow::count(Agreement agreement) const {
+int AgreementRow::case_count_with(Agreement agreement) const {
   return static_cast<int>(std::ranges::count(entries, agreement, &AgreementEntry::agreement));
 }
 
@@ -86,7 +86,7 @@ std::optional<double> AgreementRow::largest_l1() const {
   return larger_of(largest_l1_of(&AgreementEntry::y), largest_l1_of(&AgreementEntry::ydot));
 }
 
-double AgreementRow::seconds() const {
+double AgreementRow::longest_seconds() const {
   double longest = 0;
   for (const auto& entry : entries) {
     if (entry.solution != nullptr) longest = std::max(longest, entry.solution->seconds);

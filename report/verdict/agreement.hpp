@@ -35,32 +35,32 @@ struct AgreementEntry {
   std::optional<double> largest_l1() const;
   /// Whether the solution reproduces the reference: the solution is the reference, or is
   /// indistinguishable from the reference, or has distances of at most kCloseL1.
-  bool reproduces() const;
+  bool reproduces_reference() const;
 };
 
 /// The agreement of the solution `id` with the reference of a case. An external density with a
 /// single marginal density is assessed by this marginal density.
-AgreementEntry agreement_entry(const results::Case& one, std::string_view id);
+AgreementEntry agreement_entry(const results::CaseResult& one, std::string_view id);
 
 /// The agreement of one solution with the references over all cases of a run: a row of the matrix
 /// of agreements.
 struct AgreementRow {
-  const transform::Identity* identity;  ///< from the first case with the solution
-  std::vector<AgreementEntry> entries;  ///< in the order of the cases
+  const transform::SolutionIdentity* identity;  ///< from the first case with the solution
+  std::vector<AgreementEntry> entries;          ///< in the order of the cases
 
   /// Number of cases with the solution.
   int case_count() const;
   /// Number of cases in which the solution reproduces the reference.
-  int reproduced_count() const;
+  int reproduced_case_count() const;
   /// Number of cases in which the solution has this agreement with the reference.
-  int count(Agreement agreement) const;
+  int case_count_with(Agreement agreement) const;
   /// Largest L1 distance of one marginal density over the cases in which the solution has a
   /// density; empty if there is no such case.
   std::optional<double> largest_l1_of(std::optional<double> AgreementEntry::*marginal) const;
   /// Largest L1 distance of both marginal densities over the cases.
   std::optional<double> largest_l1() const;
   /// Longest wall-clock time of the solution over the cases, in seconds.
-  double seconds() const;
+  double longest_seconds() const;
 };
 
 /// The matrix rows of all solutions of a run, with a row for each id, by increasing trust as in the

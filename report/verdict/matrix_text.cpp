@@ -24,16 +24,16 @@ std::string short_l1_text(const std::optional<double>& l1) {
   return text;
 }
 
-Column solution_column(const std::vector<AgreementRow>& all) {
-  Column column{"", "solution", true, kAlwaysShown};
+TextColumn solution_column(const std::vector<AgreementRow>& all) {
+  TextColumn column{"", "solution", true, kAlwaysShown};
   for (const auto& row : all) column.cells.push_back(row.identity->id);
   return column;
 }
 
 // The columns with the distances of both marginal densities for case k.
-std::pair<Column, Column> case_columns(const std::vector<AgreementRow>& all, std::size_t k,
-                                       const std::string& name) {
-  Column y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
+std::pair<TextColumn, TextColumn> case_columns(const std::vector<AgreementRow>& all, std::size_t k,
+                                               const std::string& name) {
+  TextColumn y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
   for (const auto& row : all) {
     const AgreementEntry& entry = row.entries[k];
     const bool is_reference = entry.agreement == Agreement::reference;
@@ -43,7 +43,7 @@ std::pair<Column, Column> case_columns(const std::vector<AgreementRow>& all, std
   return {std::move(y), std::move(ydot)};
 }
 
-std::size_t total_width_of(const std::vector<Column>& columns) {
+std::size_t total_width_of(const std::vector<TextColumn>& columns) {
   std::size_t total = 0;
   for (const auto& column : columns) total += column.width() + 1;
   return total - 1;
@@ -54,9 +54,9 @@ std::size_t total_width_of(const std::vector<Column>& columns) {
 std::string matrix_blocks(const results::Run& run, const std::vector<AgreementRow>& all,
                           const TextFormat& format) {
   std::string text;
-  std::vector<Column> block{solution_column(all)};
+  std::vector<TextColumn> block{solution_column(all)};
   const auto flush_block = [&] {
-    text += rows(block, format);
+    text += table_rows_text(block, format);
     block.resize(1);
   };
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
@@ -74,7 +74,7 @@ std::string matrix_blocks(const results::Run& run, const std::vector<AgreementRo
 
 }  // namespace
 
-std::string answer_text(const Verdict& run_verdict, const TextFormat& format) {
+std::string verdict_answer_text(const Verdict& run_verdict, const TextFormat& format) {
   std::string text;
   for (const auto& sentence : run_verdict.answer) text += wrap_text(sentence, format.width);
   return text;

@@ -9,7 +9,7 @@
 namespace fpkcheck::report {
 
 /// The answer of the verdict in plain text, broken into lines.
-std::string answer_text(const Verdict& run_verdict, const TextFormat& format);
+std::string verdict_answer_text(const Verdict& run_verdict, const TextFormat& format);
 
 /// The verdict as plain ASCII text. A run of several cases has a matrix with a row for each
 /// solution. For each case the row has both L1 distances to the reference of the case; as many

@@ -33,9 +33,9 @@ std::string distance_text(const AgreementRow& row, Agreement agreement, const ch
                           int cases) {
   MarginalDistances most{};
   for (const auto& entry : row.entries) {
-    if (entry.agreement == agreement) most.take_maximum(entry.y, entry.ydot);
+    if (entry.agreement == agreement) most.take_larger_distances(entry.y, entry.ydot);
   }
-  const int count = row.count(agreement);
+  const int count = row.case_count_with(agreement);
   return fmt::format("L1 distance {}{}{}", cases == 1 ? "" : how, distances_text(most),
                      count == cases ? "" : cases_phrase(count, cases));
 }
@@ -56,8 +56,8 @@ std::vector<std::string> missing_density_texts(const AgreementRow& row, int case
 
 }  // namespace
 
-void MarginalDistances::take_maximum(const std::optional<double>& other_y,
-                                     const std::optional<double>& other_ydot) {
+void MarginalDistances::take_larger_distances(const std::optional<double>& other_y,
+                                              const std::optional<double>& other_ydot) {
   const auto larger = [](std::optional<double>& mine, const std::optional<double>& other) {
     if (other) mine = std::max(mine.value_or(*other), *other);
   };
@@ -78,30 +78,31 @@ std::string cases_phrase(int count, int cases) {
   return fmt::format(" in {} of {} cases", count, cases);
 }
 
-std::string outcome(const AgreementRow& row, const std::string& reference, int cases) {
-  const int close = row.count(Agreement::close);
-  const int same = row.count(Agreement::indistinguishable) + row.count(Agreement::reference);
+std::string outcome_text(const AgreementRow& row, const std::string& reference, int cases) {
+  const int close = row.case_count_with(Agreement::close);
+  const int same =
+      row.case_count_with(Agreement::indistinguishable) + row.case_count_with(Agreement::reference);
   std::vector<std::string> parts;
   if (same > 0) {
     parts.push_back(fmt::format("within the error estimate of {}{}", reference,
                                 same == cases ? "" : cases_phrase(same, cases)));
   }
   if (close > 0) parts.push_back(distance_text(row, Agreement::close, "at most ", cases));
-  if (row.count(Agreement::distant) > 0) {
+  if (row.case_count_with(Agreement::distant) > 0) {
     parts.push_back(distance_text(row, Agreement::distant, "up to ", cases));
   }
-  if (const int no_reference = row.count(Agreement::no_reference); no_reference > 0) {
+  if (const int no_reference = row.case_count_with(Agreement::no_reference); no_reference > 0) {
     parts.push_back("no reference" + cases_phrase(no_reference, cases));
   }
   std::ranges::move(missing_density_texts(row, cases), std::back_inserter(parts));
-  const bool all = row.reproduced_count() == row.case_count();
-  const char* const start = all                          ? "reproduced: "
-                            : row.reproduced_count() > 0 ? "reproduced in part: "
-                                                         : "not reproduced: ";
+  const bool all = row.reproduced_case_count() == row.case_count();
+  const char* const start = all                               ? "reproduced: "
+                            : row.reproduced_case_count() > 0 ? "reproduced in part: "
+                                                              : "not reproduced: ";
   return fmt::format("{}{}", start, fmt::join(parts, "; "));
 }
 
-std::string brief_outcome(const AgreementRow& row, int cases) {
+std::string outcome_text_without_distances(const AgreementRow& row, int cases) {
   const auto parts = missing_density_texts(row, cases);
   return parts.empty() ? "unknown" : parts.front();
 }

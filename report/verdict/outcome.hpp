@@ -12,10 +12,11 @@ namespace fpkcheck::report {
 struct MarginalDistances {
   std::optional<double> y, ydot;
 
-  bool has_both() const { return y && ydot; }
-  bool any() const { return y || ydot; }
+  bool has_both_distances() const { return y && ydot; }
+  bool has_any_distance() const { return y || ydot; }
   /// Replaces each distance by the maximum of the distance and the corresponding argument.
-  void take_maximum(const std::optional<double>& other_y, const std::optional<double>& other_ydot);
+  void take_larger_distances(const std::optional<double>& other_y,
+                             const std::optional<double>& other_ydot);
 };
 
 /// The text of both distances: "0.0061 in p(y) and 0.0051 in p(y')".
@@ -29,9 +30,9 @@ std::string cases_phrase(int count, int cases);
 /// reproduced: inadmissible in all 4 cases: no probability density".
 /// @param reference name of the reference, or names if the references of the cases differ
 /// @param cases number of cases of the run
-std::string outcome(const AgreementRow& row, const std::string& reference, int cases);
+std::string outcome_text(const AgreementRow& row, const std::string& reference, int cases);
 
 /// The outcome of a solution without distances: "not_converged in all 4 cases: no solution found".
-std::string brief_outcome(const AgreementRow& row, int cases);
+std::string outcome_text_without_distances(const AgreementRow& row, int cases);
 
 }  // namespace fpkcheck::report

@@ -15,8 +15,8 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Role;
 using transform::Solution;
+using transform::SolutionRole;
 using transform::Variable;
 
 using Words = std::vector<std::string>;
@@ -30,7 +30,7 @@ std::string comma_separated(const Words& words) {
 std::string reference_names(const results::Run& run) {
   std::map<std::string, Words> cases;
   for (const auto& case_result : run.cases) {
-    if (const auto* chosen = compare::reference(case_result.solutions)) {
+    if (const auto* chosen = compare::select_reference(case_result.solutions)) {
       cases[chosen->id()].push_back(case_result.name());
     }
   }
@@ -59,16 +59,17 @@ ReferenceAccuracy reference_accuracy(const results::Run& run) {
     const auto all = references(case_result);
     if (all.empty()) continue;
     ++known.judged;
-    known.y = std::max(known.y, compare::error_estimate(*all.front(), Variable::y));
-    known.ydot = std::max(known.ydot, compare::error_estimate(*all.front(), Variable::ydot));
+    known.y = std::max(known.y, compare::l1_error_estimate(*all.front(), Variable::y));
+    known.ydot = std::max(known.ydot, compare::l1_error_estimate(*all.front(), Variable::ydot));
     if (all.size() < 2) continue;
     const Solution& second = *all.back();
     if (known.second.empty()) known.second = second.id();
     if (known.second != second.id()) continue;
     ++known.checked;
     if (!compare::has_agreement(*all.front(), second, case_result.pairs)) ++known.contradicted;
-    known.apart.take_maximum(case_result.l1(second.id(), all.front()->id(), Variable::y),
-                             case_result.l1(second.id(), all.front()->id(), Variable::ydot));
+    known.apart.take_larger_distances(
+        case_result.l1(second.id(), all.front()->id(), Variable::y),
+        case_result.l1(second.id(), all.front()->id(), Variable::ydot));
   }
   return known;
 }
@@ -85,7 +86,7 @@ std::string reference_sentence(const results::Run& run, const ReferenceAccuracy&
     text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", known.y,
                         known.ydot);
   }
-  if (known.checked > 0 && known.apart.any()) {
+  if (known.checked > 0 && known.apart.has_any_distance()) {
     text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
                         known.second, distances_text(known.apart));
   }
@@ -143,7 +144,7 @@ bool is_single_external_density(const AgreementRow& row) {
 std::string reproducing_orders_text(const std::vector<const AgreementRow*>& members, bool& any) {
   std::vector<const AgreementRow*> good, bad;
   for (const AgreementRow* row : members) {
-    (row->reproduced_count() == row->case_count() ? good : bad).push_back(row);
+    (row->reproduced_case_count() == row->case_count() ? good : bad).push_back(row);
   }
   any = !good.empty();
   const std::string subject =
@@ -158,7 +159,7 @@ std::string reproduction_sentence(const results::Run& run, const std::vector<Agr
   Words yes, no;
   for (const auto& row : all) {
     if (!is_single_external_density(row)) continue;
-    (row.reproduced_count() == row.case_count() ? yes : no).push_back(row.identity->id);
+    (row.reproduced_case_count() == row.case_count() ? yes : no).push_back(row.identity->id);
   }
   for (const auto& members : closure_families(all)) {
     bool any = false;
@@ -175,8 +176,8 @@ std::string reproduction_sentence(const results::Run& run, const std::vector<Agr
 }
 
 VerdictLine verdict_line(const AgreementRow& row, const std::string& reference, int cases) {
-  return {row.identity->id, row.reproduced_count() == row.case_count(),
-          outcome(row, reference, cases)};
+  return {row.identity->id, row.reproduced_case_count() == row.case_count(),
+          outcome_text(row, reference, cases)};
 }
 
 // The text of the largest distance for each order of a formulation: "n = 4 has L1 distance 0.0089,
@@ -185,12 +186,12 @@ VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int ca
   Words parts;
   bool all = true, first = true;
   for (const AgreementRow* row : members) {
-    all = all && row->reproduced_count() == row->case_count();
+    all = all && row->reproduced_case_count() == row->case_count();
     const auto largest_l1 = row->largest_l1();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *row->identity->order);
     parts.push_back(
         largest_l1 ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *largest_l1)
-                   : fmt::format("{} is {}", order, brief_outcome(*row, cases)));
+                   : fmt::format("{} is {}", order, outcome_text_without_distances(*row, cases)));
     first = false;
   }
   return {
@@ -217,8 +218,8 @@ std::vector<VerdictLine> verdict_lines(const results::Run& run,
     const bool solves_it = std::ranges::any_of(row.entries, [](const AgreementEntry& entry) {
       return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
     });
-    const Role role = row.identity->role;
-    if (solves_it || (role != Role::equation && role != Role::simulation)) continue;
+    const SolutionRole role = row.identity->role;
+    if (solves_it || (role != SolutionRole::equation && role != SolutionRole::simulation)) continue;
     lines.push_back(verdict_line(row, reference, cases));
   }
   return lines;
@@ -237,7 +238,7 @@ const AgreementRow* fastest_row(const std::vector<AgreementRow>& all, double acc
              *entry.largest_l1() + known <= accuracy;
     });
     if (!good || transform::is_external(*row.identity)) continue;
-    if (best == nullptr || row.seconds() < best->seconds()) best = &row;
+    if (best == nullptr || row.longest_seconds() < best->longest_seconds()) best = &row;
   }
   return best;
 }
@@ -273,7 +274,7 @@ Words recommendation(const results::Run& run, const std::vector<AgreementRow>& a
     if (found == nullptr || found == last) continue;
     parts.push_back(fmt::format("within L1 {}{}, {} ({:.2g} s)", accuracy,
                                 parts.empty() ? cases_phrase(cases, cases) : "",
-                                found->identity->id, found->seconds()));
+                                found->identity->id, found->longest_seconds()));
     last = found;
   }
   if (!parts.empty()) {
@@ -285,7 +286,7 @@ Words recommendation(const results::Run& run, const std::vector<AgreementRow>& a
 
 }  // namespace
 
-Verdict verdict(const results::Run& run) {
+Verdict make_verdict(const results::Run& run) {
   Verdict run_verdict{
       .agreement_rows = agreement_rows(run), .answer = {}, .lines = {}, .recommendation = {}};
   if (run.cases.empty()) return run_verdict;
@@ -294,7 +295,7 @@ Verdict verdict(const results::Run& run) {
   for (const auto& case_result : run.cases) {
     if (!case_result.bounds) continue;
     for (const auto& outside :
-         compare::contradictions(*case_result.bounds, case_result.solutions)) {
+         compare::bound_contradictions(*case_result.bounds, case_result.solutions)) {
       run_verdict.answer.push_back(
           fmt::format("{}: {} is wrong, its {} contradicts the guaranteed bounds.",
                       case_result.name(), outside.solution->id(), outside.bound->functional));

@@ -30,6 +30,6 @@ struct Verdict {
   std::vector<std::string> recommendation;
 };
 
-Verdict verdict(const results::Run& run);
+Verdict make_verdict(const results::Run& run);
 
 }  // namespace fpkcheck::report

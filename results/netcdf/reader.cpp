@@ -37,7 +37,7 @@ NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
 
 NetCdfReader::~NetCdfReader() { nc_close(id_); }
 
-std::vector<std::string> NetCdfReader::variables() const {
+std::vector<std::string> NetCdfReader::variable_names() const {
   int count = 0;
   check_read_status(nc_inq_nvars(id_, &count), "variables");
   std::vector<std::string> names;
@@ -49,7 +49,7 @@ std::vector<std::string> NetCdfReader::variables() const {
   return names;
 }
 
-int NetCdfReader::variable(const std::string& name) const {
+int NetCdfReader::variable_id(const std::string& name) const {
   int variable = 0;
   check_read_status(nc_inq_varid(id_, name.c_str(), &variable), name);
   return variable;
@@ -57,13 +57,13 @@ int NetCdfReader::variable(const std::string& name) const {
 
 std::vector<int> NetCdfReader::dimension_ids(const std::string& name) const {
   int count = 0;
-  check_read_status(nc_inq_varndims(id_, variable(name), &count), name);
+  check_read_status(nc_inq_varndims(id_, variable_id(name), &count), name);
   std::vector<int> ids(count);
-  check_read_status(nc_inq_vardimid(id_, variable(name), ids.data()), name);
+  check_read_status(nc_inq_vardimid(id_, variable_id(name), ids.data()), name);
   return ids;
 }
 
-std::vector<std::string> NetCdfReader::dimensions(const std::string& name) const {
+std::vector<std::string> NetCdfReader::dimension_names(const std::string& name) const {
   std::vector<std::string> names;
   for (const int dimension : dimension_ids(name)) {
     char text[NC_MAX_NAME + 1];
@@ -73,7 +73,7 @@ std::vector<std::string> NetCdfReader::dimensions(const std::string& name) const
   return names;
 }
 
-std::vector<std::size_t> NetCdfReader::shape(const std::string& name) const {
+std::vector<std::size_t> NetCdfReader::dimension_lengths(const std::string& name) const {
   std::vector<std::size_t> lengths;
   for (const int dimension : dimension_ids(name)) {
     check_read_status(nc_inq_dimlen(id_, dimension, &lengths.emplace_back()), name);
@@ -82,9 +82,9 @@ std::vector<std::size_t> NetCdfReader::shape(const std::string& name) const {
 }
 
 std::size_t NetCdfReader::value_count(const std::string& name) {
-  const int id = variable(name);
+  const int id = variable_id(name);
   std::size_t count = 1;
-  const auto lengths = shape(name);
+  const auto lengths = dimension_lengths(name);
   for (const std::size_t length : lengths) {
     if (length > kMaxValues / std::max<std::size_t>(count, 1)) {
       throw std::runtime_error(fmt::format("{}: more than {} values", name, kMaxValues));
@@ -116,19 +116,19 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
   return count;
 }
 
-std::vector<double> NetCdfReader::values(const std::string& name) {
+std::vector<double> NetCdfReader::read_values(const std::string& name) {
   std::vector<double> values(value_count(name));
-  check_read_status(nc_get_var_double(id_, variable(name), values.data()), name);
+  check_read_status(nc_get_var_double(id_, variable_id(name), values.data()), name);
   return values;
 }
 
-std::vector<std::string> NetCdfReader::labels(const std::string& name) {
-  const auto lengths = shape(name);
+std::vector<std::string> NetCdfReader::read_labels(const std::string& name) {
+  const auto lengths = dimension_lengths(name);
   if (lengths.size() != 2 || lengths[0] > kMaxLabels) {
     throw std::runtime_error(fmt::format("{}: not a list of texts", name));
   }
   std::string characters(value_count(name), '\0');
-  check_read_status(nc_get_var_text(id_, variable(name), characters.data()), name);
+  check_read_status(nc_get_var_text(id_, variable_id(name), characters.data()), name);
   std::vector<std::string> texts;
   for (std::size_t n = 0; n < lengths[0]; ++n) {
     const std::string padded = characters.substr(n * lengths[1], lengths[1]);
@@ -137,10 +137,10 @@ std::vector<std::string> NetCdfReader::labels(const std::string& name) {
   return texts;
 }
 
-std::vector<double> NetCdfReader::edges(const std::string& coordinate) {
-  const std::string bounds = text(coordinate, "bounds");
-  const auto lengths = shape(bounds);
-  const auto ends = values(bounds);
+std::vector<double> NetCdfReader::read_cell_edges(const std::string& coordinate) {
+  const std::string bounds = text_attribute(coordinate, "bounds");
+  const auto lengths = dimension_lengths(bounds);
+  const auto ends = read_values(bounds);
   if (lengths.size() != 2 || lengths[0] == 0 || lengths[1] != 2) {
     throw std::runtime_error(fmt::format("{}: no bounds of cells", bounds));
   }
@@ -155,9 +155,10 @@ std::vector<double> NetCdfReader::edges(const std::string& coordinate) {
   return edges;
 }
 
-std::string NetCdfReader::text(const std::string& name, const std::string& attribute) const {
+std::string NetCdfReader::text_attribute(const std::string& name,
+                                         const std::string& attribute) const {
   const std::string what = fmt::format("{}:{}", name, attribute);
-  const int id = variable(name);
+  const int id = variable_id(name);
   std::size_t length = 0;
   nc_type type = NC_NAT;
   check_read_status(nc_inq_att(id_, id, attribute.c_str(), &type, &length), what);

@@ -19,19 +19,19 @@ class NetCdfReader {
   ~NetCdfReader();
 
   /// Names of all variables, in the order in which they were written.
-  std::vector<std::string> variables() const;
+  std::vector<std::string> variable_names() const;
   /// Names of the dimensions of a variable.
-  std::vector<std::string> dimensions(const std::string& variable) const;
+  std::vector<std::string> dimension_names(const std::string& variable) const;
   /// Lengths of the dimensions of a variable.
-  std::vector<std::size_t> shape(const std::string& variable) const;
+  std::vector<std::size_t> dimension_lengths(const std::string& variable) const;
   /// The values of a variable as numbers, row-major.
-  std::vector<double> values(const std::string& variable);
-  /// The texts that NetCdfWriter::labels wrote.
-  std::vector<std::string> labels(const std::string& variable);
+  std::vector<double> read_values(const std::string& variable);
+  /// The texts that NetCdfWriter::write_labels wrote.
+  std::vector<std::string> read_labels(const std::string& variable);
   /// The edges of the cells of a coordinate, from the CF variable of cell bounds.
-  std::vector<double> edges(const std::string& coordinate);
+  std::vector<double> read_cell_edges(const std::string& coordinate);
   /// The text of an attribute of a variable.
-  std::string text(const std::string& variable, const std::string& attribute) const;
+  std::string text_attribute(const std::string& variable, const std::string& attribute) const;
 
  private:
   /// The number of values of a variable. This function is called before memory is allocated for the
@@ -39,7 +39,7 @@ class NetCdfReader {
   /// @throws std::runtime_error for more values than any file of this program has, and for types
   ///         other than float, double and char
   std::size_t value_count(const std::string& name);
-  int variable(const std::string& name) const;
+  int variable_id(const std::string& name) const;
   std::vector<int> dimension_ids(const std::string& variable) const;
 
   std::string bytes_;                 // contents of the file

@@ -20,7 +20,8 @@ void check_write_status(int status, const std::string& what) {
   }
 }
 
-int define(int file, const std::string& name, nc_type type, const std::vector<int>& dimensions) {
+int define_variable(int file, const std::string& name, nc_type type,
+                    const std::vector<int>& dimensions) {
   int variable = 0;
   check_write_status(nc_def_var(file, name.c_str(), type, static_cast<int>(dimensions.size()),
                                 dimensions.data(), &variable),
@@ -28,7 +29,7 @@ int define(int file, const std::string& name, nc_type type, const std::vector<in
   return variable;
 }
 
-void deflate(int file, int variable, const std::string& name) {
+void set_deflation(int file, int variable, const std::string& name) {
   constexpr int kCompressionLevel = 4;
   check_write_status(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kCompressionLevel),
                      fmt::format("compression of {}", name));
@@ -54,43 +55,45 @@ NetCdfWriter::~NetCdfWriter() {
   if (open_) nc_abort(id_);
 }
 
-int NetCdfWriter::dimension(const std::string& name, std::size_t length) {
+int NetCdfWriter::define_dimension(const std::string& name, std::size_t length) {
   int dimension = 0;
   check_write_status(nc_def_dim(id_, name.c_str(), length, &dimension),
                      fmt::format("dimension {}", name));
   return dimension;
 }
 
-int NetCdfWriter::variable(const std::string& name, const std::vector<int>& dimensions,
-                           const std::string& long_name, std::span<const double> values) {
-  const int variable = define(id_, name, NC_DOUBLE, dimensions);
+int NetCdfWriter::write_variable(const std::string& name, const std::vector<int>& dimensions,
+                                 const std::string& long_name, std::span<const double> values) {
+  const int variable = define_variable(id_, name, NC_DOUBLE, dimensions);
   if (!long_name.empty()) {
-    attribute("long_name", long_name, variable);
-    attribute("units", "1", variable);
+    write_attribute("long_name", long_name, variable);
+    write_attribute("units", "1", variable);
   }
   check_write_status(nc_put_var_double(id_, variable, values.data()),
                      fmt::format("values of {}", name));
   return variable;
 }
 
-int NetCdfWriter::cells(const std::string& name, const std::string& long_name, int bounds,
-                        std::span<const double> edges) {
+int NetCdfWriter::write_cell_coordinate(const std::string& name, const std::string& long_name,
+                                        int bounds, std::span<const double> edges) {
   std::vector<double> centres, ends;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     centres.push_back((edges[b] + edges[b + 1]) / 2);
     ends.insert(ends.end(), {edges[b], edges[b + 1]});
   }
-  const int length = dimension(name, centres.size());
-  const int coordinate = variable(name, {length}, long_name, centres);
+  const int length = define_dimension(name, centres.size());
+  const int coordinate = write_variable(name, {length}, long_name, centres);
   const std::string bounds_name = name + "_bounds";
-  attribute("bounds", bounds_name, coordinate);
-  variable(bounds_name, {length, bounds}, "", ends);
+  write_attribute("bounds", bounds_name, coordinate);
+  write_variable(bounds_name, {length, bounds}, "", ends);
   return length;
 }
 
-int NetCdfWriter::compressed_float(const std::string& name, const std::vector<int>& dimensions,
-                                   const std::string& long_name, std::span<const float> values) {
-  const int variable = define(id_, name, NC_FLOAT, dimensions);
+int NetCdfWriter::write_compressed_floats(const std::string& name,
+                                          const std::vector<int>& dimensions,
+                                          const std::string& long_name,
+                                          std::span<const float> values) {
+  const int variable = define_variable(id_, name, NC_FLOAT, dimensions);
   std::vector<std::size_t> chunk;
   for (const int dimension : dimensions) {
     check_write_status(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
@@ -99,56 +102,58 @@ int NetCdfWriter::compressed_float(const std::string& name, const std::vector<in
   chunk.front() = 1;
   check_write_status(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
                      fmt::format("chunks of {}", name));
-  deflate(id_, variable, name);
+  set_deflation(id_, variable, name);
   fill_with_nan<float>(id_, variable, name);
-  attribute("long_name", long_name, variable);
-  attribute("units", "1", variable);
+  write_attribute("long_name", long_name, variable);
+  write_attribute("units", "1", variable);
   check_write_status(nc_put_var_float(id_, variable, values.data()),
                      fmt::format("values of {}", name));
   return variable;
 }
 
-int NetCdfWriter::compressed_double(const std::string& name, const std::vector<int>& dimensions,
-                                    const std::string& long_name, std::span<const double> values) {
-  const int variable = define(id_, name, NC_DOUBLE, dimensions);
-  deflate(id_, variable, name);
+int NetCdfWriter::write_compressed_doubles(const std::string& name,
+                                           const std::vector<int>& dimensions,
+                                           const std::string& long_name,
+                                           std::span<const double> values) {
+  const int variable = define_variable(id_, name, NC_DOUBLE, dimensions);
+  set_deflation(id_, variable, name);
   fill_with_nan<double>(id_, variable, name);
-  attribute("long_name", long_name, variable);
-  attribute("units", "1", variable);
+  write_attribute("long_name", long_name, variable);
+  write_attribute("units", "1", variable);
   check_write_status(nc_put_var_double(id_, variable, values.data()),
                      fmt::format("values of {}", name));
   return variable;
 }
 
-void NetCdfWriter::labels(const std::string& name, int dimension,
-                          std::span<const std::string> texts) {
+void NetCdfWriter::write_labels(const std::string& name, int dimension,
+                                std::span<const std::string> texts) {
   std::size_t length = 1;
   for (const auto& text : texts) length = std::max(length, text.size());
   std::string characters;
   for (const auto& text : texts) characters += text + std::string(length - text.size(), '\0');
-  const int characters_of_a_text = this->dimension(name + "_length", length);
-  const int variable = define(id_, name, NC_CHAR, {dimension, characters_of_a_text});
-  attribute("_Encoding", "utf-8", variable);
+  const int characters_of_a_text = this->define_dimension(name + "_length", length);
+  const int variable = define_variable(id_, name, NC_CHAR, {dimension, characters_of_a_text});
+  write_attribute("_Encoding", "utf-8", variable);
   check_write_status(nc_put_var_text(id_, variable, characters.data()),
                      fmt::format("values of {}", name));
 }
 
-void NetCdfWriter::attribute(const std::string& name, const std::string& text, int variable) {
+void NetCdfWriter::write_attribute(const std::string& name, const std::string& text, int variable) {
   check_write_status(nc_put_att_text(id_, variable, name.c_str(), text.size(), text.c_str()),
                      fmt::format("attribute {}", name));
 }
 
-void NetCdfWriter::attribute(const std::string& name, double value, int variable) {
+void NetCdfWriter::write_attribute(const std::string& name, double value, int variable) {
   check_write_status(nc_put_att_double(id_, variable, name.c_str(), NC_DOUBLE, 1, &value),
                      fmt::format("attribute {}", name));
 }
 
-void NetCdfWriter::attribute(const std::string& name, int value, int variable) {
+void NetCdfWriter::write_attribute(const std::string& name, int value, int variable) {
   check_write_status(nc_put_att_int(id_, variable, name.c_str(), NC_INT, 1, &value),
                      fmt::format("attribute {}", name));
 }
 
-std::string NetCdfWriter::bytes() {
+std::string NetCdfWriter::close_and_take_bytes() {
   open_ = false;
   NC_memio file = {};
   check_write_status(nc_close_memio(id_, &file), "cannot close the file");

@@ -22,50 +22,50 @@ class NetCdfWriter {
 
   /// Defines a dimension.
   /// @return the id of the dimension
-  int dimension(const std::string& name, std::size_t length);
+  int define_dimension(const std::string& name, std::size_t length);
 
   /// Writes a variable of double precision; values are row-major, units are "1".
   /// @param dimensions ids of the dimensions
   /// @param long_name description of the variable; empty for the cell bounds of a coordinate, which
   ///        have no attributes
   /// @return the id of the variable
-  int variable(const std::string& name, const std::vector<int>& dimensions,
-               const std::string& long_name, std::span<const double> values);
+  int write_variable(const std::string& name, const std::vector<int>& dimensions,
+                     const std::string& long_name, std::span<const double> values);
 
   /// Writes the coordinate variable of the cells along one dimension, and defines the dimension;
   /// both have the name `name`. The values are the centres of the cells. The variable `name`_bounds
   /// contains the edges.
   /// @param bounds id of a dimension of length 2
   /// @return the id of the dimension
-  int cells(const std::string& name, const std::string& long_name, int bounds,
-            std::span<const double> edges);
+  int write_cell_coordinate(const std::string& name, const std::string& long_name, int bounds,
+                            std::span<const double> edges);
 
   /// Writes a deflated variable of single precision, in chunks of one element of the first
   /// dimension. NaN is the fill value; units are "1".
   /// @param dimensions ids of the dimensions
   /// @return the id of the variable
-  int compressed_float(const std::string& name, const std::vector<int>& dimensions,
-                       const std::string& long_name, std::span<const float> values);
+  int write_compressed_floats(const std::string& name, const std::vector<int>& dimensions,
+                              const std::string& long_name, std::span<const float> values);
 
   /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
   /// @param dimensions ids of the dimensions
   /// @return the id of the variable
-  int compressed_double(const std::string& name, const std::vector<int>& dimensions,
-                        const std::string& long_name, std::span<const double> values);
+  int write_compressed_doubles(const std::string& name, const std::vector<int>& dimensions,
+                               const std::string& long_name, std::span<const double> values);
 
   /// Writes a variable of texts along a dimension, as UTF-8 characters padded with zeros. All
   /// netCDF readers support this form.
   /// @param dimension id of the dimension
-  void labels(const std::string& name, int dimension, std::span<const std::string> texts);
+  void write_labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
   /// Writes an attribute.
   /// @param variable id of the variable that gets the attribute, or kGlobal for the file
-  void attribute(const std::string& name, const std::string& text, int variable = kGlobal);
-  void attribute(const std::string& name, double value, int variable = kGlobal);
-  void attribute(const std::string& name, int value, int variable = kGlobal);
+  void write_attribute(const std::string& name, const std::string& text, int variable = kGlobal);
+  void write_attribute(const std::string& name, double value, int variable = kGlobal);
+  void write_attribute(const std::string& name, int value, int variable = kGlobal);
 
   /// Closes the file and returns its bytes. No member may be called afterwards.
-  std::string bytes();
+  std::string close_and_take_bytes();
 
  private:
   int id_ = 0;        // id of the file in libnetcdf

@@ -39,7 +39,7 @@ TEST(Completion, OffersAllCommandsAndTheirOptions) {
   for (const auto& solver : registry.solvers()) {
     EXPECT_TRUE(has(commands, solver.name)) << solver.name;
     const auto options = completed({solver.name, "case1", "--"});
-    for (const auto& parameter : solver.option_descriptions->all()) {
+    for (const auto& parameter : solver.option_descriptions->parameters()) {
       if (parameter.flag.empty()) continue;
       EXPECT_TRUE(has(options, "--" + parameter.flag)) << solver.name << ' ' << parameter.flag;
       if (parameter.choices.empty()) continue;
@@ -63,10 +63,10 @@ TEST(Completion, OffersSubjectsAlsoAfterHelp) {
 TEST(Completion, OffersCasesMethodsAndKeys) {
   const auto cases = completed({"run", ""});
   for (const auto& named : problem::paper_cases()) EXPECT_TRUE(has(cases, named.name));
-  EXPECT_TRUE(has(cases, kFiles));
-  EXPECT_EQ(completed({"report", ""}), Words{kDirectories});
-  EXPECT_EQ(completed({"check", ""}), Words{kFiles});
-  EXPECT_EQ(completed({"run", "--out", ""}), Words{kDirectories});
+  EXPECT_TRUE(has(cases, kFileNamesCandidate));
+  EXPECT_EQ(completed({"report", ""}), Words{kDirectoryNamesCandidate});
+  EXPECT_EQ(completed({"check", ""}), Words{kFileNamesCandidate});
+  EXPECT_EQ(completed({"run", "--out", ""}), Words{kDirectoryNamesCandidate});
   EXPECT_TRUE(has(completed({"run", "--methods", "fd-"}), "fd-kf"));
   EXPECT_EQ(completed({"run", "--methods", "mcs,epc-polar-n4,fd-w"}),
             Words{"mcs,epc-polar-n4,fd-white"});

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "base/files/atomic_file.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "methods/builtin.hpp"
 #include "workflows/study/toy_methods.hpp"
 
@@ -253,7 +253,7 @@ TEST_F(Program, ASecondRunRemovesTheFilesOfTheFirst) {
                      "--out", out})
                 .exit_code,
             kSuccess);
-  const fs::path partial = base::partial_path(fs::path(out) / "figures" / "case2.png");
+  const fs::path partial = base::partial_file_path(fs::path(out) / "figures" / "case2.png");
   const std::string mine = partial.string();
   constexpr const char* kUnusedPid = "4194999";  // exceeds the largest process id of Linux, 2^22
   std::ofstream(mine.substr(0, mine.rfind('-') + 1) + kUnusedPid) << "stopped";
@@ -342,8 +342,8 @@ TEST_F(Program, CtrlCEndsARunWithOneLineAndNoDirectory) {
 // Two methods in sequence; a stop is requested while the first solves the case of this name.
 methods::Registry registry_stopped_in(const std::string& case_name) {
   methods::Registry registry;
-  for (const auto& toy : {tests::Toy{"plain", "plain", transform::Role::closure},
-                          tests::Toy{"cells", "cells", transform::Role::equation}}) {
+  for (const auto& toy : {tests::Toy{"plain", "plain", transform::SolutionRole::closure},
+                          tests::Toy{"cells", "cells", transform::SolutionRole::equation}}) {
     auto solver = tests::toy_solver(toy);
     solver.method = [made = solver.method, case_name](const base::Values& values) {
       methods::Method method = made(values);

@@ -15,7 +15,7 @@
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/judged_run.hpp"
 
 /// `report` for the directory of a run of `paper`.
@@ -38,7 +38,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 // Writes the files of a run, without report.html and figures.
 void save(const fs::path& directory, const results::Run& run) {
   base::PendingFiles files;
-  results::add_run(files, directory, run);
+  results::add_run_files(files, directory, run);
   files.commit();
 }
 
@@ -55,7 +55,7 @@ TEST(ReportOfPaper, HasTheSummaryFirstAndClaimsAndFiguresOnItsPage) {
   save(directory.path(), run);
   const std::string text = report_of(directory.path());
   // The judgements are those of the saved run.
-  const auto judgements = paper::judge(run);
+  const auto judgements = paper::judge_claims(run);
   EXPECT_EQ(text.find(fmt::format("{} claims", judgements.size())), 0u) << text.substr(0, 200);
   EXPECT_EQ(contents(directory.path() / paper::kClaimsCsv), paper::claims_csv(judgements));
   EXPECT_TRUE(fs::exists(directory.path() / paper::kClaimsJson));
@@ -63,7 +63,7 @@ TEST(ReportOfPaper, HasTheSummaryFirstAndClaimsAndFiguresOnItsPage) {
   const auto begin = page.find("<section id=\"claims\">");
   ASSERT_NE(begin, std::string::npos);
   const std::string section = page.substr(begin, page.find("</section>", begin) - begin);
-  for (const auto& row : paper::rows(judgements)) {
+  for (const auto& row : paper::claim_rows(judgements)) {
     EXPECT_NE(section.find(">" + row.outcome + "<"), std::string::npos) << row.outcome;
   }
   EXPECT_EQ(count(section, "<span class=\"chip "), judgements.size());

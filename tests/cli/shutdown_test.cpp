@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -24,7 +24,8 @@ RunOutcome solve(const CommonArguments& common, const Supplement& supplement) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const int exit_code = solve_and_report(
-      common, methods::builtin_registry().select("epc-gaussian-n2", {{"accuracy", base::Value()}}),
+      common,
+      methods::builtin_registry().select_methods("epc-gaussian-n2", {{"accuracy", base::Value()}}),
       {.supplement =
            [&](const results::Run& run) {
              EXPECT_EQ(run.cases.size(), 1u);

@@ -37,8 +37,8 @@ std::vector<PairDistances> pairs_apart(double y, double ydot) {
 TEST(Agreement, HasItsNominalSignificanceLevel) {
   const boost::math::normal normal;
   const double quantile_99 = boost::math::quantile(normal, 0.995);
-  const double beyond =
-      2 * boost::math::cdf(boost::math::complement(normal, critical_sampling_l1(quantile_99)));
+  const double beyond = 2 * boost::math::cdf(boost::math::complement(
+                                normal, critical_sampling_l1_distance(quantile_99)));
   EXPECT_NEAR(2 * beyond, kAgreementSignificance, 1e-6);
 }
 
@@ -53,7 +53,7 @@ TEST(Agreement, BoundsTheSamplingL1ForAnyNumberOfModes) {
       for (int k = 0; k < modes; ++k) norm += std::abs(normal(engine)) / (1 + k);
     }
     std::ranges::sort(norms);
-    const double limit = critical_sampling_l1(norms[kRuns * 99 / 100]);
+    const double limit = critical_sampling_l1_distance(norms[kRuns * 99 / 100]);
     const auto beyond = static_cast<double>(norms.end() - std::ranges::upper_bound(norms, limit));
     const double allowed = kAgreementSignificance / 2 * kRuns;
     EXPECT_LT(beyond, allowed + 4 * std::sqrt(allowed)) << modes;
@@ -73,14 +73,17 @@ TEST(Agreement, AcceptsADistanceAtThe99PercentQuantile) {
 
 TEST(Agreement, AddsTheErrorEstimatesOfBothSolutions) {
   Solution one = solution_named("a"), other = solution_named("b");
-  EXPECT_FALSE(critical_l1(one, other, Variable::y, false));
+  EXPECT_FALSE(critical_l1_distance(one, other, Variable::y, false));
   EXPECT_TRUE(has_agreement(one, other, pairs_apart(1, 1)));  // both without error estimates
   one.sampling = {.y = 3e-3, .ydot = 3e-3, .y_99 = 4e-3, .ydot_99 = 6e-3};
   other.sampling = {.y = 1e-3, .ydot = 4e-3, .y_99 = 3e-3};
-  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::y, false), critical_sampling_l1(5e-3));
-  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::ydot, false), critical_sampling_l1(1e-2));
+  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, Variable::y, false),
+                   critical_sampling_l1_distance(5e-3));
+  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, Variable::ydot, false),
+                   critical_sampling_l1_distance(1e-2));
   other.error = {.y_l1 = 8e-3, .ydot_l1 = 0};
-  EXPECT_DOUBLE_EQ(*critical_l1(one, other, Variable::y, false), critical_sampling_l1(5e-3) + 1e-2);
+  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, Variable::y, false),
+                   critical_sampling_l1_distance(5e-3) + 1e-2);
 }
 
 TEST(Agreement, OverSmoothBinsRequiresBothErrorEstimates) {

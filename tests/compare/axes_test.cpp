@@ -1,4 +1,4 @@
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +23,9 @@ TEST(ComparisonAxes, AreUniformForBoundedMarginals) {
   const auto axes = comparison_axes(with_impulses_per_decay_time(1.01));
   EXPECT_EQ(axes.divisions, 0);
   for (const Variable variable : transform::kVariables) {
-    const auto& all = edges(axes, variable);
+    const auto& all = bin_edges(axes, variable);
     ASSERT_EQ(all.size(), 141u);
-    EXPECT_EQ(edges(uniform_axes(axes), variable), all);
+    EXPECT_EQ(bin_edges(uniform_axes(axes), variable), all);
     const double width = (all.back() - all.front()) / 140;
     for (std::size_t k = 0; k < 140; ++k) EXPECT_NEAR(all[k + 1] - all[k], width, 1e-12 * width);
   }
@@ -48,8 +48,8 @@ TEST(ComparisonAxes, DivideTheBinsAtASpike) {
   EXPECT_EQ(axes.v_edges[73], 0);
   for (std::size_t k = 0; k < 147; ++k) EXPECT_EQ(axes.v_edges[k], -axes.v_edges[146 - k]);
   for (const Variable variable : transform::kVariables) {
-    EXPECT_TRUE(std::ranges::is_sorted(edges(axes, variable)));
-    EXPECT_EQ(edges(uniform_axes(axes), variable).size(), 141u);
+    EXPECT_TRUE(std::ranges::is_sorted(bin_edges(axes, variable)));
+    EXPECT_EQ(bin_edges(uniform_axes(axes), variable).size(), 141u);
   }
 }
 
@@ -58,10 +58,10 @@ TEST(ComparisonAxes, HaveUniformBinsIndependentOfTheRate) {
   const auto rare = comparison_axes(with_impulses_per_decay_time(0.5));
   const auto frequent = comparison_axes(with_impulses_per_decay_time(5));
   for (const Variable variable : transform::kVariables) {
-    const auto even = edges(uniform_axes(rare), variable);
-    ASSERT_EQ(even.size(), edges(frequent, variable).size());
+    const auto even = bin_edges(uniform_axes(rare), variable);
+    ASSERT_EQ(even.size(), bin_edges(frequent, variable).size());
     for (std::size_t k = 0; k < even.size(); ++k) {
-      EXPECT_NEAR(even[k], edges(frequent, variable)[k], 1e-14 * even.back());
+      EXPECT_NEAR(even[k], bin_edges(frequent, variable)[k], 1e-14 * even.back());
     }
   }
 }
@@ -69,12 +69,12 @@ TEST(ComparisonAxes, HaveUniformBinsIndependentOfTheRate) {
 TEST(ComparisonAxes, MergeDividedBinsByMass) {
   const auto axes = comparison_axes(with_impulses_per_decay_time(0.5));
   for (const Variable variable : transform::kVariables) {
-    transform::Marginal marginal{edges(axes, variable), {}, {}, {}};
+    transform::Marginal marginal{bin_edges(axes, variable), {}, {}, {}};
     for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
       marginal.density.push_back(1.0 / static_cast<double>(b + 3));
     }
     const auto even = merge_divided_bins(axes, variable, marginal);
-    ASSERT_EQ(even.edges, edges(uniform_axes(axes), variable));
+    ASSERT_EQ(even.edges, bin_edges(uniform_axes(axes), variable));
     ASSERT_EQ(even.size(), 140u);
     const std::size_t below = variable == Variable::y ? 0 : 69;  // uniform bins before those at 0
     double mass = 0;

@@ -1,4 +1,4 @@
-#include "compare/bounds.hpp"
+#include "compare/guaranteed_bounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 using transform::Solution;
 
-Bounds narrow() {
+GuaranteedBounds narrow() {
   return {.each = {{"E[y^2]", 0.39, 0.40}, {"E[y'^2]", 0.44, 0.45}, {"w1", 0.1, 0.2}}};
 }
 
@@ -26,7 +26,7 @@ TEST(BoundViolation, IsFoundAtBothEnds) {
   const std::vector<Solution> solutions{with_moments("in", 0.39, 0.45),
                                         with_moments("below", 0.385, 0.445),
                                         with_moments("above", 0.395, 0.452)};
-  const Bounds bounds = narrow();
+  const GuaranteedBounds bounds = narrow();
   const auto found = bound_violations(bounds, solutions);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].solution->id(), "below");
@@ -39,42 +39,42 @@ TEST(BoundViolation, IsFoundAtBothEnds) {
 
 TEST(BoundViolation, IsAContradictionBeyondTheErrorEstimate) {
   std::vector<Solution> solutions{with_moments("fd", 0.388, 0.445)};
-  const Bounds bounds = narrow();
-  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
+  const GuaranteedBounds bounds = narrow();
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).exceeds_error_estimate());
   solutions[0].error.emplace().moments.y2 = 0.0019;
-  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).exceeds_error_estimate());
   solutions[0].error->moments.y2 = 0.0021;
-  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).is_contradiction());
+  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).exceeds_error_estimate());
 }
 
 TEST(BoundViolation, IsNoContradictionWithinFourStandardErrors) {
   std::vector<Solution> solutions{with_moments("mcs", 0.388, 0.445)};
-  const Bounds bounds = narrow();
+  const GuaranteedBounds bounds = narrow();
   solutions[0].standard_errors.emplace().moments.y2 = 0.0006;
-  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).is_contradiction());
+  EXPECT_FALSE(bound_violations(bounds, solutions).at(0).exceeds_error_estimate());
   solutions[0].standard_errors->moments.y2 = 0.0004;
-  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).is_contradiction());
+  EXPECT_TRUE(bound_violations(bounds, solutions).at(0).exceeds_error_estimate());
 }
 
 TEST(Contradictions, AreReportedForSolutionsOfTheFullProblemOnly) {
   std::vector<Solution> solutions{with_moments("white", 0.5, 0.5), with_moments("fd", 0.5, 0.445)};
   for (auto& solution : solutions) {
     solution.status = transform::Status::ok;
-    solution.identity.role = transform::Role::equation;
+    solution.identity.role = transform::SolutionRole::equation;
     solution.identity.equation = problem::Equation::kf;
     solution.identity.impact = problem::Impact::map;
   }
   solutions[0].identity.equation = problem::Equation::white;
-  const Bounds bounds = narrow();
-  const auto found = contradictions(bounds, solutions);
+  const GuaranteedBounds bounds = narrow();
+  const auto found = bound_contradictions(bounds, solutions);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].solution->id(), "fd");
   solutions[1].error.emplace().moments.y2 = 0.2;
-  EXPECT_TRUE(contradictions(bounds, solutions).empty());
+  EXPECT_TRUE(bound_contradictions(bounds, solutions).empty());
 }
 
 TEST(BoundViolation, IsNotReportedForUnknownMoments) {
-  const Bounds bounds = narrow();
+  const GuaranteedBounds bounds = narrow();
   EXPECT_TRUE(
       bound_violations(bounds, std::vector{with_moments("file", 0.395, std::nan(""))}).empty());
   auto none = with_moments("none", 0, 0);

@@ -1,4 +1,4 @@
-#include "compare/budget.hpp"
+#include "compare/error_budget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ struct Height {
 
 transform::Marginal marginal_of(const ComparisonAxes& axes, Variable variable, Height height) {
   const double factor = variable == Variable::y ? 1 : 2;
-  return alternating(edges(axes, variable), variable, factor * height.amplitude,
+  return alternating(bin_edges(axes, variable), variable, factor * height.amplitude,
                      factor * height.exponent);
 }
 
@@ -99,7 +99,7 @@ std::vector<Solution> chain_of_models(const ComparisonAxes& axes) {
   return solutions;
 }
 
-std::vector<BudgetRow> budget_of(const std::vector<Solution>& solutions) {
+std::vector<ErrorBudgetRow> budget_of(const std::vector<Solution>& solutions) {
   return compare_solutions(comparison_axes(tests::paper_case(1)), solutions).budget;
 }
 
@@ -107,7 +107,7 @@ std::vector<Solution> chain_of_models() {
   return chain_of_models(comparison_axes(tests::paper_case(1)));
 }
 
-std::vector<std::string> names(const BudgetRow& row) {
+std::vector<std::string> names(const ErrorBudgetRow& row) {
   std::vector<std::string> result;
   for (const auto& part : row.parts) result.push_back(part.name());
   return result;
@@ -115,7 +115,7 @@ std::vector<std::string> names(const BudgetRow& row) {
 
 using Names = std::vector<std::string>;
 
-void expect_the_parts_bound_the_total(const std::vector<BudgetRow>& budget) {
+void expect_the_parts_bound_the_total(const std::vector<ErrorBudgetRow>& budget) {
   constexpr double kRounding = 1e-12;
   for (const auto& row : budget) {
     double l1 = 0, tail = 0;
@@ -147,7 +147,7 @@ TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
     const double amplitudes[] = {0.1, 0.03, 0.02, 0.011, 0.01, 0};
     const double exponents[] = {0.5, 0.2, 0, 0, 0, 0.03};
     const Names ids{"epc-gaussian-n6", "fd-km4-delta", "fd-km4", "fd-kf", "fd-kf limit", "mcs"};
-    const double outer = plateau_mass(edges(axes, row.variable), row.variable);
+    const double outer = plateau_mass(bin_edges(axes, row.variable), row.variable);
     const auto l1 = [&](std::size_t i, std::size_t j) {
       return f * std::abs(amplitudes[i] - amplitudes[j]) * (1 - outer) +
              outer * std::abs(std::pow(10, f * exponents[i]) - std::pow(10, f * exponents[j]));
@@ -249,11 +249,12 @@ TEST(Budget, TheTailUsesTheSameBinsForEveryPart) {
 }
 
 TEST(Budget, NamesOfJoinedLinksAreParsed) {
-  const std::vector<Link> links{Link::closure, Link::white_noise, Link::sampling};
-  EXPECT_EQ(name(links), "closure + white noise + sampling");
-  EXPECT_EQ(parse_links(name(links)), links);
-  EXPECT_THROW(parse_links("closure + magic"), InputError);
-  EXPECT_THROW(parse_links(""), InputError);
+  const std::vector<Approximation> approximations{
+      Approximation::closure, Approximation::white_noise, Approximation::sampling};
+  EXPECT_EQ(name(approximations), "closure + white noise + sampling");
+  EXPECT_EQ(parse_approximations(name(approximations)), approximations);
+  EXPECT_THROW(parse_approximations("closure + magic"), InputError);
+  EXPECT_THROW(parse_approximations(""), InputError);
 }
 
 TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
@@ -262,14 +263,18 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
   budget.push_back(budget[0]);
   budget.back().solution = "another";
   budget.back().parts = {
-      {.links = {Link::closure, Link::impact}, .from = "", .to = "", .l1 = 1, .tail = 1},
-      {.links = {Link::sampling}, .from = "", .to = "", .l1 = 1, .tail = 1}};
-  const auto closures = closure_budgets(budget, solutions);
+      {.approximations = {Approximation::closure, Approximation::impact},
+       .from = "",
+       .to = "",
+       .l1 = 1,
+       .tail = 1},
+      {.approximations = {Approximation::sampling}, .from = "", .to = "", .l1 = 1, .tail = 1}};
+  const auto closures = closure_error_budgets(budget, solutions);
   ASSERT_EQ(closures.size(), 2u);
   EXPECT_EQ(closures[0].rows().size(), 2u);
   EXPECT_EQ(closures[1].row(Variable::ydot), nullptr);
-  EXPECT_EQ(part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
-                                         "closure + impact", "sampling"}));
+  EXPECT_EQ(budget_part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
+                                                "closure + impact", "sampling"}));
   EXPECT_TRUE(budget[0].find("sampling")->is_reference_error());
   EXPECT_FALSE(budget[0].find("truncation")->is_reference_error());
   EXPECT_EQ(budget[0].find("magic"), nullptr);

@@ -37,7 +37,7 @@ TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
   const auto& white = comparison.marginals[3];
   const auto& kf = comparison.marginals[5];
   ASSERT_EQ(white.solution + kf.solution, "fd-whitefd-kf");
-  const auto* pair = find_pair(comparison.pairs, "fd-kf", "fd-white", Variable::y);
+  const auto* pair = find_pair_distances(comparison.pairs, "fd-kf", "fd-white", Variable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.kl, distances(white.marginal, kf.marginal).kl);
   EXPECT_NE(pair->distances.kl, distances(kf.marginal, white.marginal).kl);
@@ -94,7 +94,8 @@ TEST(Comparison, UsesUniformBinsForDistances) {
   const auto& other = comparison.marginals[2];
   ASSERT_EQ(one.variable, Variable::y);
   EXPECT_EQ(one.marginal.edges, axes.y_edges);  // output keeps the divided bins
-  const auto* pair = find_pair(comparison.pairs, one.solution, other.solution, Variable::y);
+  const auto* pair =
+      find_pair_distances(comparison.pairs, one.solution, other.solution, Variable::y);
   ASSERT_NE(pair, nullptr);
   EXPECT_EQ(pair->distances.l1,
             transform::l1(merge_divided_bins(axes, Variable::y, one.marginal),
@@ -118,11 +119,11 @@ TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
 TEST(Comparison, PairsAreSymmetricAndEmptyWithoutADensity) {
   auto made_up = MadeUp();
   const auto& pairs = made_up.comparison.pairs;
-  EXPECT_EQ(l1_between(pairs, "mcs", "fd-kf", Variable::y),
-            l1_between(pairs, "fd-kf", "mcs", Variable::y));
-  EXPECT_FALSE(l1_between(pairs, "mcs", "epc-gaussian-n8", Variable::y));
+  EXPECT_EQ(l1_distance_between(pairs, "mcs", "fd-kf", Variable::y),
+            l1_distance_between(pairs, "fd-kf", "mcs", Variable::y));
+  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "epc-gaussian-n8", Variable::y));
   made_up.comparison.pairs.back().distances.l1 = std::nan("");
-  EXPECT_FALSE(l1_between(pairs, "mcs", "fd-kf", Variable::ydot));
+  EXPECT_FALSE(l1_distance_between(pairs, "mcs", "fd-kf", Variable::ydot));
 }
 
 }  // namespace

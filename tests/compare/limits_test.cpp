@@ -1,4 +1,4 @@
-#include "compare/limits.hpp"
+#include "compare/limiting_errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,16 +9,22 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-BudgetPart part(Link link, const std::string& from, const std::string& to, double l1) {
-  return {.links = {link}, .from = from, .to = to, .l1 = l1, .tail = 0, .uncertainty = 1e-5};
+ErrorBudgetPart part(Approximation approximation, const std::string& from, const std::string& to,
+                     double l1) {
+  return {.approximations = {approximation},
+          .from = from,
+          .to = to,
+          .l1 = l1,
+          .tail = 0,
+          .uncertainty = 1e-5};
 }
 
 struct Budgets {
   std::vector<Solution> solutions;
-  std::vector<BudgetRow> rows;
+  std::vector<ErrorBudgetRow> rows;
   std::vector<PairDistances> pairs;  ///< of the references
 
-  std::string limits() const { return compare::limits(rows, solutions, pairs); }
+  std::string limits() const { return compare::limiting_errors_text(rows, solutions, pairs); }
 
   /// Finite differences and the simulation, and their distance in both variables.
   void add_references(double l1) {
@@ -40,20 +46,21 @@ struct Budgets {
            Status status = Status::ok) {
     add_solution(id, status);
     for (const auto variable : transform::kVariables) {
-      BudgetPart sampling = part(Link::sampling, "fd-kf limit", "mcs", 5e-4);
+      ErrorBudgetPart sampling = part(Approximation::sampling, "fd-kf limit", "mcs", 5e-4);
       sampling.uncertainty.reset();
       sampling.expected = 6e-4;
       sampling.quantile_99 = 8e-4;
-      rows.push_back({.solution = id,
-                      .variable = variable,
-                      .reference = "mcs",
-                      .total = total,
-                      .total_tail = 0,
-                      .tail_from = 0,
-                      .tail_to = 0,
-                      .tail_bins = 0,
-                      .parts = {part(Link::closure, id, "fd-km4-delta", closure),
-                                part(Link::impact, "fd-km4-delta", "fd-km4", impact), sampling}});
+      rows.push_back(
+          {.solution = id,
+           .variable = variable,
+           .reference = "mcs",
+           .total = total,
+           .total_tail = 0,
+           .tail_from = 0,
+           .tail_to = 0,
+           .tail_bins = 0,
+           .parts = {part(Approximation::closure, id, "fd-km4-delta", closure),
+                     part(Approximation::impact, "fd-km4-delta", "fd-km4", impact), sampling}});
     }
   }
 };
@@ -85,16 +92,17 @@ TEST(Limits, RequireBothVariablesWithinTheReferenceError) {
 TEST(Limits, UseTheDiscretisationErrorWithoutASimulation) {
   Budgets one;
   one.add_solution("epc-polar-n8", Status::ok);
-  one.rows.push_back({.solution = "epc-polar-n8",
-                      .variable = Variable::y,
-                      .reference = "fd-kf limit",
-                      .total = 2e-5,
-                      .total_tail = 0,
-                      .tail_from = 0,
-                      .tail_to = 0,
-                      .tail_bins = 0,
-                      .parts = {part(Link::closure, "epc-polar-n8", "fd-kf", 4e-5),
-                                part(Link::discretisation, "fd-kf", "fd-kf limit", 3e-5)}});
+  one.rows.push_back(
+      {.solution = "epc-polar-n8",
+       .variable = Variable::y,
+       .reference = "fd-kf limit",
+       .total = 2e-5,
+       .total_tail = 0,
+       .tail_from = 0,
+       .tail_to = 0,
+       .tail_bins = 0,
+       .parts = {part(Approximation::closure, "epc-polar-n8", "fd-kf", 4e-5),
+                 part(Approximation::discretisation, "fd-kf", "fd-kf limit", 3e-5)}});
   one.rows[0].parts[1].uncertainty = 3e-5;
   EXPECT_EQ(
       one.limits(),

@@ -22,7 +22,7 @@ Solution& find(std::vector<Solution>& solutions, const std::string& id) {
 }
 
 std::string reference_id(const std::vector<Solution>& solutions) {
-  const Solution* chosen = reference(solutions);
+  const Solution* chosen = select_reference(solutions);
   return chosen == nullptr ? "none" : chosen->id();
 }
 
@@ -69,15 +69,15 @@ TEST(Reference, RanksClosuresAndMarksIndistinguishableOnes) {
   ASSERT_EQ(ranks.size(), 2u);  // n4 is inadmissible, n8 has no density
   EXPECT_EQ(ranks[0].solution->id(), "epc-gaussian-n6");
   EXPECT_EQ(ranks[1].solution->id(), "epc-gaussian-n2");
-  EXPECT_EQ(ranks[0].y,
-            l1_between(comparison.pairs, "fd-kf", "epc-gaussian-n6", transform::Variable::y));
-  const Solution& measure = *reference(solutions);
-  EXPECT_FALSE(is_indistinguishable(ranks[0], ranks[1], measure));
+  EXPECT_EQ(ranks[0].y, l1_distance_between(comparison.pairs, "fd-kf", "epc-gaussian-n6",
+                                            transform::Variable::y));
+  const Solution& measure = *select_reference(solutions);
+  EXPECT_FALSE(are_indistinguishable(ranks[0], ranks[1], measure));
   ReferenceDistance near = ranks[0];
   near.y += 4.9e-5;  // the error estimates of both marginals sum to 5e-5
-  EXPECT_TRUE(is_indistinguishable(ranks[0], near, measure));
+  EXPECT_TRUE(are_indistinguishable(ranks[0], near, measure));
   near.y += 0.2e-5;
-  EXPECT_FALSE(is_indistinguishable(ranks[0], near, measure));
+  EXPECT_FALSE(are_indistinguishable(ranks[0], near, measure));
 }
 
 TEST(Reference, IsStatedInWords) {

@@ -12,12 +12,12 @@ using transform::Variable;
 
 TEST(RestAtoms, OfDifferentWallsDifferInYOnly) {
   const std::vector<RestAtom> left{{-0.5, 0.3}}, right{{0.5, 0.2}}, both{{-0.5, 0.1}, {0.5, 0.2}};
-  EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::y), 0.5);
-  EXPECT_DOUBLE_EQ(atom_distance(left, right, Variable::ydot), 0.1);
-  EXPECT_DOUBLE_EQ(atom_distance(left, both, Variable::y), 0.4);
-  EXPECT_NEAR(atom_distance(left, both, Variable::ydot), 0, 1e-16);
-  EXPECT_DOUBLE_EQ(atom_distance({}, left, Variable::y), 0.3);
-  EXPECT_EQ(atom_distance({}, {}, Variable::y), 0);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, Variable::y), 0.5);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, right, Variable::ydot), 0.1);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance(left, both, Variable::y), 0.4);
+  EXPECT_NEAR(rest_atom_l1_distance(left, both, Variable::ydot), 0, 1e-16);
+  EXPECT_DOUBLE_EQ(rest_atom_l1_distance({}, left, Variable::y), 0.3);
+  EXPECT_EQ(rest_atom_l1_distance({}, {}, Variable::y), 0);
 }
 
 // Equal densities of mass 1/2: only the atoms differ.
@@ -34,7 +34,7 @@ TEST(RestAtoms, ContributeToTheDistanceOfSolutions) {
   const transform::Solution both[] = {solution("one", 0.5), solution("other", 0.4)};
   const auto compared = compare_solutions(axes, both);
   for (const auto variable : transform::kVariables) {
-    EXPECT_NEAR(*l1_between(compared.pairs, "one", "other", variable), 0.1, 1e-15);
+    EXPECT_NEAR(*l1_distance_between(compared.pairs, "one", "other", variable), 0.1, 1e-15);
   }
 }
 

@@ -31,16 +31,16 @@ TEST(SmoothReference, IsTheReferenceByItsSmoothSamplingError) {
   auto one = tests::made_up_case_with_control_variates();
   auto& kf = one.solutions[6];
   kf.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  EXPECT_EQ(reference(one.solutions)->id(), "mcs");
-  EXPECT_EQ(error_estimate(one.solutions.back(), Variable::y), 3e-6);
+  EXPECT_EQ(select_reference(one.solutions)->id(), "mcs");
+  EXPECT_EQ(l1_error_estimate(one.solutions.back(), Variable::y), 3e-6);
   kf.error = {.y_l1 = 1e-6, .ydot_l1 = 1e-6};
-  EXPECT_EQ(reference(one.solutions)->id(), "fd-kf");
+  EXPECT_EQ(select_reference(one.solutions)->id(), "fd-kf");
 }
 
 // Fully correlated errors: the signs of the differences decide which errors add and which cancel.
 TEST(SmoothReference, HasStandardErrorsThatDependOnTheSignsOfDifferences) {
   const transform::SmoothBins bins{.first = 0, .spacing = 1, .count = 3};
-  const transform::SmoothEstimate estimate{
+  const transform::SmoothBinEstimate estimate{
       .bins = bins,
       .averages = transform::smooth_bin_marginal(bins, {1, 1, 1}),
       // Standard errors .1, .2, .3, with correlation 1.
@@ -58,9 +58,10 @@ TEST(SmoothReference, HasDistancesOverSmoothBins) {
   const auto one = tests::made_up_case_with_control_variates(kError);
   const auto plain = tests::made_up_case();
   for (const auto variable : transform::kVariables) {
-    const auto* pair = find_pair(one.pairs, "fd-kf", "mcs", variable);
+    const auto* pair = find_pair_distances(one.pairs, "fd-kf", "mcs", variable);
     // The same density except for errors of kError in every second bin.
-    const auto& averages = transform::smooth_estimate(one.solutions.back(), variable)->averages;
+    const auto& averages =
+        transform::find_smooth_bin_estimate(one.solutions.back(), variable)->averages;
     double expected = 0, variance = 0;
     for (std::size_t b = 0; b < averages.size(); ++b) {
       expected += b % 2 == 0 ? averages.width(b) * kError : 0;
@@ -69,11 +70,11 @@ TEST(SmoothReference, HasDistancesOverSmoothBins) {
     EXPECT_NEAR(pair->distances.l1, expected, 0.01 * expected);
     EXPECT_NEAR(*pair->l1_standard_error, std::sqrt(variance), 1e-12);
     // The sampling noise of the histogram.
-    EXPECT_GT(*l1_between(plain.pairs, "fd-kf", "mcs", variable), 100 * expected);
+    EXPECT_GT(*l1_distance_between(plain.pairs, "fd-kf", "mcs", variable), 100 * expected);
     // Distances between the other solutions do not change.
-    EXPECT_EQ(*l1_between(one.pairs, "fd-white", "fd-kf", variable),
-              *l1_between(plain.pairs, "fd-white", "fd-kf", variable));
-    EXPECT_FALSE(find_pair(one.pairs, "fd-white", "fd-kf", variable)->l1_standard_error);
+    EXPECT_EQ(*l1_distance_between(one.pairs, "fd-white", "fd-kf", variable),
+              *l1_distance_between(plain.pairs, "fd-white", "fd-kf", variable));
+    EXPECT_FALSE(find_pair_distances(one.pairs, "fd-white", "fd-kf", variable)->l1_standard_error);
   }
 }
 
@@ -83,10 +84,11 @@ TEST(SmoothReference, HasDistancesOverSharpBinsToNoisySolutions) {
   auto solutions = one.solutions;
   solutions[5].sampling = {.y = 1e-3, .ydot = 1e-3};  // fd-km4, as if from a file
   const auto compared = compare_solutions(comparison_axes(one.problem), solutions);
-  EXPECT_FALSE(find_pair(compared.pairs, "fd-km4", "mcs", Variable::y)->l1_standard_error);
-  EXPECT_EQ(*l1_between(compared.pairs, "fd-km4", "mcs", Variable::y),
-            *l1_between(tests::made_up_case().pairs, "fd-km4", "mcs", Variable::y));
-  EXPECT_TRUE(find_pair(compared.pairs, "fd-kf", "mcs", Variable::y)->l1_standard_error);
+  EXPECT_FALSE(
+      find_pair_distances(compared.pairs, "fd-km4", "mcs", Variable::y)->l1_standard_error);
+  EXPECT_EQ(*l1_distance_between(compared.pairs, "fd-km4", "mcs", Variable::y),
+            *l1_distance_between(tests::made_up_case().pairs, "fd-km4", "mcs", Variable::y));
+  EXPECT_TRUE(find_pair_distances(compared.pairs, "fd-kf", "mcs", Variable::y)->l1_standard_error);
 }
 
 TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
@@ -97,14 +99,14 @@ TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
     EXPECT_EQ(last.name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_EQ(last.to, "mcs");
-    EXPECT_EQ(last.l1, *l1_between(one.pairs, "fd-kf", "mcs", row.variable));
+    EXPECT_EQ(last.l1, *l1_distance_between(one.pairs, "fd-kf", "mcs", row.variable));
     EXPECT_EQ(last.standard_error,
-              find_pair(one.pairs, "fd-kf", "mcs", row.variable)->l1_standard_error);
+              find_pair_distances(one.pairs, "fd-kf", "mcs", row.variable)->l1_standard_error);
     EXPECT_EQ(*last.quantile_99, row.variable == Variable::y ? 5e-6 : 6e-6);
     double sum = 0;
     for (const auto& part : row.parts) sum += part.l1;
     EXPECT_LE(row.total, sum * (1 + 1e-12));
-    EXPECT_EQ(row.total, *l1_between(one.pairs, row.solution, "mcs", row.variable));
+    EXPECT_EQ(row.total, *l1_distance_between(one.pairs, row.solution, "mcs", row.variable));
   }
 }
 

@@ -12,7 +12,7 @@ int covered(const tests::PreparedCase& setup, int runs) {
   int count = 0;
   for (int seed = 1; seed <= runs; ++seed) {
     const Result r = setup.run(1e4, static_cast<std::uint64_t>(seed), 32);
-    const auto holds = [&](const EstimatePair& e, double truth) {
+    const auto holds = [&](const ControlledAndPlainEstimate& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
              r.estimates.interval_factor * e.controlled.standard_error;
     };

@@ -14,12 +14,12 @@ namespace {
 
 constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // indices in kMoments
 
-void expect_true(const EstimatePair& e, double truth, double truth_error = 0) {
+void expect_true(const ControlledAndPlainEstimate& e, double truth, double truth_error = 0) {
   EXPECT_GT(e.controlled.standard_error, 0);
   EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
 }
 
-double reduction(const EstimatePair& e) {
+double reduction(const ControlledAndPlainEstimate& e) {
   return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
 }
 
@@ -44,7 +44,7 @@ TEST(ControlVariates, IsUnbiasedWithControlFunctionsThatAreWrong) {
   // estimate.
   for (const double factor : {1.1, 0.9, 0.0}) {
     const Result result = tests::case_1().with_scaled_control(factor).run(2e5);
-    const EstimatePair& e = result.estimates.moments[kY2];
+    const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
     expect_true(e, tests::kTrueY2, 1e-9);
     expect_true(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
     EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
@@ -80,8 +80,8 @@ TEST(ControlVariates, SmoothBinsAgreeWithTheExactLinearDensity) {
       const auto p = averages(edges);
       double sum = 0, weight = 0;
       for (int k = 0; k < kFine; ++k) {
-        const double m =
-            transform::cubic_spline((begin + (k + 0.5) * width - centre) / bins.bins.spacing);
+        const double m = transform::cardinal_cubic_spline((begin + (k + 0.5) * width - centre) /
+                                                          bins.bins.spacing);
         sum += m * p[k];
         weight += m;
       }
@@ -101,10 +101,10 @@ TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
         tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
     const tests::PreparedCase other(tests::make_problem(p));
     const Result result = other.run(1e5);
-    const EstimatePair& e = result.estimates.moments[kY2];
+    const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
     EXPECT_GT(reduction(e), 1e4);
     EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
-    EXPECT_TRUE(result.checks.failed().empty()) << result.checks.failed().front();
+    EXPECT_TRUE(result.checks.failed_checks().empty()) << result.checks.failed_checks().front();
   }
 }
 
@@ -115,7 +115,7 @@ TEST(ControlVariates, IsPlainWithoutControlFunctions) {
     const auto solution = solve(problem, {.simulation = options, .cells = cells});
     EXPECT_TRUE(solution.smooth_estimates.empty());
     EXPECT_FALSE(solution.smooth_sampling);
-    return transform::word(solution.metrics, "notes[0]").value_or("");
+    return transform::metric_text(solution.metrics, "notes[0]").value_or("");
   };
   const std::string not_taken = "plain simulation without control variates: ";
   const auto problem = tests::paper_case(1);
@@ -133,8 +133,8 @@ TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
   const auto solution =
       solve(tests::paper_case(1), {.simulation = few, .cells = ControlCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
-  EXPECT_EQ(transform::number(solution.metrics, "checks.generator.dimensions"), 4);
-  const double p = *transform::number(solution.metrics, "checks.generator.p_value");
+  EXPECT_EQ(transform::metric_number(solution.metrics, "checks.generator.dimensions"), 4);
+  const double p = *transform::metric_number(solution.metrics, "checks.generator.p_value");
   EXPECT_GT(p, 0);
   EXPECT_LT(p, 1);
 }
@@ -145,7 +145,7 @@ TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
   const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
                                         .cells = ControlCells{20, 40}});
   EXPECT_TRUE(solution.is_ok()) << solution.reason;
-  EXPECT_EQ(transform::number(solution.metrics, "checks.impacts.restitution"), 0);
+  EXPECT_EQ(transform::metric_number(solution.metrics, "checks.impacts.restitution"), 0);
 }
 
 // A caller may end the simulation once the progress exceeds 0. The fit must be complete then; here
@@ -179,11 +179,11 @@ TEST(ControlVariates, SolvesInOneCall) {
   mcs::Options plain = simulation;
   plain.step = 0.5;
   const auto alone = mcs::solve(problem, plain).solution;
-  EXPECT_NEAR(*transform::number(solution.metrics, "plain.moments.y2"), alone.moments.y2,
+  EXPECT_NEAR(*transform::metric_number(solution.metrics, "plain.moments.y2"), alone.moments.y2,
               4 * alone.standard_errors->moments.y2);
   EXPECT_EQ(solution.estimated_marginals[0].second.density,
             alone.estimated_marginals[0].second.density);
-  const auto* smooth = transform::smooth_estimate(solution, transform::Variable::ydot);
+  const auto* smooth = transform::find_smooth_bin_estimate(solution, transform::Variable::ydot);
   ASSERT_NE(smooth, nullptr);
   EXPECT_EQ(static_cast<int>(smooth->averages.size()), smooth->bins.count);
   EXPECT_GT(*solution.smooth_sampling->y_99, *solution.smooth_sampling->y);

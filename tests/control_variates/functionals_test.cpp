@@ -9,7 +9,7 @@ constexpr transform::SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8}
 
 TEST(Functionals, AreWhatTheDepositHolds) {
   const Functionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
-  const auto functions = functionals.functions();
+  const auto functions = functionals.integrands();
   EXPECT_EQ(static_cast<int>(functions.size()), functionals.size());
   mcs::StreamDeposit stream;
   stream.samples = 4;
@@ -20,9 +20,9 @@ TEST(Functionals, AreWhatTheDepositHolds) {
   grid.v_bins = functionals.v_bins;
   stream.sums.y_bins.assign(20, 0);
   stream.sums.v_bins.assign(20, 0);
-  stream.sums.y_bins[mcs::Deposit::kBinOffset + 3] = 2;
-  stream.sums.v_bins[mcs::Deposit::kBinOffset + 4] = 1;
-  const auto means = functionals.means(stream);
+  stream.sums.y_bins[mcs::DepositedSums::kBinOffset + 3] = 2;
+  stream.sums.v_bins[mcs::DepositedSums::kBinOffset + 4] = 1;
+  const auto means = functionals.stream_means(stream);
   EXPECT_EQ(means[0], 1);   // y
   EXPECT_EQ(means[1], 3);   // y^2
   EXPECT_EQ(means[2], 10);  // y^4

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control_variates/result.hpp"
-#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::tests {
@@ -14,8 +14,8 @@ struct PreparedCase {
   explicit PreparedCase(problem::Problem p, control_variates::ControlCells cells = {30, 64})
       : problem(std::move(p)),
         setup(control_variates::make_control_setup(
-            problem, control_variates::deposit_layout(problem, cells),
-            mcs::make_plan(problem, mcs::Options{}).sampling_interval)) {}
+            problem, control_variates::make_deposit_layout(problem, cells),
+            mcs::make_simulation_plan(problem, mcs::Options{}).sampling_interval)) {}
 
   mcs::Options options(double time, std::uint64_t seed = 1, int streams = 64) const {
     mcs::Options o{.time = time, .seed = seed, .streams = streams, .step = 0.5};

@@ -33,14 +33,14 @@ bool has(const Names& names, const std::string& name) {
 
 TEST(Checks, PassWithoutFaults) {
   const Result result = tests::case_1().run(kTime);
-  EXPECT_EQ(result.checks.failed(), Names{});
+  EXPECT_EQ(result.checks.failed_checks(), Names{});
   EXPECT_LT(distance(result), 4);
 }
 
 TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
   const Result result = faulty({.damping = 0.1 * 1.001});
-  EXPECT_EQ(result.checks.failed(), Names{"flights"});
-  EXPECT_EQ(result.checks.deterministic_failures(), Names{"flights"});
+  EXPECT_EQ(result.checks.failed_checks(), Names{"flights"});
+  EXPECT_EQ(result.checks.failed_deterministic_checks(), Names{"flights"});
   const auto solution = make_solution(Result(result));
   EXPECT_EQ(solution.status, transform::Status::failed);
   EXPECT_NE(solution.reason.find("flights"), std::string::npos);
@@ -50,7 +50,7 @@ TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
 
 TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
   const Result result = faulty({.restitution = 0.98 + 1e-3});
-  EXPECT_EQ(result.checks.failed(), Names{"restitution"});
+  EXPECT_EQ(result.checks.failed_checks(), Names{"restitution"});
   EXPECT_NEAR(result.checks.restitution, 1e-3, 1e-12);
   EXPECT_GT(distance(result), 100);
 }
@@ -58,19 +58,20 @@ TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
 TEST(Checks, DetectALawThatControlFunctionsCannotDetect) {
   // A fault of 0.02 in the deviation, for a short run; a run 400 times as long detects 0.001.
   const Result result = faulty({.intensity = 0.1 * 1.02 * 1.02});
-  EXPECT_TRUE(has(result.checks.failed(), "impulses"));
-  EXPECT_FALSE(has(result.checks.failed(), "flights"));
+  EXPECT_TRUE(has(result.checks.failed_checks(), "impulses"));
+  EXPECT_FALSE(has(result.checks.failed_checks(), "flights"));
   // A statistical check gives a note, not a failure.
   const auto solution = make_solution(Result(result));
   EXPECT_TRUE(solution.is_ok());
-  EXPECT_NE(transform::word(solution.metrics, "notes[0]")->find("impulses"), std::string::npos);
+  EXPECT_NE(transform::metric_text(solution.metrics, "notes[0]")->find("impulses"),
+            std::string::npos);
   EXPECT_GT(result.checks.mean_square, 4);
   EXPECT_LT(distance(result), 4);
 }
 
 TEST(Checks, FindImpulsesThatComeTooOften) {
   const Result result = faulty({.rate = 1.02, .intensity = 0.1 * 1.02});
-  EXPECT_TRUE(has(result.checks.failed(), "impulses"));
+  EXPECT_TRUE(has(result.checks.failed_checks(), "impulses"));
   EXPECT_GT(result.checks.rate, 4);
 }
 
@@ -80,8 +81,8 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
   const mcs::Oscillator oscillator(problem.system);
   mcs::ImpulseSource source(problem.impulses, 5, s);
   mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
-  mcs::Impulse next = source.next();
-  mcs::StreamDeposit stream{.sums = mcs::Deposit(plan.grid)};
+  mcs::Impulse next = source.next_impulse();
+  mcs::StreamDeposit stream{.sums = mcs::DepositedSums(plan.grid)};
   double y_before = 0, until_sample = plan.sampling_interval / 2, remaining = time + 400;
   while (remaining > 0) {
     const bool burns_in = remaining > time;
@@ -97,16 +98,16 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
     const mcs::Flight flight(oscillator, state);
     double span = std::min({flight.max_step(0.5), next.waiting, remaining});
     if (burns_in) span = std::min(span, remaining - time);
-    mcs::State end = flight.at(span);
+    mcs::State end = flight.state_at_time(span);
     if (end.y < 0 && state.y > 0) {
       span = flight.impact_time(span, end, true) + late;
-      end = flight.at(span);
+      end = flight.state_at_time(span);
       y_before = end.y;
       end.y = 0;
     }
     if (!burns_in) {
       for (; until_sample < span; until_sample += plan.sampling_interval) {
-        const auto [y, v] = flight.at(until_sample);
+        const auto [y, v] = flight.state_at_time(until_sample);
         mcs::deposit_sample(plan, stream.sums, std::max(y, 0.0), v,
                             flight.polynomial_acceleration(until_sample), 1);
         for (std::size_t k = 0; k < mcs::kPowers.size(); ++k) {
@@ -127,7 +128,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
         stream.sums.impulses[2] += next.amplitude * next.amplitude;
       }
       state.v += next.amplitude;
-      next = source.next();
+      next = source.next_impulse();
     }
   }
   stream.time = time;
@@ -136,16 +137,17 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
 
 TEST(Checks, FindImpactsLocatedLateByAMillionth) {
   const auto& [problem, setup] = tests::case_1();
-  const mcs::Plan plan = mcs::make_plan(problem, tests::case_1().options(kTime));
+  const mcs::SimulationPlan plan =
+      mcs::make_simulation_plan(problem, tests::case_1().options(kTime));
   for (const double late : {0.0, 1e-6}) {
     std::vector<mcs::StreamDeposit> streams;
     for (std::uint32_t s = 0; s < 40; ++s) {
       streams.push_back(late_impacts(*plan.deposit, problem, s, late, 2000));
     }
     const Eigen::MatrixXd generator = generator_means(setup, streams);
-    const Estimates estimates = estimate_functionals(setup, generator, streams);
-    const Checks judged = checks(setup, generator, streams, estimates);
-    EXPECT_EQ(judged.failed(), late > 0 ? Names{"wall"} : Names{});
+    const FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
+    const SimulationChecks judged = check_simulation(setup, generator, streams, estimates);
+    EXPECT_EQ(judged.failed_checks(), late > 0 ? Names{"wall"} : Names{});
     if (late > 0) {
       EXPECT_GT(judged.wall_distance, 1e-7);
     }

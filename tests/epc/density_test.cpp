@@ -1,4 +1,4 @@
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ void expect_the_same_density(const problem::Problem& problem, const Options& opt
   const auto form = read_closed_form(result.solution.metrics);
   EXPECT_TRUE(is_normalised(form));
   const auto& solver_density = density_in(result);
-  const auto again = density(form, &problem);
+  const auto again = density_of_closed_form(form, &problem);
   EXPECT_EQ(again.y_max, solver_density.y_max);
   EXPECT_EQ(again.v_max, solver_density.v_max);
   double peak = 0;
@@ -50,7 +50,7 @@ TEST(ClosedForm, EvaluatesToTheSolversDensity) {
   expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::moment, 4));
   expect_the_same_density(tests::paper_case(1), tests::closure(Formulation::polar, 4));
   auto cut = tests::closure(Formulation::moment, 4);
-  cut.tail = Tail::cut;
+  cut.tail = TailTreatment::cut;
   expect_the_same_density(tests::paper_case(1), cut);
 }
 
@@ -79,7 +79,7 @@ TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
         transform::to_physical_coordinates(seen.frame, *result.solution.density));
     const auto form = read_closed_form(result.solution.metrics);
     for (const auto* problem : {&physical, &seen}) {
-      const auto again = density(form, problem);
+      const auto again = density_of_closed_form(form, problem);
       EXPECT_EQ(again.y_min, solver_density.y_min);
       EXPECT_EQ(again.y_max, solver_density.y_max);
       const double width = solver_density.y_max - solver_density.y_min;
@@ -108,20 +108,20 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
       solve(tests::in_wall_coordinates(of_gap(-0.5)), tests::closure(Formulation::moment, 4));
   const auto form = read_closed_form(result.solution.metrics);
   const auto other = of_gap(-0.6);
-  EXPECT_THROW(density(form, &other), InputError);
+  EXPECT_THROW(density_of_closed_form(form, &other), InputError);
 }
 
 // The density proportional to exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
 MetricBuilder gaussian_form(const char* coordinates) {
   MetricBuilder builder;
-  builder.text("coordinates", std::string(coordinates))
-      .result("coefficients[0].x1", std::int64_t{2})
-      .result("coefficients[0].x2", std::int64_t{0})
-      .result("coefficients[0].a", -1 / (2 * kA * kA))
-      .result("coefficients[1].x1", std::int64_t{0})
-      .result("coefficients[1].x2", std::int64_t{2})
-      .result("coefficients[1].a", -1 / (2 * kB * kB));
+  builder.add_text("coordinates", std::string(coordinates))
+      .add_result("coefficients[0].x1", std::int64_t{2})
+      .add_result("coefficients[0].x2", std::int64_t{0})
+      .add_result("coefficients[0].a", -1 / (2 * kA * kA))
+      .add_result("coefficients[1].x1", std::int64_t{0})
+      .add_result("coefficients[1].x2", std::int64_t{2})
+      .add_result("coefficients[1].a", -1 / (2 * kB * kB));
   return builder;
 }
 double exact_gaussian(double y, double v) {
@@ -130,7 +130,7 @@ double exact_gaussian(double y, double v) {
 
 TEST(ClosedForm, OfAGaussianIsThatGaussian) {
   const auto expect_exact = [](MetricBuilder builder, double relative) {
-    const auto p = density(read_closed_form(builder.take()), nullptr);
+    const auto p = density_of_closed_form(read_closed_form(builder.take_metrics()), nullptr);
     for (const double y : {0.0, 0.3, 1.1}) {
       for (const double v : {-2.0, 0.0, 0.7}) {
         EXPECT_NEAR(p.value(y, v) / exact_gaussian(y, v), 1, relative) << y << ' ' << v;
@@ -138,40 +138,43 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
     }
   };
   // Forms that the constant normalises: on the plane and on the half-plane.
-  expect_exact(gaussian_form("x1,x2").result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(gaussian_form("x1,x2").result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(gaussian_form("y,v").result("C", 1 / (M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form("x1,x2").add_result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form("x1,x2").add_result("log_C", -std::log(2 * M_PI * kA * kB)), 1e-14);
+  expect_exact(gaussian_form("y,v").add_result("C", 1 / (M_PI * kA * kB)), 1e-14);
   // Forms that are normalised over a support with nearly all of the probability.
-  expect_exact(gaussian_form("x1,x2").result("support.sigma1", kA).result("support.sigma2", kB),
+  expect_exact(
+      gaussian_form("x1,x2").add_result("support.sigma1", kA).add_result("support.sigma2", kB),
+      1e-12);
+  expect_exact(gaussian_form("x1,x2")
+                   .add_result("support.y_max", 8 * kA)
+                   .add_result("support.v_max", 8 * kB),
                1e-12);
   expect_exact(
-      gaussian_form("x1,x2").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
+      gaussian_form("y,v").add_result("support.y_max", 8 * kA).add_result("support.v_max", 8 * kB),
       1e-12);
-  expect_exact(gaussian_form("y,v").result("support.y_max", 8 * kA).result("support.v_max", 8 * kB),
-               1e-12);
 }
 
 // A box that begins below 0 contains the whole Gaussian of the plane, with half the density.
 TEST(ClosedForm, MayBeginBelowZero) {
-  const auto p = density(read_closed_form(gaussian_form("y,v")
-                                              .result("support.y_max", 8 * kA)
-                                              .result("support.y_min", -8 * kA)
-                                              .result("support.v_max", 8 * kB)
-                                              .take()),
-                         nullptr);
+  const auto p = density_of_closed_form(read_closed_form(gaussian_form("y,v")
+                                                             .add_result("support.y_max", 8 * kA)
+                                                             .add_result("support.y_min", -8 * kA)
+                                                             .add_result("support.v_max", 8 * kB)
+                                                             .take_metrics()),
+                                        nullptr);
   EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_gaussian(0.3, 0.5) / 2), 1, 1e-12);
   EXPECT_EQ(p.value(-8.1 * kA, 0), 0);
 }
 
 TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
-  const auto form = read_closed_form(gaussian_form("y,v").take());
+  const auto form = read_closed_form(gaussian_form("y,v").take_metrics());
   EXPECT_FALSE(is_normalised(form));
-  EXPECT_DOUBLE_EQ(density(form, nullptr).value(0, 0), 1);
+  EXPECT_DOUBLE_EQ(density_of_closed_form(form, nullptr).value(0, 0), 1);
 }
 
 std::string error_message(MetricBuilder builder, const problem::Problem* problem = nullptr) {
   try {
-    density(read_closed_form(builder.take()), problem);
+    density_of_closed_form(read_closed_form(builder.take_metrics()), problem);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -182,39 +185,40 @@ TEST(ClosedForm, ThatIsIncompleteIsRefused) {
   EXPECT_NE(error_message(MetricBuilder()).find("no \"coordinates\""), std::string::npos);
   EXPECT_NE(error_message(gaussian_form("q,p")).find("'q,p' (must be \"x1,x2\""),
             std::string::npos);
-  EXPECT_NE(error_message(MetricBuilder().text("coordinates", std::string("y,v")))
+  EXPECT_NE(error_message(MetricBuilder().add_text("coordinates", std::string("y,v")))
                 .find("no coefficients"),
             std::string::npos);
-  EXPECT_EQ(error_message(gaussian_form("y,v").result("C", -1.0)),
+  EXPECT_EQ(error_message(gaussian_form("y,v").add_result("C", -1.0)),
             "\"C\" is -1 (must be positive)");
   EXPECT_NE(error_message(gaussian_form("y,v")
-                              .result("support.y_max", 1.0)
-                              .result("support.y_min", 2.0)
-                              .result("support.v_max", 1.0))
+                              .add_result("support.y_max", 1.0)
+                              .add_result("support.y_min", 2.0)
+                              .add_result("support.v_max", 1.0))
                 .find("must be below"),
             std::string::npos);
-  EXPECT_NE(
-      error_message(gaussian_form("y,v").result("support.y_max", 1.0)).find("incomplete support"),
-      std::string::npos);
+  EXPECT_NE(error_message(gaussian_form("y,v").add_result("support.y_max", 1.0))
+                .find("incomplete support"),
+            std::string::npos);
   EXPECT_NE(error_message(gaussian_form("y,v")
-                              .result("coefficients[2].x1", 0.5)
-                              .result("coefficients[2].x2", 0.0)
-                              .result("coefficients[2].a", 1.0))
+                              .add_result("coefficients[2].x1", 0.5)
+                              .add_result("coefficients[2].x2", 0.0)
+                              .add_result("coefficients[2].a", 1.0))
                 .find("is 0.5 (must be an integer"),
             std::string::npos);
   EXPECT_NE(error_message(gaussian_form("y,v")
-                              .result("coefficients[2].x1", 30.0)
-                              .result("coefficients[2].x2", 0.0)
-                              .result("coefficients[2].a", 1.0)
-                              .result("support.y_max", 9.0)
-                              .result("support.v_max", 9.0))
+                              .add_result("coefficients[2].x1", 30.0)
+                              .add_result("coefficients[2].x2", 0.0)
+                              .add_result("coefficients[2].a", 1.0)
+                              .add_result("support.y_max", 9.0)
+                              .add_result("support.v_max", 9.0))
                 .find("integral over the support is inf"),
             std::string::npos);
   // A form with amplitudes or energies needs an oscillator.
   EXPECT_NE(error_message(gaussian_form("amplitude,phase")).find("name its case"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form("y,v").result("support.energy", 1.0)).find("name its case"),
-            std::string::npos);
+  EXPECT_NE(
+      error_message(gaussian_form("y,v").add_result("support.energy", 1.0)).find("name its case"),
+      std::string::npos);
   const auto problem = tests::paper_case(1);
   EXPECT_EQ(error_message(gaussian_form("amplitude,phase"), &problem), "accepted");
 }

@@ -18,7 +18,7 @@ Options non_default_options() {
           .formulation = Formulation::moment,
           .monomials = MonomialSet::general,
           .equation = Equation::white,
-          .tail = Tail::cut,
+          .tail = TailTreatment::cut,
           .tolerance = 3.1e-9,
           .accuracy = 0.3,
           .max_iterations = 17,
@@ -33,7 +33,7 @@ std::vector<Options> named_options() {
       list.push_back({.order = order, .equation = equation});
     }
     for (const auto equation : {Equation::white, Equation::kf}) {
-      for (const auto tail : {Tail::confined, Tail::cut}) {
+      for (const auto tail : {TailTreatment::confined, TailTreatment::cut}) {
         list.push_back({.order = order,
                         .formulation = Formulation::moment,
                         .equation = equation,
@@ -91,7 +91,7 @@ TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
   EXPECT_EQ(id({.order = 4, .equation = Equation::white}), "epc-gaussian-white-n4");
   EXPECT_EQ(id({.equation = Equation::kf}), "epc-gaussian-kf-n6");
   EXPECT_EQ(id({.equation = Equation::km4}), "epc-gaussian-n6");
-  EXPECT_EQ(id({.order = 8, .formulation = Formulation::moment, .tail = Tail::cut}),
+  EXPECT_EQ(id({.order = 8, .formulation = Formulation::moment, .tail = TailTreatment::cut}),
             "epc-moment-cut-n8");
   EXPECT_EQ(id({.order = 4, .formulation = Formulation::moment, .equation = Equation::white}),
             "epc-moment-white-n4");
@@ -133,7 +133,7 @@ TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
   EXPECT_EQ(gaussian.order, 6);
   EXPECT_EQ(gaussian.equation, Equation::km4);
   EXPECT_EQ(gaussian.impact, Impact::delta);
-  EXPECT_EQ(gaussian.role, transform::Role::closure);
+  EXPECT_EQ(gaussian.role, transform::SolutionRole::closure);
   const auto cut = identity(non_default_options());
   EXPECT_EQ(cut.id, "epc-moment-cut-white-n10");
   EXPECT_EQ(cut.formulation, "moment-cut-white");
@@ -158,11 +158,12 @@ TEST(ClosureOptions, HaveErrorsOfOneLine) {
 
 TEST(ClosureOptions, EveryEvenOrderUpToTheGreatestIsAllowed) {
   for (const auto& [formulation, name, meaning] : kFormulationNames) {
-    for (int order = 2; order <= greatest_order(formulation); order += 2) {
+    for (int order = 2; order <= max_closure_order(formulation); order += 2) {
       EXPECT_EQ(error_message({.order = order, .formulation = formulation}), "") << name << order;
     }
-    EXPECT_NE(error_message({.order = greatest_order(formulation) + 2, .formulation = formulation}),
-              "");
+    EXPECT_NE(
+        error_message({.order = max_closure_order(formulation) + 2, .formulation = formulation}),
+        "");
   }
 }
 
@@ -179,7 +180,8 @@ TEST(ClosureOptions, WhatAFormulationCannotSolveIsRefused) {
 
 TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
   for (const auto formulation : {Formulation::gaussian, Formulation::polar}) {
-    EXPECT_NE(error_message({.formulation = formulation, .tail = Tail::cut}).find("epc tail = cut"),
+    EXPECT_NE(error_message({.formulation = formulation, .tail = TailTreatment::cut})
+                  .find("epc tail = cut"),
               std::string::npos);
   }
   for (const auto formulation : {Formulation::moment, Formulation::polar}) {
@@ -187,7 +189,7 @@ TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
                   .find("epc monomials = general"),
               std::string::npos);
   }
-  EXPECT_EQ(error_message({.formulation = Formulation::moment, .tail = Tail::cut}), "");
+  EXPECT_EQ(error_message({.formulation = Formulation::moment, .tail = TailTreatment::cut}), "");
   EXPECT_EQ(error_message({.monomials = MonomialSet::general}), "");
 }
 

@@ -9,7 +9,7 @@
 /// Polynomial exponents for tests, in a plane with a different standard deviation for each axis.
 namespace fpkcheck::tests {
 
-inline const epc::Deviations kSigma{0.5, 2.0};
+inline const epc::StandardDeviations kSigma{0.5, 2.0};
 
 /// Polynomial of u = x1/sigma_1 and w = x2/sigma_2.
 inline epc::Polynomial scaled(std::vector<epc::Term> terms) {

@@ -12,13 +12,13 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::find;
-using transform::Kind;
+using transform::find_metric;
+using transform::metric_text;
+using transform::MetricKind;
 using transform::Metrics;
-using transform::word;
 
 double number_at(const Metrics& metrics, std::string_view path) {
-  return transform::number(metrics, path).value();
+  return transform::metric_number(metrics, path).value();
 }
 
 Metrics solved_metrics(int number, const Options& options) {
@@ -36,7 +36,7 @@ std::vector<std::string> top_level_names(const Metrics& metrics) {
 }
 
 bool is_unset(const Metrics& metrics, const char* path) {
-  const auto* found = find(metrics, path);
+  const auto* found = find_metric(metrics, path);
   return found != nullptr && base::is_unset(found->value);
 }
 
@@ -48,15 +48,15 @@ TEST(ClosureSummary, OfTheFormulationGaussianHasTheFieldsOfTheFiles) {
                                       "leading_form", "distance_to_previous", "balances",
                                       "plain_newton_converges", "disc_sensitivity", "branch"}));
   EXPECT_EQ(number_at(seen, "order"), 6);
-  EXPECT_EQ(word(seen, "formulation"), "gaussian");
-  EXPECT_EQ(word(seen, "leading_form"), "indefinite");
+  EXPECT_EQ(metric_text(seen, "formulation"), "gaussian");
+  EXPECT_EQ(metric_text(seen, "leading_form"), "indefinite");
   EXPECT_GT(number_at(seen, "iterations"), 0);
   EXPECT_LT(number_at(seen, "residual"), 1e-10);
   EXPECT_EQ(number_at(seen, "coefficients[0].x1"), 2);
   EXPECT_EQ(number_at(seen, "coefficients[0].x2"), 0);
   EXPECT_LT(number_at(seen, "coefficients[0].a"), 0);
-  EXPECT_NE(find(seen, "coefficients[14].a"), nullptr);
-  EXPECT_EQ(find(seen, "coefficients[15].a"), nullptr);
+  EXPECT_NE(find_metric(seen, "coefficients[14].a"), nullptr);
+  EXPECT_EQ(find_metric(seen, "coefficients[15].a"), nullptr);
   EXPECT_GT(number_at(seen, "support.rises_from"), 4);
   EXPECT_LT(number_at(seen, "support.cut_off"), 1e-8);
   EXPECT_LT(number_at(seen, "distance_to_previous"), 0.05);
@@ -70,12 +70,12 @@ TEST(ClosureSummary, WithoutARootStatesTheEndOfTheBranch) {
   EXPECT_TRUE(is_unset(seen, "leading_form"));
   EXPECT_TRUE(is_unset(seen, "coefficients[]"));
   EXPECT_TRUE(is_unset(seen, "condition"));
-  EXPECT_EQ(word(seen, "branch.end"), "white_noise");
+  EXPECT_EQ(metric_text(seen, "branch.end"), "white_noise");
   EXPECT_NEAR(number_at(seen, "branch.furthest"), 0.65475, 1e-5);
   EXPECT_EQ(number_at(seen, "branch.points[0].fraction"), 0);
   for (const auto& observation : seen) {
     if (observation.path.starts_with("branch.points")) {
-      EXPECT_EQ(observation.kind, Kind::work) << observation.path;
+      EXPECT_EQ(observation.kind, MetricKind::work) << observation.path;
     }
   }
 }
@@ -87,11 +87,11 @@ TEST(ClosureSummary, OnTheHalfPlaneStatesTheTail) {
                                       "coordinates", "log_C", "coefficients", "support",
                                       "leading_form", "distance_to_previous", "balances", "tail",
                                       "quadrature_change", "homotopies"}));
-  EXPECT_EQ(word(seen, "formulation"), "moment");
-  EXPECT_EQ(word(seen, "tail.kind"), "confined");
+  EXPECT_EQ(metric_text(seen, "formulation"), "moment");
+  EXPECT_EQ(metric_text(seen, "tail.kind"), "confined");
   // The metric is the leading form of the exponent with its confinement; Q_n alone rises.
-  EXPECT_EQ(word(seen, "leading_form"), "negative");
-  EXPECT_EQ(word(seen, "tail.polynomial_leading_form"), "indefinite");
+  EXPECT_EQ(metric_text(seen, "leading_form"), "negative");
+  EXPECT_EQ(metric_text(seen, "tail.polynomial_leading_form"), "indefinite");
   EXPECT_EQ(number_at(seen, "homotopies"), 0);
 }
 
@@ -99,23 +99,24 @@ TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
   const Metrics seen = solved_metrics(1, tests::closure(Formulation::polar, 4));
   for (const char* path : {"iterations", "residual", "condition", "support.worst_direction.x1",
                            "support.worst_direction.x2", "quadrature_change", "homotopies"}) {
-    EXPECT_EQ(find(seen, path)->kind, Kind::work) << path;
+    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::work) << path;
   }
   for (const char* path : {"order", "support.y_max", "leading_form", "tail.level"}) {
-    EXPECT_EQ(find(seen, path)->kind, Kind::result) << path;
+    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::result) << path;
   }
 }
 
 TEST(ClosureSummary, TheEdgeIsDelicateUnlessThePathDecides) {
   const auto edge = [](int order) {
     const Metrics seen = solved_metrics(1, tests::closure(Formulation::moment, order));
-    EXPECT_EQ(find(seen, "support.cut_off")->kind, find(seen, "support.edge_density")->kind);
-    return *find(seen, "support.edge_density");
+    EXPECT_EQ(find_metric(seen, "support.cut_off")->kind,
+              find_metric(seen, "support.edge_density")->kind);
+    return *find_metric(seen, "support.edge_density");
   };
-  EXPECT_EQ(edge(8).kind, Kind::result);
+  EXPECT_EQ(edge(8).kind, MetricKind::result);
   EXPECT_TRUE(edge(8).is_rounding_sensitive);
   EXPECT_EQ(edge(8).min_scale, 1e-6);
-  EXPECT_EQ(edge(10).kind, Kind::work);
+  EXPECT_EQ(edge(10).kind, MetricKind::work);
 }
 
 // The scale of a coefficient corresponds to a change of the density of at least 1e-14 of its peak:
@@ -126,8 +127,8 @@ TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
   const transform::Moments moments{.y2 = 4, .v2 = 0.25};
   const auto scale = [&](const char* path) {
     const auto seen = metrics(summary, moments);
-    EXPECT_EQ(find(seen, path)->kind, Kind::coefficient);
-    return find(seen, path)->min_scale * 50e-8;
+    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::coefficient);
+    return find_metric(seen, path)->min_scale * 50e-8;
   };
   const double e = std::exp(1.0);
   EXPECT_NEAR(scale("coefficients[0].a"), 1e-14 / (4 * 2 / e), 1e-24);

@@ -22,7 +22,7 @@ void require_elastic(const problem::Problem& problem) {
 
 WhiteNoiseDensity::WhiteNoiseDensity(const problem::Problem& problem)
     : beta_(2 * problem.system.damping() / problem.impulses.intensity()),
-      mean_force_(problem.impulses.rate_moment(1)),
+      mean_force_(problem.impulses.rate_times_moment(1)),
       potential_(problem.system.potential()) {
   require_elastic(problem);
   boost::math::quadrature::exp_sinh<double> integrate;
@@ -53,10 +53,11 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
   const double c = problem.system.damping();
   // The squared frequency; negative for overdamped motion.
   const double w2 = problem.system.stiffness() - c * c / 4;
-  const bool has_wall = problem.system.left() || problem.system.right();
+  const bool has_wall = problem.system.left_wall() || problem.system.right_wall();
   const auto& impulses = problem.impulses;
-  const bool symmetric = impulses.rate_moment(1) == 0 && impulses.law().symmetric();
-  if (!problem.system.linear() || problem.system.stiffness() <= 0 || (has_wall && !symmetric)) {
+  const bool symmetric = impulses.rate_times_moment(1) == 0 && impulses.law().is_symmetric();
+  if (!problem.system.has_linear_force() || problem.system.stiffness() <= 0 ||
+      (has_wall && !symmetric)) {
     throw InputError(
         "no exact cumulants: requires a linear oscillator, and a symmetric law if there is a wall");
   }
@@ -84,7 +85,7 @@ double linear_cumulant(const problem::Problem& problem, int p, int q) {
     integral += boost::math::quadrature::gauss<double, 30>::integrate(response, t, t + panel);
   }
   const double noise_intensity = p + q == 2 ? problem.noise.intensity : 0;
-  return (problem.impulses.rate_moment(p + q) + noise_intensity) * integral;
+  return (problem.impulses.rate_times_moment(p + q) + noise_intensity) * integral;
 }
 
 }  // namespace fpkcheck::exact

@@ -26,7 +26,7 @@ TEST(Exact, WhiteNoiseDensityIsNormalisedAndSolvesTheEquation) {
   // -x2 p_1 + d/dx2[(c x2 + k x1 + mu x1^3) p] + D2 p_22 = 0, by central differences.
   const double h = 1e-3, d2 = p.impulses.intensity() / 2, x1 = 0.6, x2 = -0.4;
   const auto drift = [&](double u) {
-    return (p.system.damping() * u + p.system.force()(x1)) * density(x1, u);
+    return (p.system.damping() * u + p.system.restoring_force()(x1)) * density(x1, u);
   };
   const double residual =
       -x2 * (density(x1 + h, x2) - density(x1 - h, x2)) / (2 * h) +
@@ -105,14 +105,14 @@ TEST(Exact, LinearCumulantsHoldBeyondCriticalDamping) {
   EXPECT_NEAR(linear_cumulant(p, 0, 2), 0.1 / (2 * 2.5), 1e-12);
   const double fourth =
       1 / (4 * b) - 4 / (3 * b + a) + 6 / (2 * a + 2 * b) - 4 / (3 * a + b) + 1 / (4 * a);
-  EXPECT_NEAR(linear_cumulant(p, 4, 0), p.impulses.rate_moment(4) * fourth / std::pow(a - b, 4),
-              1e-12);
+  EXPECT_NEAR(linear_cumulant(p, 4, 0),
+              p.impulses.rate_times_moment(4) * fourth / std::pow(a - b, 4), 1e-12);
   // On both sides of c^2 = 4k, and at it: int (t e^-t)^4 dt = 4!/4^5.
   const auto near = [](double damping) {
     return linear_cumulant(
         tests::make_problem({.damping = damping, .cubic = 0, .restitution = 1, .rate = 3}), 4, 0);
   };
-  EXPECT_NEAR(near(2), p.impulses.rate_moment(4) * 24 / 1024, 1e-12);
+  EXPECT_NEAR(near(2), p.impulses.rate_times_moment(4) * 24 / 1024, 1e-12);
   EXPECT_NEAR(near(2 - 1e-6) + near(2 + 1e-6), 2 * near(2), 1e-10);
 }
 

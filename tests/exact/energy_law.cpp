@@ -29,29 +29,29 @@ void for_each_node(double from, double to, int count, const Add& add) {
 
 EnergyLaw::EnergyLaw(const problem::Problem& problem) : potential_(effective_potential(problem)) {
   const problem::System& system = problem.system;
-  for (const auto& wall : {system.left(), system.right()}) {
+  for (const auto& wall : {system.left_wall(), system.right_wall()}) {
     if (wall && wall->restitution != 1) {
       throw InputError("restitution < 1: no exact density is known for impacts with losses");
     }
   }
   const auto& damping = system.damping_polynomial();
-  const bool is_nonlinear = damping.degree() > 0 || system.rayleigh() != 0;
+  const bool is_nonlinear = damping.degree() > 0 || system.rayleigh_coefficient() != 0;
   const bool depends_on_energy_only =
-      damping.coefficient(1) == 0 && system.linear() &&
-      damping.coefficient(2) == system.stiffness() * system.rayleigh() &&
-      problem.impulses.rate_moment(1) == 0;
+      damping.coefficient(1) == 0 && system.has_linear_force() &&
+      damping.coefficient(2) == system.stiffness() * system.rayleigh_coefficient() &&
+      problem.impulses.rate_times_moment(1) == 0;
   if (is_nonlinear && !depends_on_energy_only)
     throw InputError("the damping is not a function of the energy");
   const double diffusion = total_intensity(problem) / 2;
   linear_ = damping.coefficient(0) / diffusion;
-  quadratic_ = system.rayleigh() / diffusion;
+  quadratic_ = system.rayleigh_coefficient() / diffusion;
 
   constexpr int kPanels = 40;
   constexpr double kMarginFraction = 0.3;
-  const problem::Scales scales = problem::scales(problem);
+  const problem::MotionScales scales = problem::scales(problem);
   const double beyond = kMarginFraction * (scales.y_high - scales.y_low);
-  y_low_ = system.left() ? system.left()->position : scales.y_low - beyond;
-  y_high_ = system.right() ? system.right()->position : scales.y_high + beyond;
+  y_low_ = system.left_wall() ? system.left_wall()->position : scales.y_low - beyond;
+  y_high_ = system.right_wall() ? system.right_wall()->position : scales.y_high + beyond;
   const double v_high = (1 + kMarginFraction) * scales.v_high;
   // No points beyond the scales of the motion, even if the wall is farther away.
   for_each_node(std::max(y_low_, scales.y_low - beyond), std::min(y_high_, scales.y_high + beyond),

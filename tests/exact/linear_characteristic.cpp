@@ -21,12 +21,12 @@ const problem::Problem& require_linear_and_symmetric(const problem::Problem& pro
   };
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
-  require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
+  require(system.has_linear_force(), "system.cubic", system.restoring_force().coefficient(3), "0");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(system.damping() * system.damping() < 4 * system.stiffness(), "system.damping",
           system.damping(), "less than critical damping, 2 sqrt(stiffness)");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
-  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  require(impulses.law().is_symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
   return problem;
 }
 
@@ -123,7 +123,8 @@ double LinearCharacteristicFunction::small_amplitude_series(double amplitude) co
   for (int j = 2; j < problem::kMomentCount; j += 2) {
     const double rate = j * c / 2;
     // The integral is j! w^j / ( rate prod_{m=1}^{j/2} (rate^2 + (2 m w)^2) ); j! cancels.
-    double term = impulses_.rate_moment(j) * std::pow(-amplitude * amplitude * w2, j / 2) / rate;
+    double term =
+        impulses_.rate_times_moment(j) * std::pow(-amplitude * amplitude * w2, j / 2) / rate;
     for (int m = 1; m <= j / 2; ++m) term /= rate * rate + 4 * m * m * w2;
     sum += term;
   }

@@ -23,14 +23,15 @@ LinearMoments linear_moments_at(const problem::Problem& problem, const MeanAndCo
                                 double time) {
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
-  require(system.linear(), "system.cubic", system.force().coefficient(3), "0");
-  require(system.damping_is_constant(), "system.damping", system.damping(), "f = c y'");
-  require(!system.left() || system.left()->position == 0, "wall.left",
-          system.left() ? system.left()->position : 0, "a wall at 0");
-  require(!system.right(), "wall.right", system.right() ? system.right()->position : 0, "none");
+  require(system.has_linear_force(), "system.cubic", system.restoring_force().coefficient(3), "0");
+  require(system.has_constant_damping(), "system.damping", system.damping(), "f = c y'");
+  require(!system.left_wall() || system.left_wall()->position == 0, "wall.left",
+          system.left_wall() ? system.left_wall()->position : 0, "a wall at 0");
+  require(!system.right_wall(), "wall.right",
+          system.right_wall() ? system.right_wall()->position : 0, "none");
   require(system.restitution() == 1, "system.restitution", system.restitution(), "1");
   require(impulses.law().mean() == 0, "impulse.mean", impulses.law().mean(), "0");
-  require(impulses.law().symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
+  require(impulses.law().is_symmetric(), "impulse.skewness", impulses.law().skewness(), "0");
   require(std::isfinite(time) && time >= 0, "time", time, "a finite time, not negative");
 
   const double c = system.damping(), k = system.stiffness();

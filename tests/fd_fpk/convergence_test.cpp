@@ -29,18 +29,18 @@ Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
       averages(i * grid.nv() + j) =
           Rule::integrate(
               [&](double x) {
-                return Rule::integrate([&](double v) { return f(x, v); }, grid.x2.face(j),
-                                       grid.x2.face(j + 1));
+                return Rule::integrate([&](double v) { return f(x, v); }, grid.x2.face_position(j),
+                                       grid.x2.face_position(j + 1));
               },
-              grid.x1.face(i), grid.x1.face(i + 1)) /
-          (grid.x1.width(i) * grid.x2.width(j));
+              grid.x1.face_position(i), grid.x1.face_position(i + 1)) /
+          (grid.x1.cell_width(i) * grid.x2.cell_width(j));
     }
   }
   return averages;
 }
 
 double l1(const Grid& grid, const Eigen::VectorXd& averages) {
-  return grid.areas().dot(averages.cwiseAbs());
+  return grid.cell_areas().dot(averages.cwiseAbs());
 }
 
 // Checks the observed order of convergence of three errors; the cell width decreases by the same
@@ -62,11 +62,11 @@ struct Solved {
 Solved stationary(const problem::Problem& p, Equation equation, int order, int nx, int nv,
                   double x1_max, double x2_max) {
   Grid grid = make_grid(nx, nv, x1_max, x2_max);
-  const Excitation excitation =
-      equation == Equation::kf ? jumps(p.impulses, grid.x2) : white_noise(p.impulses);
+  const Excitation excitation = equation == Equation::kf ? jump_excitation(p.impulses, grid.x2)
+                                                         : white_noise_excitation(p.impulses);
   const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
   Preconditioner preconditioner(p, excitation, Impact::map, grid);
-  auto solution = null_vector(op, preconditioner, gaussian_start(grid, p));
+  auto solution = null_vector(op, preconditioner, initial_gaussian(grid, p));
   EXPECT_TRUE(solution.averages.has_value()) << solution.failure;
   return {std::move(grid), *solution.averages};
 }
@@ -104,8 +104,8 @@ TEST_P(ObservedOrder, MarginalsAndJointDensityUnderJumpsHaveTheOrderOfTheScheme)
       return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
     };
     return Errors{l1(grid, averages - as_vector(joint)),
-                  grid.x1.widths().dot((of_y - as_vector(y)).cwiseAbs()),
-                  grid.x2.widths().dot((of_v - as_vector(v)).cwiseAbs())};
+                  grid.x1.cell_widths().dot((of_y - as_vector(y)).cwiseAbs()),
+                  grid.x2.cell_widths().dot((of_v - as_vector(v)).cwiseAbs())};
   };
   const int first = order < 7 ? 24 : 36;  // the seventh order is observed on finer grids only
   const auto coarse = errors(first), middle = errors(first * 3 / 2), fine = errors(first * 9 / 4);
@@ -119,7 +119,8 @@ TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
     SCOPED_TRACE(law);
     const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
     const exact::LinearDensity exact(p, 1e-11);
-    const auto solution = solve(p, {.stepper = Stepper::direct, .error_estimate = false}).solution;
+    const auto solution =
+        solve(p, {.stepper = StationarySolver::direct, .error_estimate = false}).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
@@ -148,8 +149,8 @@ struct Manufactured {
     const double p_v = s * (6 * std::pow(u, 5) - 2 * std::pow(u, 7)) * e;
     const double p_vv =
         s * s * (30 * std::pow(u, 4) - 26 * std::pow(u, 6) + 4 * std::pow(u, 8)) * e;
-    return 2 * x * v * p + system.damping() * p + (system.damping() * v + system.force()(x)) * p_v +
-           d2 * p_vv;
+    return 2 * x * v * p + system.damping() * p +
+           (system.damping() * v + system.restoring_force()(x)) * p_v + d2 * p_vv;
   }
 };
 
@@ -160,7 +161,7 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
     const Manufactured exact{p.system, p.impulses.intensity() / 2};
     const auto error = [&](int nx) {
       const Grid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
-      const Excitation excitation = white_noise(p.impulses);
+      const Excitation excitation = white_noise_excitation(p.impulses);
       const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
       const Eigen::VectorXd density =
           cell_averages(grid, [&](double x, double v) { return exact.density(x, v); });
@@ -169,7 +170,7 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
       // L q = source is solvable for a source of mass 0; the mass of this source is 0 except for
       // the truncation by the box.
       Eigen::VectorXd defect = source - op * density;
-      defect.array() -= op.mass(defect) / op.areas.sum();
+      defect.array() -= op.total_mass(defect) / op.areas.sum();
       Preconditioner preconditioner(p, excitation, Impact::map, grid);
       EXPECT_TRUE(preconditioner.factor_stationary());
       const auto correction =
@@ -197,7 +198,7 @@ TEST(SelfConvergence, ThePapersCasesHaveOrderFiveOnGradedGrids) {
       coefficients.restitution = r;
       p.system = problem::System(coefficients);
       const auto moments_at = [&](double refinement) {
-        return solve(p, {.stepper = Stepper::direct,
+        return solve(p, {.stepper = StationarySolver::direct,
                          .refinement = refinement,
                          .origin_refinement = 16,
                          .x1_max = 6.2 * std::sqrt(0.45 * p.impulses.intensity() / 0.1 /

@@ -19,7 +19,7 @@ inline fd_fpk::Options elastic_white_noise_exponent(const problem::Problem& p, i
   constexpr double kDeviations = 5.5;
   const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
   return {.equation = problem::Equation::white,
-          .stepper = fd_fpk::Stepper::direct,
+          .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
           .nx = nx,
           .nv = nv,

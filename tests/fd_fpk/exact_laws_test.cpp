@@ -46,7 +46,7 @@ void expect_law(const Problem& given, const Options& options, const Law& law) {
 }
 
 Options quick(double refinement = 1) {
-  return {.stepper = Stepper::direct, .refinement = refinement};
+  return {.stepper = StationarySolver::direct, .refinement = refinement};
 }
 
 void expect_ball(double restitution, double refinement) {

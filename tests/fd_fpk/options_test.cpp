@@ -11,8 +11,8 @@ namespace {
 Options changed() {
   return {.equation = Equation::km4,
           .impact = Impact::delta,
-          .stepper = Stepper::direct,
-          .transport = Transport::upwind,
+          .stepper = StationarySolver::direct,
+          .transport = TransportScheme::upwind,
           .order = 7,
           .refinement = 1.3,
           .origin_refinement = 4,
@@ -45,7 +45,7 @@ TEST(Options, RoundTripThroughTheirValues) {
 }
 
 TEST(Options, EquationsRoundTripThroughTheirNames) {
-  for (const auto& [equation, name, meaning] : names(Equation{})) {
+  for (const auto& [equation, name, meaning] : enumerator_names(Equation{})) {
     const auto values = description().values({.equation = equation});
     EXPECT_EQ(description().read(values, "options").equation, equation) << name;
   }
@@ -73,7 +73,7 @@ TEST(Options, HaveTheNamesOfFilesAndTheFlagsOfTheCommandLine) {
       {"tolerance", "tolerance"},
       {"residual_tolerance", "residual"}};
   std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& parameter : description().all())
+  for (const auto& parameter : description().parameters())
     found.emplace_back(parameter.name, parameter.flag);
   EXPECT_EQ(found, expected);
 }
@@ -119,7 +119,7 @@ TEST(Options, AnIdDeterminesEquationAndImpact) {
                              "fd-km4-delta", "fd-km4-pade-delta", "fd-kf-delta"}) {
     const auto options = options_of(wanted);
     ASSERT_TRUE(options) << wanted;
-    EXPECT_EQ(id(*options), wanted);
+    EXPECT_EQ(solution_id(*options), wanted);
   }
   EXPECT_EQ(options_of("fd-km4-delta")->equation, Equation::km4);
   EXPECT_EQ(options_of("fd-km4-delta")->impact, Impact::delta);
@@ -129,12 +129,13 @@ TEST(Options, AnIdDeterminesEquationAndImpact) {
 }
 
 TEST(Options, DetermineTheIdentityOfTheSolution) {
-  const auto identity = fd_fpk::identity({.equation = Equation::km4, .impact = Impact::delta});
+  const auto identity =
+      fd_fpk::solution_identity({.equation = Equation::km4, .impact = Impact::delta});
   EXPECT_EQ(identity.id, "fd-km4-delta");
   EXPECT_EQ(identity.method, "fd");
   EXPECT_EQ(identity.equation, Equation::km4);
   EXPECT_EQ(identity.impact, Impact::delta);
-  EXPECT_EQ(identity.role, transform::Role::equation);
+  EXPECT_EQ(identity.role, transform::SolutionRole::equation);
 }
 
 }  // namespace

@@ -30,30 +30,30 @@ TEST(RegularisationStudy, LiteralSchemeGrowsOnFineStepsAndItsNullVectorIsNoDensi
   EXPECT_NEAR(study.default_length, std::sqrt(0.1), 1e-12);
 
   // 16 D4/h^4 - 6.04 D2/h^2 < 0 at h = l: there the literal and the regularised scheme coincide.
-  EXPECT_FALSE(row_of(study, "literal", 1).growth(p));
+  EXPECT_FALSE(row_of(study, "literal", 1).growth_rate(p));
   EXPECT_EQ(row_of(study, "literal", 1).l1_y, row_of(study, "regularised", 1).l1_y);
-  EXPECT_NEAR(*row_of(study, "literal", 2).growth(p), 16.5, 1.5);
+  EXPECT_NEAR(*row_of(study, "literal", 2).growth_rate(p), 16.5, 1.5);
   const auto& literal = row_of(study, "literal", 4);
   EXPECT_NEAR(literal.symbol->rate, 464, 1);
-  EXPECT_NEAR(*literal.growth(p) / literal.symbol->rate, 0.985, 0.01);
+  EXPECT_NEAR(*literal.growth_rate(p) / literal.symbol->rate, 0.985, 0.01);
   EXPECT_GT(*literal.l1_ydot, 0.5);
   EXPECT_LT(*literal.min_density, -0.1);
 
   for (const double division : {1, 2, 4}) {
     const auto& row = row_of(study, "regularised", division);
-    EXPECT_FALSE(row.growth(p));
+    EXPECT_FALSE(row.growth_rate(p));
     EXPECT_LT(std::abs(*row.rightmost), 1e-10);
     EXPECT_NEAR(row.next->real(), -0.1186, 1e-3);
     EXPECT_LT(*row.l1_y, 5e-4);
     EXPECT_LT(*row.l1_ydot, 6e-4);
     EXPECT_GT(*row.min_density, -1e-5);
     EXPECT_EQ(row.remark, "");
-    EXPECT_FALSE(row_of(study, "pade", division).growth(p));
+    EXPECT_FALSE(row_of(study, "pade", division).growth_rate(p));
   }
   // Lengths on both sides of the threshold l*, with a velocity step that resolves l*.
   EXPECT_GT(row_of(study, "0.9 l*", 4).symbol->rate, 1);
-  EXPECT_NEAR(row_of(study, "0.9 l*", 4).growth(p).value_or(0), 1.5, 0.3);
-  EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth(p));
+  EXPECT_NEAR(row_of(study, "0.9 l*", 4).growth_rate(p).value_or(0), 1.5, 0.3);
+  EXPECT_FALSE(row_of(study, "1.1 l*", 4).growth_rate(p));
 }
 
 TEST(RegularisationStudy, ReportsSchemesThatDoNotExistForALaw) {
@@ -75,7 +75,7 @@ TEST(RegularisationStudy, OmitsEigenvaluesOfLargeMatrices) {
     EXPECT_NE(row.remark.find("no eigenvalue"), std::string::npos);
     EXPECT_TRUE(row.symbol);
   }
-  EXPECT_TRUE(row_of(study, "literal", 2).growth(frequent));
+  EXPECT_TRUE(row_of(study, "literal", 2).growth_rate(frequent));
 }
 
 TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
@@ -84,7 +84,7 @@ TEST(RegularisationStudy, PadeApproximantDecaysOnFineSteps) {
   Options pade;
   pade.equation = Equation::km4_pade;
   for (const double step : {0.1, 0.04, 0.02}) {
-    EXPECT_FALSE(is_unstable(largest_growth(p, pade, step), p.impulses)) << step;
+    EXPECT_FALSE(is_unstable(fastest_growing_wave(p, pade, step), p.impulses)) << step;
   }
 }
 

@@ -23,7 +23,8 @@ TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
     const double intensity = 0.1 * std::pow(10, uniform(0, 1));
     const auto p = tests::make_problem(
         {.cubic = cubic, .restitution = restitution, .rate = rate, .intensity = intensity});
-    const auto solution = solve(p, {.stepper = Stepper::direct, .error_estimate = false}).solution;
+    const auto solution =
+        solve(p, {.stepper = StationarySolver::direct, .error_estimate = false}).solution;
     SCOPED_TRACE("problem " + std::to_string(k) + ", r = " + std::to_string(restitution) +
                  ", lambda = " + std::to_string(rate) + ", mu = " + std::to_string(cubic));
     EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;

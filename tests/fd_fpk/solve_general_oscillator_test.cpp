@@ -22,7 +22,7 @@ using transform::Status;
 using transform::Variable;
 
 Options quick(Equation equation = Equation::kf) {
-  return {.equation = equation, .stepper = Stepper::direct, .error_estimate = false};
+  return {.equation = equation, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
 transform::Solution solve_in_frame(const Problem& p, const Options& options) {
@@ -152,7 +152,7 @@ TEST(SolveGeneralOscillator, HasTheExactCumulantsOfTheLinearOscillatorUnderImpul
     const auto v = [&](int n) { return exact::linear_cumulant(p, 0, n); };
     const auto& m = solution.moments;
     // Truncation by the box of a tail exp(-y): 2e-6 of E[v^2], 2e-5 of E[v^4].
-    const double tail = impulses.law().symmetric() ? 1 : 10;
+    const double tail = impulses.law().is_symmetric() ? 1 : 10;
     EXPECT_NEAR(m.y1, y(1), 1e-6);
     EXPECT_NEAR(m.y2, y(2) + y(1) * y(1), 3e-7 * tail * y(2));
     EXPECT_NEAR(m.v1, 0, 1e-6);
@@ -290,7 +290,7 @@ TEST(FdApplicability, RefusesUnsupportedProblems) {
   const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
   const Options kf, white{.equation = Equation::white},
       delta{.equation = Equation::km4, .impact = Impact::delta},
-      along{.transport = Transport::characteristics};
+      along{.transport = TransportScheme::characteristics};
   const Problem noisy = tests::with_noise(System(linear, wall(0.16)), 0.4);
   EXPECT_NE(unsupported_reason(tests::in_wall_coordinates(noisy), kf), "");
   EXPECT_EQ(unsupported_reason(

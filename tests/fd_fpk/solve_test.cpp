@@ -20,7 +20,7 @@ using transform::Variable;
 
 // A single grid: error estimates have their own tests.
 Options direct(Equation equation) {
-  return {.equation = equation, .stepper = Stepper::direct, .error_estimate = false};
+  return {.equation = equation, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
 TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
@@ -66,15 +66,15 @@ TEST(Solve, StatesIdentityErrorsAndMetrics) {
   const auto p = tests::paper_case(1);
   Options options{.equation = Equation::km4,
                   .impact = Impact::delta,
-                  .stepper = Stepper::direct,
+                  .stepper = StationarySolver::direct,
                   .error_estimate = false};
   const auto plain = solve(p, options);
-  EXPECT_EQ(plain.solution.identity, identity(options));
+  EXPECT_EQ(plain.solution.identity, solution_identity(options));
   EXPECT_EQ(plain.solution.metrics, metrics(plain.summary));
   EXPECT_FALSE(plain.solution.error);
   options.error_estimate = true;
   const auto [solution, summary] = solve(p, options);
-  EXPECT_EQ(solution.identity, identity(options));
+  EXPECT_EQ(solution.identity, solution_identity(options));
   EXPECT_EQ(solution.metrics, metrics(summary));
   ASSERT_TRUE(solution.error && summary.error);
   EXPECT_EQ(solution.error->y_l1, summary.error->y_l1);
@@ -88,7 +88,7 @@ TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
   const auto [solution, summary] = solve(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
   EXPECT_EQ(solution.metrics, metrics(summary));
-  EXPECT_GT(*number(solution.metrics, "growth_rate"), 1.0);
+  EXPECT_GT(*metric_number(solution.metrics, "growth_rate"), 1.0);
 }
 
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
@@ -213,7 +213,8 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
         ASSERT_TRUE(solution.density.has_value()) << solution.reason;
         EXPECT_LT(std::abs(*summary.balances.virial), 5e-5);
         EXPECT_LT(std::abs(*summary.balances.momentum), 5e-5);
-        EXPECT_EQ(transform::number(solution.metrics, "balances.virial"), summary.balances.virial);
+        EXPECT_EQ(transform::metric_number(solution.metrics, "balances.virial"),
+                  summary.balances.virial);
       }
     }
   }
@@ -234,14 +235,14 @@ TEST(Solve, AnUnresolvedDensityIsInadmissible) {
     Options free = direct(Equation::kf);
     free.error_estimate = true;
     Options upwind = free;
-    upwind.transport = Transport::upwind;
+    upwind.transport = TransportScheme::upwind;
     upwind.refine_unresolved = false;
     const auto unresolved = solve(p, upwind).solution;
     EXPECT_EQ(unresolved.status, Status::inadmissible) << unresolved.min_density;
     EXPECT_NE(unresolved.reason.find("refine"), std::string::npos) << unresolved.reason;
     const auto [solution, summary] = solve(p, free);
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
-    EXPECT_EQ(summary.transport, Transport::characteristics);
+    EXPECT_EQ(summary.transport, TransportScheme::characteristics);
   }
 }
 
@@ -303,7 +304,7 @@ TEST(Solve, RefusesGridsThatAreTooLargeOrTooCoarse) {
   EXPECT_EQ(huge.status, Status::failed);
   EXPECT_NE(huge.reason.find("cells"), std::string::npos) << huge.reason;
 
-  Options long_step{.equation = Equation::km4, .stepper = Stepper::direct};
+  Options long_step{.equation = Equation::km4, .stepper = StationarySolver::direct};
   long_step.regularisation_length = 1e10;
   EXPECT_EQ(solve(tests::paper_case(1), long_step).solution.status, Status::failed);
 }
@@ -318,7 +319,7 @@ TEST(Solve, ReportsABoxThatIsTooSmall) {
 }
 
 TEST(Solve, ReportsAResidualAboveItsThreshold) {
-  for (const auto stepper : {Stepper::cvode, Stepper::direct}) {
+  for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
     const auto solution = solve(tests::paper_case(1), {.equation = Equation::white,
                                                        .stepper = stepper,
                                                        .nx = 20,

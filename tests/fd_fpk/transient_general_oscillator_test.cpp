@@ -52,7 +52,7 @@ TEST(TransientGeneralOscillator, HasTheExactMeansAndCovariancesOfTheLinearOscill
                                 .start_mean_displacement = 0.7,
                                 .start_mean_velocity = -0.3,
                                 .relative_tolerance = 1e-8};
-  const auto result = integrate(p, {.refinement = 0.8}, moving);
+  const auto result = solve_transient(p, {.refinement = 0.8}, moving);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   ASSERT_EQ(result.snapshots.size(), 3u);
   const exact::MeanAndCovariance start{.z = 0.7, .v = -0.3, .var_z = 0.36, .var_v = 0.64};
@@ -80,8 +80,8 @@ TEST(TransientGeneralOscillator, KeepsMassAndTheBalanceOfPowerBetweenTwoLossyWal
     constexpr int kSnapshots = 30;
     constexpr double kUntil = 1.5;
     const auto result =
-        integrate(two_walls(mean), {},
-                  {.until = kUntil, .snapshots = kSnapshots, .relative_tolerance = 1e-6});
+        solve_transient(two_walls(mean), {},
+                        {.until = kUntil, .snapshots = kSnapshots, .relative_tolerance = 1e-6});
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     double work = 0;  // the integral of the power, by Simpson's rule
     for (int n = 0; n <= kSnapshots; ++n) {
@@ -110,12 +110,13 @@ TEST(TransientGeneralOscillator, TendsToTheStationaryDensity) {
   for (const auto& [name, p, until, bar] :
        {LongTimeCase{"gap", gap(), 60, 2e-3}, LongTimeCase{"bistable", bistable(0.5), 60, 5e-4}}) {
     SCOPED_TRACE(name);
-    const auto over_time = integrate(p, {.refinement = 0.7},
-                                     {.until = until, .snapshots = 1, .relative_tolerance = 1e-4});
+    const auto over_time = solve_transient(
+        p, {.refinement = 0.7}, {.until = until, .snapshots = 1, .relative_tolerance = 1e-4});
     ASSERT_EQ(over_time.status, Status::ok) << over_time.reason;
     const Problem seen = tests::in_wall_coordinates(p);
     const auto stationary = transform::to_physical_coordinates(
-        seen.frame, solve(seen, {.stepper = Stepper::direct, .error_estimate = false}).solution);
+        seen.frame,
+        solve(seen, {.stepper = StationarySolver::direct, .error_estimate = false}).solution);
     const Snapshot& end = over_time.snapshots.back();
     EXPECT_NEAR(end.moments.y2, stationary.moments.y2, bar * stationary.moments.y2);
     EXPECT_NEAR(end.moments.v2, stationary.moments.v2, bar * stationary.moments.v2);
@@ -132,7 +133,7 @@ TEST(TransientGeneralOscillator, TendsToTheStationaryDensity) {
 
 TEST(TransientGeneralOscillator, ErrorsFallWithTheCells) {
   const auto at = [&](double refinement) {
-    const auto result = integrate(
+    const auto result = solve_transient(
         two_walls(), {.refinement = refinement},
         {.until = 1, .snapshots = 1, .start_mean_displacement = 0.5, .relative_tolerance = 1e-6});
     EXPECT_EQ(result.status, Status::ok) << result.reason;
@@ -164,8 +165,8 @@ TEST(TransientGeneralOscillator, IsInPhysicalCoordinates) {
   TransientOptions from_left = from_right;
   from_left.start_mean_displacement = 0.6;
   from_left.start_mean_velocity = -0.3;
-  const auto a = integrate(right, {.refinement = 0.7}, from_right);
-  const auto b = integrate(left, {.refinement = 0.7}, from_left);
+  const auto a = solve_transient(right, {.refinement = 0.7}, from_right);
+  const auto b = solve_transient(left, {.refinement = 0.7}, from_left);
   ASSERT_EQ(a.status, Status::ok) << a.reason;
   EXPECT_EQ(a.start_mean_displacement, -0.6);
   EXPECT_EQ(a.start_mean_velocity, 0.3);
@@ -206,7 +207,7 @@ TEST(TransientGeneralOscillator, IsRefusedWhereTheMassComesToRest) {
   const Problem pressed =
       tests::with_impulses(System(preload, WallParameters{.left = 0, .left_restitution = 0.7}),
                            tests::gaussian_impulses(1, 0.5));
-  EXPECT_THROW(integrate(pressed, {}, {.until = 1}), InputError);
+  EXPECT_THROW(solve_transient(pressed, {}, {.until = 1}), InputError);
   // Diffusion ends the contact at once.
   EXPECT_EQ(transient_unsupported_reason(pressed, {.equation = Equation::white}), "");
   EXPECT_NE(transient_unsupported_reason(pressed, {.equation = Equation::kf}), "");
@@ -214,8 +215,9 @@ TEST(TransientGeneralOscillator, IsRefusedWhereTheMassComesToRest) {
 }
 
 TEST(TransientGeneralOscillator, DoesNotStartBehindAWall) {
-  EXPECT_THROW(integrate(gap(), {}, {.until = 1, .start_mean_displacement = -0.6}), InputError);
-  EXPECT_THROW(integrate(two_walls(), {}, {.until = 1, .start_mean_displacement = 1.1}),
+  EXPECT_THROW(solve_transient(gap(), {}, {.until = 1, .start_mean_displacement = -0.6}),
+               InputError);
+  EXPECT_THROW(solve_transient(two_walls(), {}, {.until = 1, .start_mean_displacement = 1.1}),
                InputError);
 }
 

@@ -10,7 +10,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 TEST(TransientOptions, RoundTripThroughTheirValues) {
-  const auto& description = transient_description();
+  const auto& description = transient_option_descriptions();
   const auto defaults = description.values({});
   const auto values = description.values({.until = 7,
                                           .snapshots = 11,
@@ -27,7 +27,8 @@ TEST(TransientOptions, RoundTripThroughTheirValues) {
 
 TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
   std::vector<std::string> flags;
-  for (const auto& parameter : transient_description().all()) flags.push_back(parameter.flag);
+  for (const auto& parameter : transient_option_descriptions().parameters())
+    flags.push_back(parameter.flag);
   EXPECT_EQ(flags,
             (std::vector<std::string>{"until", "snapshots", "start-y", "start-v", "start-mean-y",
                                       "start-mean-v", "time-tolerance", ""}));
@@ -48,7 +49,7 @@ TEST(TransientOptions, InvalidValuesAreRefused) {
   refused({.until = 1, .relative_tolerance = 0});
   refused({.until = 1, .max_order = 6});
   refused({.until = 1}, {.tolerance = 1e-4});
-  refused({.until = 1}, {.transport = Transport::characteristics});
+  refused({.until = 1}, {.transport = TransportScheme::characteristics});
   refused({.until = 1}, {.refinement = -1});
   for (const int order : {2, 4, 6, 7, 8}) refused({.until = 1}, {.order = order});
 }

@@ -49,13 +49,16 @@ Exponents exponents_at(const transform::GridDensity& grid, double speed) {
   std::size_t k = 0;
   while (centre(k + 1) < speed) ++k;
   const double ratio = std::log(centre(k + 1) / centre(k));
-  return {.out = std::log(grid.average(0, half - 1 - k) / grid.average(0, half - 2 - k)) / ratio,
-          .in = std::log(grid.average(0, half + k) / grid.average(0, half + k + 1)) / ratio};
+  return {
+      .out =
+          std::log(grid.cell_average(0, half - 1 - k) / grid.cell_average(0, half - 2 - k)) / ratio,
+      .in = std::log(grid.cell_average(0, half + k) / grid.cell_average(0, half + k + 1)) / ratio};
 }
 
 // A single grid suffices: error estimates have their own tests.
 Options white() {
-  return {.equation = Equation::white, .stepper = Stepper::direct, .error_estimate = false};
+  return {
+      .equation = Equation::white, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
 const transform::GridDensity& grid_of(const Result& result) {
@@ -99,7 +102,7 @@ TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
       const auto& density = grid_of(result);
       const Eigen::Map<const Eigen::VectorXd> averages(density.averages.data(),
                                                        std::ssize(density.averages));
-      *found = {impact_flux(cells_of(density), averages, order_of(options), 1),
+      *found = {impact_flux(cells_of(density), averages, transport_order(options), 1),
                 result.summary.impact_rate};
     }
     const double observed = std::log2((middle.flux - coarse.flux) / (fine.flux - middle.flux));
@@ -184,23 +187,23 @@ TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
   seventh.order = 7;
   for (const auto& [r, options] :
        {std::pair{0.98, white()},
-        {0.6, Options{.stepper = Stepper::direct, .error_estimate = false}},
+        {0.6, Options{.stepper = StationarySolver::direct, .error_estimate = false}},
         {0.6, seventh}}) {
     const auto [y_alike, v_alike] = finest(r, options);
-    EXPECT_GT(y_alike, v_alike / 2) << r << " " << order_of(options);
+    EXPECT_GT(y_alike, v_alike / 2) << r << " " << transport_order(options);
   }
 }
 
 TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
   const auto problem = tests::make_problem({.restitution = 0.15});
-  for (const auto stepper : {Stepper::cvode, Stepper::direct}) {
+  for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
     const auto solution =
         solve(problem, {.equation = Equation::white, .stepper = stepper}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
     EXPECT_FALSE(solution.has_density());
     EXPECT_NE(solution.reason.find("inelastic collapse"), std::string::npos) << solution.reason;
   }
-  EXPECT_TRUE(solve(problem, {.stepper = Stepper::direct}).solution.has_density());
+  EXPECT_TRUE(solve(problem, {.stepper = StationarySolver::direct}).solution.has_density());
 }
 
 }  // namespace

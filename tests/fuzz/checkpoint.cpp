@@ -11,9 +11,9 @@ using namespace fpkcheck;
 
 struct SmallSimulation {
   problem::Problem problem = problem::load_case("case1");
-  mcs::Plan plan = mcs::make_plan(
+  mcs::SimulationPlan plan = mcs::make_simulation_plan(
       problem, {.time = 100, .streams = 8, .y_edges = {0, 1, 2}, .v_edges = {-1, 0, 1}});
-  std::string fingerprint = mcs::fingerprint(problem, plan, nullptr);
+  std::string fingerprint = mcs::simulation_fingerprint(problem, plan, nullptr);
 };
 
 std::string make_checkpoint(const std::string& fingerprint, std::string_view state) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 #include "fuzz_helpers.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/closed_form_file.hpp"
@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text(fuzz::as_text(data, size));
     if (text.starts_with('{')) {
       const auto file = methods::read_closed_form_file(text, "given.json", {});
-      const auto density = epc::density(file.form, file.problem ? &*file.problem : &problem);
+      const auto density =
+          epc::density_of_closed_form(file.form, file.problem ? &*file.problem : &problem);
       density.value(0.5, -0.1);
       return;
     }
@@ -26,6 +27,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto table = methods::read_number_table(csv, "given.csv");
     if (!methods::is_joint_density(table)) return;
     const auto values = methods::evaluate_at(methods::make_joint_table(table), points);
-    fuzz::require(values.size() == points.y().size() * points.v().size());
+    fuzz::require(values.size() == points.y_points().size() * points.v_points().size());
   });
 }

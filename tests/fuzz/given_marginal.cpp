@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const methods::ExternalMarginal given(methods::read_number_table(csv, "given.csv"),
                                           {.left = problem::Wall{0, 1}, .right = {}});
     const std::vector<double> edges{-3, -1, 0, 0.5, 1, 2, 5};
-    fuzz::require(given.average_over(edges).size() + 1 == edges.size());
-    if (given.has_errors()) given.sampling_l1(edges);
+    fuzz::require(given.average_over_bins(edges).size() + 1 == edges.size());
+    if (given.has_standard_errors()) given.l1_sampling_error(edges);
     given.moment(2);
-    given.fraction_outside(-1, 1);
+    given.mass_fraction_outside(-1, 1);
   });
 }

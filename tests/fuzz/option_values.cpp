@@ -27,7 +27,7 @@ Owner parse_options(const base::Description<Owner>& description,
   return owner;
 }
 
-void select(const std::string& list, const std::vector<Setting>& settings) {
+void select_methods(const std::string& list, const std::vector<Setting>& settings) {
   static const methods::Registry registry = methods::builtin_registry();
   base::Values values;
   for (const auto& solver : registry.solvers()) {
@@ -36,7 +36,7 @@ void select(const std::string& list, const std::vector<Setting>& settings) {
       if (parameter != nullptr) values.push_back({name, parse_value(*parameter, text, name)});
     }
   }
-  registry.select(list, values);
+  registry.select_methods(list, values);
 }
 
 }  // namespace
@@ -52,11 +52,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return fuzz::catch_input_errors([&] {
     if (list == "transient") {
-      fd_fpk::validate({}, parse_options(fd_fpk::transient_description(), settings));
+      fd_fpk::validate({}, parse_options(fd_fpk::transient_option_descriptions(), settings));
     } else if (list == "bounds") {
       backward::validate(parse_options(backward::description(), settings));
     } else {
-      select(list, settings);
+      select_methods(list, settings);
     }
   });
 }

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::catch_input_errors([&] {
     std::istringstream json{std::string(fuzz::as_text(data, size))};
     results::Run run = results::read_summary(json, "summary.json");
-    registry.annotate(run);
+    registry.complete_identities(run);
     report::table(run);
   });
 }

@@ -157,7 +157,7 @@ TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
   const auto summary = tests::simulate(problem, 3e5).summary;
   const auto v = tests::uniform_edges(0, 6, 600);
   int compared = 0;
-  for (const LevelRate& crossing : summary.crossings) {
+  for (const LevelEventRate& crossing : summary.crossings) {
     if (crossing.rate.mean < 1e-4) continue;
     const double a = crossing.level, narrow = 1e-3;
     const std::vector<double> strip{a - narrow, a + narrow};

@@ -84,7 +84,7 @@ TEST(Options, ComeBackFromTheirValues) {
 
 TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
   std::vector<std::string> names, flags;
-  for (const auto& parameter : description().all()) {
+  for (const auto& parameter : description().parameters()) {
     names.push_back(parameter.name);
     flags.push_back(parameter.flag);
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
@@ -125,7 +125,7 @@ TEST(Options, HaveAnIdThatLeadsBackToThem) {
     EXPECT_EQ(who.method, "mcs");
     EXPECT_EQ(who.equation, options->equation);
     EXPECT_EQ(who.impact, problem::Impact::exact);
-    EXPECT_EQ(who.role, transform::Role::simulation);
+    EXPECT_EQ(who.role, transform::SolutionRole::simulation);
   }
   EXPECT_FALSE(options_of("mcs-km4"));
   EXPECT_FALSE(options_of("fd-kf"));

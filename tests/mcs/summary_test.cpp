@@ -9,8 +9,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::Kind;
 using transform::Metric;
+using transform::MetricKind;
 using transform::Metrics;
 
 Summary made_up() {
@@ -28,7 +28,7 @@ Summary made_up() {
 }
 
 const Metric& at(const Metrics& all, const std::string& path) {
-  const Metric* found = transform::find(all, path);
+  const Metric* found = transform::find_metric(all, path);
   if (found == nullptr) throw std::logic_error("no " + path);
   return *found;
 }
@@ -40,9 +40,10 @@ TEST(Summary, RandomResultsHaveStandardErrors) {
   for (const auto& observation : all) {
     if (observation.standard_error_path.empty()) continue;
     ++with_error;
-    EXPECT_EQ(observation.kind, Kind::result) << observation.path;
-    EXPECT_EQ(at(all, observation.standard_error_path).kind, Kind::error) << observation.path;
-    EXPECT_GT(transform::number(all, observation.standard_error_path), 0) << observation.path;
+    EXPECT_EQ(observation.kind, MetricKind::result) << observation.path;
+    EXPECT_EQ(at(all, observation.standard_error_path).kind, MetricKind::error) << observation.path;
+    EXPECT_GT(transform::metric_number(all, observation.standard_error_path), 0)
+        << observation.path;
   }
   EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kPowers.size()) + 1 + 1 + 2);
   EXPECT_EQ(at(all, "excess_power.relative").standard_error_path, "excess_power.standard_error");
@@ -51,8 +52,8 @@ TEST(Summary, RandomResultsHaveStandardErrors) {
             "joint_moments[13].standard_error");
   EXPECT_EQ(at(all, "peaks[1].rate").standard_error_path, "peaks[1].standard_error");
   // A 95 % interval of a normal variable is 2 * 1.96 standard errors wide.
-  EXPECT_NEAR(*transform::number(all, "quantiles.y[0].standard_error"), 0.03 / (2 * 1.959964),
-              1e-15);
+  EXPECT_NEAR(*transform::metric_number(all, "quantiles.y[0].standard_error"),
+              0.03 / (2 * 1.959964), 1e-15);
 }
 
 TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
@@ -87,9 +88,9 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "upcrossings",
                                               "peaks",
                                               "splitting_thresholds"}));
-  EXPECT_EQ(at(metrics(made_up()), "quantiles.ydot[]").kind, Kind::result);
-  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].y").value, transform::count_value(1));
-  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].v").value, transform::count_value(2));
+  EXPECT_EQ(at(metrics(made_up()), "quantiles.ydot[]").kind, MetricKind::result);
+  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].y").value, transform::value_from_count(1));
+  EXPECT_EQ(at(metrics(made_up()), "joint_moments[7].v").value, transform::value_from_count(2));
 }
 
 TEST(Summary, HasTheKindsOfItsMetrics) {
@@ -97,18 +98,18 @@ TEST(Summary, HasTheKindsOfItsMetrics) {
   for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
                            "outside", "variance_reduction.y2", "variance_reduction.v2",
                            "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
-    EXPECT_EQ(at(all, path).kind, Kind::work) << path;
+    EXPECT_EQ(at(all, path).kind, MetricKind::work) << path;
   }
   for (const char* path : {"effective_samples", "effective_samples_y2", "impact_rate_error"}) {
-    EXPECT_EQ(at(all, path).kind, Kind::error) << path;
+    EXPECT_EQ(at(all, path).kind, MetricKind::error) << path;
   }
   for (const char* path : {"streams", "step", "sampling_interval", "burn_in", "interrupted",
                            "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
-    EXPECT_EQ(at(all, path).kind, Kind::result) << path;
+    EXPECT_EQ(at(all, path).kind, MetricKind::result) << path;
   }
   const auto without = metrics({});
   EXPECT_TRUE(base::is_unset(at(without, "kick_interval").value));
-  EXPECT_EQ(at(without, "splitting_thresholds[]").kind, Kind::work);
+  EXPECT_EQ(at(without, "splitting_thresholds[]").kind, MetricKind::work);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ Seen expect_the_same(const transform::Marginal& plain, const transform::Marginal
 
 TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
   for (const Problem& problem : {gap(), two_walls()}) {
-    SCOPED_TRACE(problem.system.right() ? "two walls" : "gap");
+    SCOPED_TRACE(problem.system.right_wall() ? "two walls" : "gap");
     const auto plain = solve(problem, {.time = 2e6, .seed = 1}).solution;
     const Result split = solve(problem, {.time = 1e5, .seed = 2, .tails = true});
     ASSERT_TRUE(split.solution.is_ok()) << split.solution.reason;
@@ -83,7 +83,7 @@ TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
       SCOPED_TRACE(transform::name(variable));
       EXPECT_GT(seen.bins, 60);
       // Between two walls y has no tail.
-      const bool has_tail = variable == transform::Variable::ydot || !problem.system.right();
+      const bool has_tail = variable == transform::Variable::ydot || !problem.system.right_wall();
       EXPECT_GT(seen.in_tail, has_tail ? 10 : -1);
       // The bins are correlated: a ratio of 1.6, above 1 + sqrt(2 / bins), is still consistent.
       EXPECT_LT(seen.chi_square / seen.bins, 1.6);

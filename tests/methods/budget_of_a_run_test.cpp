@@ -4,11 +4,11 @@
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 
-/// The error budget (compare/budget.hpp) of solutions from the actual solvers.
+/// The error budget (compare/error_budget.hpp) of solutions from the actual solvers.
 namespace fpkcheck::methods {
 namespace {
 
-void expect_the_parts_bound_the_total(const std::vector<compare::BudgetRow>& budget) {
+void expect_the_parts_bound_the_total(const std::vector<compare::ErrorBudgetRow>& budget) {
   constexpr double kRounding = 1e-12;
   for (const auto& row : budget) {
     double l1 = 0, tail = 0;
@@ -26,7 +26,7 @@ void expect_the_parts_bound_the_total(const std::vector<compare::BudgetRow>& bud
 const std::vector<transform::Solution>& without_simulation() {
   static const auto solutions =
       run_cases({tests::paper_case(1)},
-                builtin_registry().select(
+                builtin_registry().select_methods(
                     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
                 0, {})
           .front()
@@ -34,14 +34,16 @@ const std::vector<transform::Solution>& without_simulation() {
   return solutions;
 }
 
-results::Case case_1(bool controlled) {
+results::CaseResult case_1(bool controlled) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   const auto simulation =
-      builtin_registry().select("mcs", {{"time", 200000.0}, {"controlled", controlled}}).front();
+      builtin_registry()
+          .select_methods("mcs", {{"time", 200000.0}, {"controlled", controlled}})
+          .front();
   auto solutions = without_simulation();
   solutions.push_back(solve_with(simulation, problem, {axes, {}}));
-  return results::make_case(problem, axes, std::move(solutions));
+  return results::make_case_result(problem, axes, std::move(solutions));
 }
 
 // A simulation with control variates is exact to 1e-6. Hence the budget has no sampling part, and

@@ -17,8 +17,8 @@ using transform::Variable;
 class Closures {
  public:
   Closures(const problem::Problem& problem, const std::string& list)
-      : case_(run_cases({problem}, builtin_registry().select(list + ",fd-kf", {}), 1, {}).front()) {
-  }
+      : case_(run_cases({problem}, builtin_registry().select_methods(list + ",fd-kf", {}), 1, {})
+                  .front()) {}
 
   bool is_ok(const std::string& id) const { return case_.find(id)->is_ok(); }
   double l1(const std::string& id, Variable variable) const {
@@ -26,12 +26,12 @@ class Closures {
   }
   /// Mean difference of log10 p over reference densities 1e-5 .. 1e-4.
   double tail(const std::string& id, Variable variable) const {
-    const auto* pair = compare::find_pair(case_.pairs, id, "fd-kf", variable);
+    const auto* pair = compare::find_pair_distances(case_.pairs, id, "fd-kf", variable);
     return pair->distances.log10_tail.at(4).mean_abs;
   }
 
  private:
-  results::Case case_;
+  results::CaseResult case_;
 };
 
 // The closure on the half-plane and the finite volumes share only the problem. The limits are a few

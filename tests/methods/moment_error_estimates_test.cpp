@@ -20,7 +20,7 @@ double integral(const transform::GridDensity& map) {
   double sum = 0;
   for (std::size_t i = 0; i < map.ny(); ++i) {
     for (std::size_t j = 0; j < map.nv(); ++j) {
-      sum += map.average(i, j) * (map.y_edges[i + 1] - map.y_edges[i]) *
+      sum += map.cell_average(i, j) * (map.y_edges[i + 1] - map.y_edges[i]) *
              (map.v_edges[j + 1] - map.v_edges[j]);
     }
   }
@@ -30,8 +30,8 @@ double integral(const transform::GridDensity& map) {
 TEST(MomentErrorEstimates, CorrectTheMomentsOfEverySolution) {
   auto cases = run_cases(
       {tests::paper_case(1)},
-      builtin_registry().select("epc-gaussian-n2,epc-gaussian-n6,epc-moment-n8,fd-white,fd-kf,mcs",
-                                {{"time", 2e4}}),
+      builtin_registry().select_methods(
+          "epc-gaussian-n2,epc-gaussian-n6,epc-moment-n8,fd-white,fd-kf,mcs", {{"time", 2e4}}),
       0, {});
   add_moment_error_estimates(cases.front(), ResidualErrorEstimator(tests::paper_case(1)), 0);
   const auto& one = cases.front();
@@ -60,16 +60,16 @@ TEST(MomentErrorEstimates, HavePhysicalAxesForMirroredProblems) {
                                {.right = 0.5, .right_restitution = 1});
   const auto known = tests::with_noise(system, 0.4), weaker = tests::with_noise(system, 0.36);
   const exact::EnergyLaw law(weaker), truth(known);
-  results::Case one{.problem = known,
-                    .solutions = {},
-                    .pairs = {},
-                    .budget = {},
-                    .limits = {},
-                    .curves = {},
-                    .joints = {}};
+  results::CaseResult one{.problem = known,
+                          .solutions = {},
+                          .pairs = {},
+                          .budget = {},
+                          .limits = {},
+                          .curves = {},
+                          .joints = {}};
   transform::Solution solution;
   solution.identity.id = "one";
-  solution.identity.role = transform::Role::closure;
+  solution.identity.role = transform::SolutionRole::closure;
   solution.density = transform::SmoothDensity{law, 0.5, 6, -6};
   solution.moments = {law.moment(1, 0), law.moment(2, 0), law.moment(4, 0),
                       law.moment(0, 1), law.moment(0, 2), law.moment(0, 4)};
@@ -91,16 +91,16 @@ TEST(MomentErrorEstimates, HavePhysicalAxesForMirroredProblems) {
   double low = 0, high = 0;
   for (std::size_t j = 0; j < map.nv(); ++j) {
     for (std::size_t i = 0; i < 5; ++i) {
-      low = std::max(low, std::abs(map.average(i, j)));
-      high = std::max(high, std::abs(map.average(map.ny() - 1 - i, j)));
+      low = std::max(low, std::abs(map.cell_average(i, j)));
+      high = std::max(high, std::abs(map.cell_average(map.ny() - 1 - i, j)));
     }
   }
   EXPECT_LT(low, 1e-3 * high);
 }
 
 TEST(MomentErrorEstimates, AreEmptyWithoutADensity) {
-  auto cases =
-      run_cases({tests::paper_case(1)}, builtin_registry().select("mcs", {{"time", 2e3}}), 0, {});
+  auto cases = run_cases({tests::paper_case(1)},
+                         builtin_registry().select_methods("mcs", {{"time", 2e3}}), 0, {});
   add_moment_error_estimates(cases.front(), ResidualErrorEstimator(tests::paper_case(1)), 0);
   EXPECT_TRUE(cases.front().moment_error_estimates.empty());
   EXPECT_TRUE(cases.front().error_sources.empty());

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
@@ -17,9 +17,9 @@ using transform::Status;
 using transform::Variable;
 
 TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
-  const auto closures_too =
-      builtin_registry().select("epc-gaussian-n2,epc-moment-n4,fd-kf", {{"stepper", "direct"}});
-  const auto differences = builtin_registry().select("fd-kf", {{"stepper", "direct"}});
+  const auto closures_too = builtin_registry().select_methods("epc-gaussian-n2,epc-moment-n4,fd-kf",
+                                                              {{"stepper", "direct"}});
+  const auto differences = builtin_registry().select_methods("fd-kf", {{"stepper", "direct"}});
   std::vector<std::uint64_t> numbers{3,  10, 13, 18, 19, 25,  29,  33,  43,  60,  62,  66,
                                      75, 86, 94, 98, 99, 100, 101, 104, 106, 113, 115, 119};
   // Every third problem, since each requires a simulation and a fit.
@@ -41,12 +41,12 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
     for (const auto& method : ++solved % 2 == 0 ? closures_too : differences) {
       SCOPED_TRACE(method.id());
       const auto solution = solve_with(method, p, {axes, {}, &residuals});
-      const bool closure = solution.identity.role == transform::Role::closure;
+      const bool closure = solution.identity.role == transform::SolutionRole::closure;
       EXPECT_TRUE(closure || solution.is_ok()) << solution.reason;
       if (!solution.density) continue;
       ASSERT_TRUE(solution.error);
       const auto apart = [&](Variable variable) {
-        const auto& edges = compare::edges(axes, variable);
+        const auto& edges = compare::bin_edges(axes, variable);
         return transform::l1(transform::marginal(solution, variable, edges),
                              transform::marginal(judge, variable, edges));
       };
@@ -70,7 +70,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
 // divided. With strong losses these bins had errors of 0.05 to 0.06 while the innermost cells were
 // wider than the bins.
 TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
-  const auto method = builtin_registry().select("fd-kf", {{"stepper", "direct"}}).front();
+  const auto method = builtin_registry().select_methods("fd-kf", {{"stepper", "direct"}}).front();
   for (const std::uint64_t number : {115, 104, 119}) {
     if (number != 115 && !tests::is_thorough()) continue;
     const auto p = tests::random_problem(number);
@@ -85,7 +85,7 @@ TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
     const auto solution = solve_with(method, p, {axes, {}, &residuals});
     ASSERT_TRUE(solution.is_ok()) << solution.reason;
     const auto apart = [&](Variable variable) {
-      const auto& edges = compare::edges(axes, variable);
+      const auto& edges = compare::bin_edges(axes, variable);
       return transform::l1(transform::marginal(solution, variable, edges),
                            transform::marginal(judge, variable, edges));
     };

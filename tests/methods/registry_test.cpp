@@ -16,7 +16,8 @@ namespace {
 
 std::vector<std::string> ids(const std::string& list) {
   std::vector<std::string> result;
-  for (const auto& method : builtin_registry().select(list, {})) result.push_back(method.id());
+  for (const auto& method : builtin_registry().select_methods(list, {}))
+    result.push_back(method.id());
   return result;
 }
 
@@ -54,7 +55,7 @@ TEST(Registry, UnknownMethodsAreRefused) {
 TEST(Registry, SolutionsHaveTheIdentityOfTheirMethod) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
-  for (const auto& method : builtin_registry().select(
+  for (const auto& method : builtin_registry().select_methods(
            "epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,fd-white,mcs",
            {{"time", 5000.0}})) {
     const auto solution = method.solve(problem, {axes, {}});
@@ -79,13 +80,13 @@ TEST(Registry, SimulationUsesTheComparisonAxes) {
 
 TEST(Registry, EveryMethodHasAMeaningAndADistinctStyle) {
   std::set<std::pair<std::string, std::string>> looks;  // colour and dash
-  const auto methods = builtin_registry().select("epc,fd,mcs", {});
+  const auto methods = builtin_registry().select_methods("epc,fd,mcs", {});
   for (const auto& method : methods) {
     const auto& who = method.identity;
     EXPECT_FALSE(who.family.empty()) << who.id;
     EXPECT_FALSE(who.meaning.empty()) << who.id;
     EXPECT_TRUE(who.equation && who.impact) << who.id;
-    EXPECT_NE(who.role, transform::Role::external) << who.id;
+    EXPECT_NE(who.role, transform::SolutionRole::external) << who.id;
     const std::string points = who.plot_style.as_points ? "points" : "";
     looks.emplace(who.plot_style.colour + points,
                   who.plot_style.dash + std::to_string(who.plot_style.width));
@@ -96,7 +97,7 @@ TEST(Registry, EveryMethodHasAMeaningAndADistinctStyle) {
 TEST(Registry, OverridesReplaceExistingOptions) {
   const base::Values given{{"time", 123.0}, {"seed", std::int64_t{9}}};
   const auto option = [&](const Method& method, const std::string& name) {
-    const auto found = std::ranges::find(method.options, name, &base::NamedValue::name);
+    const auto found = std::ranges::find(method.options, name, &base::NamedParameterValue::name);
     return found == method.options.end() ? std::string("none") : base::text_of(found->value);
   };
   EXPECT_EQ(option(*builtin_registry().method_by_id("mcs", given), "time"), "123");
@@ -107,7 +108,8 @@ TEST(Registry, OverridesReplaceExistingOptions) {
 
 TEST(Registry, FindsTheMethodOfASolution) {
   const Registry registry = builtin_registry();
-  for (const auto& method : registry.select("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
+  for (const auto& method :
+       registry.select_methods("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
     transform::Solution saved{.identity = {.id = method.id(), .method = method.identity.method},
                               .options = method.options};
     const auto again = registry.method_for_solution(saved, {});
@@ -128,9 +130,9 @@ TEST(Registry, AnnotatesTheSolutionsOfAnOlderRun) {
   results::Run run{{}, {{tests::paper_case(1), {}, {}, {}, {}, {}, {}}}};
   run.cases[0].solutions = {{.identity = {.id = "epc-moment-n8", .method = "epc"}},
                             {.identity = {.id = "stranger", .method = "magic"}}};
-  registry.annotate(run);
+  registry.complete_identities(run);
   EXPECT_EQ(run.cases[0].solutions[0].identity.family, "epc-moment");
-  EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::Role::closure);
+  EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::SolutionRole::closure);
   EXPECT_EQ(run.cases[0].solutions[1].identity.family, "");
 }
 

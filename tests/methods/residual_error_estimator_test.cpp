@@ -38,7 +38,7 @@ TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
     const auto closure = solved(id);
     ASSERT_TRUE(closure.error) << id;
     for (const auto variable : transform::kVariables) {
-      const auto& edges = compare::edges(axes, variable);
+      const auto& edges = compare::bin_edges(axes, variable);
       const double apart = transform::l1(transform::marginal(closure, variable, edges),
                                          transform::marginal(reference, variable, edges));
       EXPECT_NEAR(transform::l1(*closure.error, variable) / apart, 1.6, 0.3) << id << apart;
@@ -139,7 +139,7 @@ struct DeepWells {
       0.007);
   exact::EnergyLaw law{problem};
 
-  Solution solution(const transform::Identity& identity) const {
+  Solution solution(const transform::SolutionIdentity& identity) const {
     Solution exact;
     exact.identity = identity;
     exact.status = Status::ok;
@@ -162,10 +162,10 @@ TEST(ResidualErrorEstimate, IsReplacedByTheDistanceFromTheReference) {
   std::vector<Method> methods(2);
   auto &closure = methods[0].identity, &best = methods[1].identity;
   closure.id = "mine";
-  closure.role = transform::Role::closure;
+  closure.role = transform::SolutionRole::closure;
   methods[0].options = {{"accuracy", 0.02}};
   best.id = "best";
-  best.role = transform::Role::equation;
+  best.role = transform::SolutionRole::equation;
   best.equation = problem::Equation::kf;
   best.impact = problem::Impact::map;
   std::vector<Solution> solutions{wells.solution(closure), wells.solution(best)};
@@ -185,7 +185,7 @@ TEST(ResidualErrorEstimator, FitsOnceForAllThreads) {
   std::vector<const backward::DensityResiduals*> seen(4);
   {
     std::vector<std::jthread> threads;
-    for (auto& one : seen) threads.emplace_back([&] { one = residuals.get(); });
+    for (auto& one : seen) threads.emplace_back([&] { one = residuals.density_residuals(); });
   }
   EXPECT_NE(seen[0], nullptr);
   for (const auto* one : seen) EXPECT_EQ(one, seen[0]);

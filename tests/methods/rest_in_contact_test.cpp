@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "compare/pairs.hpp"
+#include "compare/pair_distances.hpp"
 #include "methods/builtin.hpp"
-#include "methods/complete_run.hpp"
+#include "methods/case_results.hpp"
 #include "problem/case_file.hpp"
 
 // The closure for a mass that comes to rest in contact with a wall, compared with finite volumes
@@ -17,10 +17,10 @@ using transform::Solution;
 using transform::Status;
 using transform::Variable;
 
-results::Case run(const std::string& case_name, const std::vector<std::string>& overrides,
-                  const std::string& methods) {
-  return complete_run({problem::load_case(case_name, overrides)},
-                      builtin_registry().select(methods, {}), {})
+results::CaseResult run(const std::string& case_name, const std::vector<std::string>& overrides,
+                        const std::string& methods) {
+  return compute_case_results({problem::load_case(case_name, overrides)},
+                              builtin_registry().select_methods(methods, {}), {})
       .at(0);
 }
 
@@ -46,7 +46,7 @@ TEST(RestInContact, AgreesWithFiniteVolumes) {
         << name;
     EXPECT_NEAR(closure.moments.y2 / volumes.moments.y2, 1, l1) << name;
     for (const auto variable : transform::kVariables) {
-      const auto distance = compare::l1_between(one.pairs, id, "fd-kf", variable);
+      const auto distance = compare::l1_distance_between(one.pairs, id, "fd-kf", variable);
       ASSERT_TRUE(distance);
       EXPECT_LT(*distance, l1) << name;
       // The error estimate includes that of the reference.

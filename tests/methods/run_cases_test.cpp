@@ -94,9 +94,10 @@ TEST(RunCases, ChecksAllMethodsBeforeSolving) {
 }
 
 TEST(RunCases, ChecksTheTimeOfTheSimulation) {
-  const auto simulation = builtin_registry().select("mcs", {{"time", 1e300}});
-  EXPECT_THROW(require_solvable(two_problems(), simulation), InputError);
-  EXPECT_NO_THROW(require_solvable(two_problems(), builtin_registry().select("epc,fd,mcs", {})));
+  const auto simulation = builtin_registry().select_methods("mcs", {{"time", 1e300}});
+  EXPECT_THROW(require_compatible_options(two_problems(), simulation), InputError);
+  EXPECT_NO_THROW(require_compatible_options(two_problems(),
+                                             builtin_registry().select_methods("epc,fd,mcs", {})));
 }
 
 TEST(RunCases, ContinuesIfOneMethodRunsOutOfMemory) {

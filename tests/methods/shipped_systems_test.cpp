@@ -8,7 +8,7 @@
 #include "exact/energy_law.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "problem/case_file.hpp"
 
 // Each shipped system (docs/systems.md): finite volumes against the exact law where one is known,
@@ -22,7 +22,7 @@ using transform::Variable;
 Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
   const auto registry = builtin_registry();
-  const auto method = registry.select(id, options).front();
+  const auto method = registry.select_methods(id, options).front();
   return solve_with(method, problem, {compare::comparison_axes(problem), {}});
 }
 
@@ -35,10 +35,10 @@ TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const exact::EnergyLaw law(problem);
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
-    const auto marginal = transform::marginal(solution, variable, edges(axes, variable));
+    const auto marginal = transform::marginal(solution, variable, bin_edges(axes, variable));
     double l1 = 0;
     for (std::size_t k = 0; k < marginal.size(); ++k) {
-      const double exact = numerics::average(
+      const double exact = numerics::gauss_average(
           [&](double x) {
             return variable == Variable::y ? law.displacement_marginal(x)
                                            : law.velocity_marginal(x);
@@ -79,11 +79,11 @@ TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   ASSERT_TRUE(simulated.is_ok()) << simulated.reason;
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
-    const auto& bins = edges(axes, variable);
+    const auto& bins = bin_edges(axes, variable);
     const double l1 = transform::l1(transform::marginal(differences, variable, bins),
                                     transform::marginal(simulated, variable, bins)) +
-                      compare::atom_distance(differences.atoms, simulated.atoms, variable);
-    EXPECT_LT(l1, 1.6 * transform::expected(*simulated.sampling, variable).value() +
+                      compare::rest_atom_l1_distance(differences.atoms, simulated.atoms, variable);
+    EXPECT_LT(l1, 1.6 * transform::expected_l1_error(*simulated.sampling, variable).value() +
                       transform::l1(*differences.error, variable))
         << transform::name(variable);
   }

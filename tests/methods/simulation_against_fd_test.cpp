@@ -34,7 +34,7 @@ std::vector<double> at_the_wall(const transform::GridDensity& grid) {
   for (std::size_t j = 0; j < grid.nv(); ++j) {
     double slope = 0, cumulative = 0;
     for (std::size_t a = 1; a < kPoints; ++a) {
-      cumulative += grid.average(a - 1, j) * (grid.y_edges[a] - grid.y_edges[a - 1]);
+      cumulative += grid.cell_average(a - 1, j) * (grid.y_edges[a] - grid.y_edges[a - 1]);
       double weight = 1 / grid.y_edges[a];
       for (std::size_t b = 1; b < kPoints; ++b) {
         if (b != a) weight *= -grid.y_edges[b] / (grid.y_edges[a] - grid.y_edges[b]);
@@ -64,7 +64,7 @@ TEST(SimulationAgainstFiniteVolumes, DensitiesDifferBySamplingErrors) {
   for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
                               tests::make_problem({.rate = 0.3}),
                               tests::make_problem({.restitution = 0.9, .law = "exponential"})}) {
-    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
+    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct});
     ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
     expect_within_chance(mcs::solve(problem, {.time = 4e5}), fd.solution);
   }
@@ -72,7 +72,7 @@ TEST(SimulationAgainstFiniteVolumes, DensitiesDifferBySamplingErrors) {
 
 TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
   for (const auto& problem : {tests::paper_case(1), tests::paper_case(4)}) {
-    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::Stepper::direct});
+    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct});
     const auto [rate, error] = mcs::solve(problem, {.time = 4e5}).summary.impact_rate;
     const double flux = impact_rate(std::get<transform::GridDensity>(*fd.solution.density));
     EXPECT_NEAR(rate, flux, 4 * error) << (rate - flux) / error;
@@ -83,7 +83,7 @@ TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
 TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
   const auto fd = fd_fpk::solve(
-      problem, {.equation = problem::Equation::white, .stepper = fd_fpk::Stepper::direct});
+      problem, {.equation = problem::Equation::white, .stepper = fd_fpk::StationarySolver::direct});
   expect_within_chance(mcs::solve(problem, {.equation = problem::Equation::white, .time = 2e5}),
                        fd.solution);
 }
@@ -91,7 +91,8 @@ TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
 TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {
   const auto problem = tests::paper_case(1);
   const auto fd = fd_fpk::solve(
-      problem, {.stepper = fd_fpk::Stepper::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});
+      problem,
+      {.stepper = fd_fpk::StationarySolver::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});
   ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
   const auto simulated = mcs::solve(problem, {.time = 2e5, .tails = true});
   for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {

@@ -39,7 +39,8 @@ TEST(SolveInWallCoordinates, MarginalsOfASimulationHaveTheExactAxes) {
     const auto solution = method->solve(problem, {axes, {}});
     SCOPED_TRACE(problem::parameters_text(problem));
     for (const auto variable : transform::kVariables) {
-      const auto marginal = transform::marginal(solution, variable, compare::edges(axes, variable));
+      const auto marginal =
+          transform::marginal(solution, variable, compare::bin_edges(axes, variable));
       EXPECT_EQ(marginal.lower.size(), marginal.size()) << transform::name(variable);
       EXPECT_EQ(marginal.upper.size(), marginal.size()) << transform::name(variable);
     }

@@ -14,8 +14,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-using transform::Role;
 using transform::Solution;
+using transform::SolutionRole;
 using transform::Status;
 
 Solution solution_without_estimate(const problem::Problem& problem) {
@@ -27,7 +27,7 @@ Solution solution_without_estimate(const problem::Problem& problem) {
 }
 
 // A method that returns a good density with status `ok` and without an error estimate.
-Method method_without_estimate(Role role, const std::string& id = "silent") {
+Method method_without_estimate(SolutionRole role, const std::string& id = "silent") {
   Method method{.identity = {.id = id,
                              .method = "probe",
                              .equation = problem::Equation::kf,
@@ -36,7 +36,7 @@ Method method_without_estimate(Role role, const std::string& id = "silent") {
                 .solve = [](const problem::Problem& problem, const SolveContext&) {
                   return solution_without_estimate(problem);
                 }};
-  if (role == Role::external) {
+  if (role == SolutionRole::external) {
     method.identity.equation = {};
     method.identity.impact = {};
   }
@@ -44,7 +44,8 @@ Method method_without_estimate(Role role, const std::string& id = "silent") {
 }
 
 TEST(ErrorEstimates, AreRequiredForOk) {
-  for (const auto role : {Role::external, Role::equation, Role::simulation}) {
+  for (const auto role :
+       {SolutionRole::external, SolutionRole::equation, SolutionRole::simulation}) {
     const auto solutions =
         run_cases({tests::paper_case(1)}, {method_without_estimate(role)}, 1, {}).front().solutions;
     EXPECT_EQ(solutions.front().status, Status::inaccurate) << name(role);
@@ -54,7 +55,7 @@ TEST(ErrorEstimates, AreRequiredForOk) {
 
 TEST(ErrorEstimates, OfAClosureWithoutAReferenceAreResidualBased) {
   const auto solutions =
-      run_cases({tests::paper_case(1)}, {method_without_estimate(Role::closure)}, 1, {})
+      run_cases({tests::paper_case(1)}, {method_without_estimate(SolutionRole::closure)}, 1, {})
           .front()
           .solutions;
   EXPECT_EQ(solutions.front().status, Status::ok) << solutions.front().reason;
@@ -66,8 +67,8 @@ TEST(ErrorEstimates, OfAClosureWithoutAReferenceAreResidualBased) {
 
 TEST(ErrorEstimates, FollowFromTheReferenceIfMissing) {
   const auto solutions = run_cases({tests::paper_case(1)},
-                                   {method_without_estimate(Role::external, "one"),
-                                    method_without_estimate(Role::closure, "another"),
+                                   {method_without_estimate(SolutionRole::external, "one"),
+                                    method_without_estimate(SolutionRole::closure, "another"),
                                     *builtin_registry().method_by_id("fd-kf", {})},
                                    1, {})
                              .front()
@@ -103,7 +104,7 @@ void check(const problem::Problem& problem, const Solution& solution) {
   }
   EXPECT_TRUE(transform::has_error_estimate(solution));
   const bool exact = problem.system.restitution() == 1;
-  if (!exact || !solution.error || solution.identity.role != Role::equation) return;
+  if (!exact || !solution.error || solution.identity.role != SolutionRole::equation) return;
   constexpr double kLow = 2.5, kRounding = 1e-6;
   EXPECT_LE(std::abs(solution.moments.v2 - exact::mean_square_velocity(problem)),
             kLow * solution.error->moments.v2 + kRounding);
@@ -119,7 +120,7 @@ TEST(ErrorEstimates, ExistForEveryOkSolutionAtAnyRate) {
     scan.restitutions = {1};
   }
   const auto registry = builtin_registry();
-  auto methods = registry.select(tests::is_thorough() ? "epc,fd" : "fd-white,fd-kf", {});
+  auto methods = registry.select_methods(tests::is_thorough() ? "epc,fd" : "fd-white,fd-kf", {});
   for (const auto& problem : scan.problems()) {
     for (const auto& one : run_cases({problem}, methods, 1, {})) {
       for (const auto& solution : one.solutions) check(problem, solution);

@@ -16,7 +16,7 @@
 #include "transform/panel_marginals.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/check.hpp"
-#include "workflows/study/order.hpp"
+#include "workflows/study/closure_order.hpp"
 
 /// A method from outside the source tree. Its registry entry alone adds the method to every table,
 /// figure and file, to the error budget, the study of orders and the regression test.
@@ -31,12 +31,13 @@ struct Bell {
 const base::Description<Bell>& bell_description() {
   static const auto description =
       base::Description<Bell>("bell ")
-          .add("order", &Bell::order, {"N", "the higher, the narrower"}, base::even_between(2, 8))
-          .add("stretch", &Bell::stretch, {"S", "in y"}, base::positive());
+          .add("order", &Bell::order, {"N", "the higher, the narrower"},
+               base::even_integers_between(2, 8))
+          .add("stretch", &Bell::stretch, {"S", "in y"}, base::positive_numbers());
   return description;
 }
 
-transform::Identity bell_identity(const Bell& bell) {
+transform::SolutionIdentity bell_identity(const Bell& bell) {
   return {.id = "toy-bell-n" + std::to_string(bell.order),
           .method = "toy",
           .formulation = "bell",
@@ -70,10 +71,10 @@ transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell
   solution.mass = marginals.mass;
   solution.density = density;
   solution.metrics = transform::MetricBuilder()
-                         .result("width.y", a)
-                         .result("width.ydot", b)
-                         .work("strokes", std::int64_t{1})
-                         .take();
+                         .add_result("width.y", a)
+                         .add_result("width.ydot", b)
+                         .add_work("strokes", std::int64_t{1})
+                         .take_metrics();
   return solution;
 }
 
@@ -82,11 +83,11 @@ methods::Solver toy_solver() {
                         .summary = "a bell",
                         .usage = "usage: fpkcheck toy CASE",
                         .families = {{.name = "toy-bell",
-                                      .role = transform::Role::closure,
+                                      .role = transform::SolutionRole::closure,
                                       .meaning = "A bell of about the right width.",
                                       .default_ids = {"toy-bell-n2", "toy-bell-n4"},
                                       .plot_style =
-                                          [](const transform::Identity&) {
+                                          [](const transform::SolutionIdentity&) {
                                             return transform::PlotStyle{.colour = "#12AB34",
                                                                         .dash = "(1,1)"};
                                           }}},
@@ -121,13 +122,13 @@ class ToyClosure : public testing::Test {
     static const results::Run run{
         results::this_program("fpkcheck run"),
         methods::run_cases({tests::paper_case(1)},
-                           with_toy().select("toy,epc-gaussian-n2,fd-kf", {}), 1, {})};
+                           with_toy().select_methods("toy,epc-gaussian-n2,fd-kf", {}), 1, {})};
     return run;
   }
 
   const methods::Registry registry_ = with_toy();
   const results::Run& run_ = solved_run();
-  const results::Case& case_ = run_.cases.front();
+  const results::CaseResult& case_ = run_.cases.front();
 };
 
 TEST_F(ToyClosure, IsOrderedAmongTheClosures) {
@@ -163,10 +164,10 @@ TEST_F(ToyClosure, AppearsInFilesFiguresAndPageWithItsStyle) {
 }
 
 TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
-  const auto names = study::formulations(registry_);
+  const auto names = study::closure_formulations(registry_);
   EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
   const auto found =
-      study::study_orders(tests::paper_case(1), {{"toy-bell"}, {2, 4, 6}}, registry_, {});
+      study::study_closure_orders(tests::paper_case(1), {{"toy-bell"}, {2, 4, 6}}, registry_, {});
   const auto output = study::output(found, "fpkcheck study", {});
   EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
 }
@@ -174,15 +175,15 @@ TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
 TEST_F(ToyClosure, IsCheckedForChanges) {
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;
-  results::add_run(files, directory.path(), run_);
+  results::add_run_files(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});
   auto again = check::repeat_run(baseline, "fpkcheck check", 1, {});
-  EXPECT_TRUE(check::check(baseline.run, again, {}).agrees());
+  EXPECT_TRUE(check::check(baseline.run, again, {}).agrees_with_baseline());
   auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");
   width.value = std::get<double>(width.value) * (1 + 1e-6);
-  const auto moved = check::check(baseline.run, again, {}).moved();
+  const auto moved = check::check(baseline.run, again, {}).changed_quantities();
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
   // Without the registry entry the solution cannot be solved again.
@@ -190,13 +191,13 @@ TEST_F(ToyClosure, IsCheckedForChanges) {
 }
 
 TEST_F(ToyClosure, HasACommandWithItsOptions) {
-  const auto* solver = registry_.find("toy");
+  const auto* solver = registry_.find_solver("toy");
   ASSERT_NE(solver, nullptr);
   auto options = solver->default_options;
   options[0].value = std::int64_t{3};
-  EXPECT_THROW(registry_.method(*solver, options), InputError);
+  EXPECT_THROW(registry_.make_method(*solver, options), InputError);
   options[0].value = std::int64_t{8};
-  EXPECT_EQ(registry_.method(*solver, options).id(), "toy-bell-n8");
+  EXPECT_EQ(registry_.make_method(*solver, options).id(), "toy-bell-n8");
 }
 
 }  // namespace

@@ -27,11 +27,11 @@ std::string refusal(const std::string& csv) {
 TEST(AmplitudeTable, ReadsAtomsAndDensities) {
   const auto atoms = parse_amplitude_csv(
       "\xEF\xBB\xBF# made up\namplitude, probability\r\n-1,0.25\r\n\n3, 0.75\n", "t");
-  EXPECT_EQ(table_literal(atoms), "probability(-1:0.25,3:0.75)");
+  EXPECT_EQ(amplitude_table_literal(atoms), "probability(-1:0.25,3:0.75)");
   EXPECT_EQ(atoms.mean(), 2);
   EXPECT_EQ(atoms.variance(), 3);
   const auto wedge = parse_amplitude_csv("amplitude,density\n0,2\n1,0", "t");
-  EXPECT_EQ(table_literal(wedge), "density(0:2,1:0)");
+  EXPECT_EQ(amplitude_table_literal(wedge), "density(0:2,1:0)");
   EXPECT_NEAR(wedge.mean(), 1 / 3.0, 1e-15);
   EXPECT_EQ(parse_amplitude_csv("amplitude,probability\n-.2,.7\n.1,.1\n.65,.2", "t").mean(), 0);
   EXPECT_NEAR(wedge.variance(), 1 / 18.0, 1e-15);
@@ -39,16 +39,17 @@ TEST(AmplitudeTable, ReadsAtomsAndDensities) {
 
 TEST(AmplitudeTable, RoundTripsAsLiteral) {
   for (const char* text : {tests::kAtoms, tests::kDensity}) {
-    const AmplitudeTable table = parse_table_literal(text);
-    EXPECT_EQ(table_literal(table), text);
-    EXPECT_EQ(table_literal(table.mirrored().mirrored()), text);
-    EXPECT_NEAR(table.mirrored().mean(), -table.mean(), 1e-15);
+    const AmplitudeTable table = parse_amplitude_table_literal(text);
+    EXPECT_EQ(amplitude_table_literal(table), text);
+    EXPECT_EQ(amplitude_table_literal(table.mirror_image().mirror_image()), text);
+    EXPECT_NEAR(table.mirror_image().mean(), -table.mean(), 1e-15);
   }
   // A table that was already normalised is not normalised a second time.
   const auto thirds = parse_amplitude_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
   EXPECT_NEAR(thirds.weight[0], 1 / 3.0, 1e-15);
-  EXPECT_EQ(table_literal(parse_table_literal(table_literal(thirds))), table_literal(thirds));
-  EXPECT_EQ(table_summary(tests::kAtoms), "4 probabilities from -2 to 1");
+  EXPECT_EQ(amplitude_table_literal(parse_amplitude_table_literal(amplitude_table_literal(thirds))),
+            amplitude_table_literal(thirds));
+  EXPECT_EQ(amplitude_table_summary(tests::kAtoms), "4 probabilities from -2 to 1");
 }
 
 TEST(AmplitudeTable, NamesTheInvalidLine) {

@@ -184,8 +184,8 @@ TEST(CaseFile, NamedCasesAreTheTableOfThePaper) {
 
 // Case 1 is the template of other case files.
 TEST(CaseFile, OfCase1NamesEveryLaw) {
-  const std::string& text = find_builtin_case("case1")->text;
-  for (const auto& law : ImpulseLaw::known_names()) {
+  const std::string& text = find_built_in_case("case1")->text;
+  for (const auto& law : ImpulseLaw::law_names()) {
     EXPECT_NE(text.find(law), std::string::npos) << law;
   }
 }

@@ -17,7 +17,7 @@ TEST(EffectivePotential, HasTheForceAndTheMeanOfTheImpulsesForItsSlope) {
                                          tests::gaussian_impulses(2, 0.3, 0.12));
   const numerics::Polynomial slope = effective_potential(p).derivative();
   for (const double y : {-0.7, 0.0, 1.3}) {
-    EXPECT_NEAR(slope(y), p.system.force()(y) - p.impulses.rate_moment(1), 1e-15);
+    EXPECT_NEAR(slope(y), p.system.restoring_force()(y) - p.impulses.rate_times_moment(1), 1e-15);
   }
   EXPECT_EQ(UndampedOrbits(p).potential().coefficients(), effective_potential(p).coefficients());
 }
@@ -30,7 +30,7 @@ TEST(UndampedOrbits, OfAHarmonicSpringHaveItsPeriodAndAction) {
   const auto half_cycles = orbits.half_cycles(energy);
   ASSERT_EQ(half_cycles.size(), 1u);
   EXPECT_NEAR(half_cycles[0].right, std::sqrt(2 * energy) / 2, 1e-13);
-  const Orbit orbit = orbits.orbit(half_cycles[0], energy);
+  const OrbitIntegrals orbit = orbits.orbit_integrals(half_cycles[0], energy);
   EXPECT_NEAR(orbit.period, std::numbers::pi, 1e-12);
   // The action is the area inside the orbit: 2 pi energy / frequency.
   EXPECT_NEAR(orbit.action, energy * std::numbers::pi, 1e-12);
@@ -47,7 +47,7 @@ TEST(UndampedOrbits, DissipateAtEachWallTheyReach) {
   const auto half_cycles = orbits.half_cycles(u * u / 2);
   ASSERT_EQ(half_cycles.size(), 1u);
   EXPECT_TRUE(half_cycles[0].at_left && half_cycles[0].at_right);
-  const Orbit orbit = orbits.orbit(half_cycles[0], u * u / 2);
+  const OrbitIntegrals orbit = orbits.orbit_integrals(half_cycles[0], u * u / 2);
   EXPECT_NEAR(orbit.period, 6 / u, 1e-12);
   EXPECT_NEAR(orbit.action, 6 * u, 1e-12);
   EXPECT_NEAR(orbit.loss, ((1 - 0.49) + (1 - 0.81)) * u * u / 2, 1e-14);

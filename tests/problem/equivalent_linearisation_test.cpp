@@ -40,7 +40,7 @@ TEST(EquivalentLinearisation, CountsImpulsesInItsSlowestDecay) {
 
 TEST(EquivalentLinearisation, StaticDeflectionBalancesTheMeanForce) {
   const Problem p = tests::make_problem({.cubic = 0.5, .rate = 2, .intensity = 1, .mean = 0.6});
-  EXPECT_NEAR(p.system.force()(static_deflection(p)), 1.2, 1e-12);
+  EXPECT_NEAR(p.system.restoring_force()(static_deflection(p)), 1.2, 1e-12);
   // Impulses towards the wall
   EXPECT_EQ(static_deflection(tests::make_problem({.mean = -0.1})), 0.0);
 }

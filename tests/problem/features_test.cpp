@@ -10,7 +10,7 @@ namespace {
 
 const tests::Parameters kCase1{};
 
-TEST(Features, IdentifyThePapersClass) {
+TEST(ProblemFeatures, IdentifyThePapersClass) {
   EXPECT_TRUE(features(tests::make_problem(kCase1)).is_paper_oscillator);
   Problem noisy = tests::make_problem(kCase1);
   noisy.noise.intensity = 0.1;
@@ -28,7 +28,7 @@ TEST(Features, IdentifyThePapersClass) {
   EXPECT_FALSE(other({.damping = 0.1, .van_der_pol = 1, .stiffness = 1, .restitution = 0.5}));
 }
 
-Features with_wall(double constant, double r, double noise) {
+ProblemFeatures with_wall(double constant, double r, double noise) {
   return features({.name = "test",
                    .system = System({.damping = 0.1, .constant = constant, .stiffness = 1},
                                     {.left = 0, .left_restitution = r}),
@@ -36,7 +36,7 @@ Features with_wall(double constant, double r, double noise) {
                    .noise = {noise}});
 }
 
-TEST(Features, RestInContactNeedsPressureLossesAndNoNoise) {
+TEST(ProblemFeatures, RestInContactNeedsPressureLossesAndNoNoise) {
   EXPECT_TRUE(with_wall(0.1, 0.7, 0).rests_in_contact);
   EXPECT_FALSE(with_wall(-0.1, 0.7, 0).rests_in_contact);
   EXPECT_FALSE(with_wall(0, 0.7, 0).rests_in_contact);
@@ -45,7 +45,7 @@ TEST(Features, RestInContactNeedsPressureLossesAndNoNoise) {
   EXPECT_TRUE(with_wall(-0.1, 0.7, 0).offset_wall);
 }
 
-TEST(Features, CollapseNeedsNoiseAndStrongLosses) {
+TEST(ProblemFeatures, CollapseNeedsNoiseAndStrongLosses) {
   EXPECT_TRUE(with_wall(0, 0.16, 0.1).collapse);
   EXPECT_FALSE(with_wall(0, 0.17, 0.1).collapse);
   EXPECT_FALSE(with_wall(0, 0.16, 0).collapse);

@@ -28,11 +28,11 @@ TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
   const Problem seen =
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
   EXPECT_EQ(seen.frame, (Frame{-0.5, false}));
-  EXPECT_EQ(seen.system.left(), (Wall{0, 0.7}));
-  EXPECT_EQ(seen.system.right(), (Wall{2.5, 0.9}));
+  EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.7}));
+  EXPECT_EQ(seen.system.right_wall(), (Wall{2.5, 0.9}));
   for (const double x : {0.0, 0.3, 1.7}) {
     const double y = x - 0.5;
-    EXPECT_NEAR(seen.system.force()(x), g(y), 1e-14);
+    EXPECT_NEAR(seen.system.restoring_force()(x), g(y), 1e-14);
     EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * y * y, 1e-15);
     EXPECT_NEAR(seen.system.potential()(x), system.potential()(y) - system.potential()(-0.5),
                 1e-14);
@@ -45,16 +45,16 @@ TEST(Frame, OfARightWallAloneIsMirrored) {
   const Problem seen =
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
   EXPECT_EQ(seen.frame, (Frame{2, true}));
-  EXPECT_EQ(seen.system.left(), (Wall{0, 0.9}));
-  EXPECT_FALSE(seen.system.right());
+  EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.9}));
+  EXPECT_FALSE(seen.system.right_wall());
   for (const double x : {0.0, 0.3, 1.7}) {
-    EXPECT_NEAR(seen.system.force()(x), -g(2 - x), 1e-13);
+    EXPECT_NEAR(seen.system.restoring_force()(x), -g(2 - x), 1e-13);
     EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * (2 - x) * (2 - x), 1e-15);
   }
   EXPECT_EQ(seen.impulses.law().mean(), -0.3);
-  EXPECT_EQ(seen.frame.y(0.5), 1.5);
-  EXPECT_EQ(seen.frame.x(1.5), 0.5);
-  EXPECT_EQ(seen.frame.v(1), -1);
+  EXPECT_EQ(seen.frame.physical_y(0.5), 1.5);
+  EXPECT_EQ(seen.frame.wall_x(1.5), 0.5);
+  EXPECT_EQ(seen.frame.physical_velocity(1), -1);
 }
 
 TEST(Frame, OfThePapersClassIsTheIdentity) {
@@ -62,8 +62,8 @@ TEST(Frame, OfThePapersClassIsTheIdentity) {
                         System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.9}),
                         tests::gaussian_impulses(1, 1)};
   EXPECT_TRUE(wall_frame(problem.system).is_identity());
-  EXPECT_EQ(tests::in_wall_coordinates(problem).system.force().coefficients(),
-            problem.system.force().coefficients());
+  EXPECT_EQ(tests::in_wall_coordinates(problem).system.restoring_force().coefficients(),
+            problem.system.restoring_force().coefficients());
 }
 
 TEST(Frame, OfAProblemInItsFrameChangesNothing) {
@@ -72,8 +72,9 @@ TEST(Frame, OfAProblemInItsFrameChangesNothing) {
       tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
   const Problem again = tests::in_wall_coordinates(seen);
   EXPECT_EQ(again.frame, seen.frame);
-  EXPECT_EQ(again.system.left(), seen.system.left());
-  EXPECT_EQ(again.system.force().coefficients(), seen.system.force().coefficients());
+  EXPECT_EQ(again.system.left_wall(), seen.system.left_wall());
+  EXPECT_EQ(again.system.restoring_force().coefficients(),
+            seen.system.restoring_force().coefficients());
   EXPECT_EQ(again.impulses.law().mean(), -0.3);
 }
 
@@ -81,9 +82,9 @@ TEST(Frame, InverseRoundTrips) {
   for (const Frame frame : {Frame{-0.5, false}, Frame{2, true}, Frame{}}) {
     const Frame back = frame.inverse();
     for (const double x : {0.0, 0.3, 1.7}) {
-      EXPECT_NEAR(back.y(frame.y(x)), x, 1e-15);
-      EXPECT_NEAR(back.x(x), frame.y(x), 1e-15);
-      EXPECT_EQ(back.v(frame.v(x)), x);
+      EXPECT_NEAR(back.physical_y(frame.physical_y(x)), x, 1e-15);
+      EXPECT_NEAR(back.wall_x(x), frame.physical_y(x), 1e-15);
+      EXPECT_EQ(back.physical_velocity(frame.physical_velocity(x)), x);
     }
     EXPECT_EQ(back.is_identity(), frame.is_identity());
   }

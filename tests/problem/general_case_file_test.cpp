@@ -37,11 +37,11 @@ TEST(GeneralCaseFile, ReadsEveryKey) {
       kImpulses + kNoise);
   EXPECT_EQ(p.system.damping(), -1);
   EXPECT_EQ(p.system.damping_polynomial().coefficient(2), 2);
-  EXPECT_EQ(p.system.rayleigh(), 3);
+  EXPECT_EQ(p.system.rayleigh_coefficient(), 3);
   const numerics::Polynomial::Coefficients force{4, 5, 6, 7, 0, 8};
-  EXPECT_EQ(p.system.force().coefficients(), force);
-  EXPECT_EQ(p.system.left(), (Wall{-2, 0.7}));
-  EXPECT_EQ(p.system.right(), (Wall{3, 0.8}));
+  EXPECT_EQ(p.system.restoring_force().coefficients(), force);
+  EXPECT_EQ(p.system.left_wall(), (Wall{-2, 0.7}));
+  EXPECT_EQ(p.system.right_wall(), (Wall{3, 0.8}));
   EXPECT_EQ(p.noise.intensity, 0.2);
   EXPECT_NEAR(total_intensity(p), 0.7, 1e-15);
   EXPECT_EQ(parameters_text(p),

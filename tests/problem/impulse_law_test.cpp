@@ -33,7 +33,7 @@ const std::vector<ImpulseLaw> kLaws{
     ImpulseLaw::from_name("gamma", 0.2, 0.6),
     ImpulseLaw::from_name("tabulated", 0.2, 0.6, {.table = tests::kAtoms}),
     ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}),
-    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirrored()};
+    ImpulseLaw::from_name("tabulated", -0.1, 0.5, {.table = tests::kDensity}).mirror_image()};
 
 std::string label(const ImpulseLaw& law) {
   return std::string(law.name()) + " about " + std::to_string(law.mean());
@@ -102,8 +102,8 @@ TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
   for (const auto& law : kLaws) {
     const auto pieces = law.density_breakpoints();
     if (pieces.empty()) continue;
-    EXPECT_NEAR(law.cumulative(pieces.front()), 0, 1e-17) << label(law);
-    EXPECT_NEAR(law.cumulative(pieces.back()), 1, 1e-15) << label(law);
+    EXPECT_NEAR(law.cumulative_probability(pieces.front()), 0, 1e-17) << label(law);
+    EXPECT_NEAR(law.cumulative_probability(pieces.back()), 1, 1e-15) << label(law);
     for (std::size_t n = 0; n + 1 < pieces.size(); ++n) {
       double from = pieces[n];
       for (const double share : {0.02, 0.1, 0.5, 1.0}) {
@@ -114,7 +114,7 @@ TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
               [&](double y) { return law.density(y); }, std::lerp(from, to, part / 40.0),
               std::lerp(from, to, (part + 1) / 40.0));
         }
-        EXPECT_NEAR(law.cumulative(to) - law.cumulative(from), mass, 1e-13)
+        EXPECT_NEAR(law.cumulative_probability(to) - law.cumulative_probability(from), mass, 1e-13)
             << label(law) << " to " << to;
         from = to;
       }
@@ -124,31 +124,33 @@ TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
 
 TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
   for (const auto& law : kLaws) {
-    const ImpulseLaw mirrored = law.mirrored();
+    const ImpulseLaw mirrored = law.mirror_image();
     EXPECT_EQ(mirrored.name(), law.name());
     EXPECT_EQ(mirrored.deviation(), law.deviation()) << label(law);
-    EXPECT_EQ(mirrored.symmetric(), law.symmetric());
+    EXPECT_EQ(mirrored.is_symmetric(), law.is_symmetric());
     for (int j = 0; j < kMomentCount; ++j) {
       EXPECT_EQ(mirrored.moment(j), (j % 2 == 0 ? 1 : -1) * law.moment(j)) << label(law);
     }
     for (const double y : {-1.0, -0.2, 0.0, 0.123, 0.7}) {
       EXPECT_NEAR(mirrored.density(y), law.density(-y), 1e-14) << label(law);
       if (law.atoms().empty()) {
-        EXPECT_NEAR(mirrored.cumulative(y), 1 - law.cumulative(-y), 1e-14) << label(law);
+        EXPECT_NEAR(mirrored.cumulative_probability(y), 1 - law.cumulative_probability(-y), 1e-14)
+            << label(law);
       }
-      EXPECT_EQ(mirrored.mirrored().density(y), law.density(y)) << label(law);
-      EXPECT_EQ(mirrored.mirrored().cumulative(y), law.cumulative(y)) << label(law);
+      EXPECT_EQ(mirrored.mirror_image().density(y), law.density(y)) << label(law);
+      EXPECT_EQ(mirrored.mirror_image().cumulative_probability(y), law.cumulative_probability(y))
+          << label(law);
     }
     EXPECT_LT(std::abs(mirrored.characteristic_function(1.7) -
                        std::conj(law.characteristic_function(1.7))),
               1e-15);
-    EXPECT_EQ(mirrored.mirrored().density_breakpoints(), law.density_breakpoints());
+    EXPECT_EQ(mirrored.mirror_image().density_breakpoints(), law.density_breakpoints());
   }
 }
 
 TEST(ImpulseLaw, SymmetricLawsAloneHaveNoSkewness) {
   for (const auto& law : kLaws) {
-    EXPECT_EQ(law.symmetric(), law.skewness() == 0) << label(law);
+    EXPECT_EQ(law.is_symmetric(), law.skewness() == 0) << label(law);
     const double m = law.mean(), s = law.deviation();
     const double third = law.moment(3) - 3 * m * law.moment(2) + 2 * m * m * m;
     EXPECT_NEAR(law.skewness(), third / (s * s * s), 1e-13) << label(law);
@@ -163,7 +165,7 @@ TEST(ImpulseLaw, GammaOfTheSkewnessTwoIsExponential) {
     for (int j = 0; j < kMomentCount; ++j) EXPECT_NEAR(gamma.moment(j), one.moment(j), 1e-14);
     for (const double y : {-1.3, -0.21, 0.1, 0.79, 1.5}) {
       EXPECT_NEAR(gamma.density(y), one.density(y), 1e-14) << y;
-      EXPECT_NEAR(gamma.cumulative(y), one.cumulative(y), 1e-15) << y;
+      EXPECT_NEAR(gamma.cumulative_probability(y), one.cumulative_probability(y), 1e-15) << y;
     }
   }
 }
@@ -172,11 +174,11 @@ TEST(ImpulseLaw, QuantilesOfTheGammaLawInvertItsCumulative) {
   for (const double skewness : {0.01, 0.6, 1.0, 1.7, 2.0}) {
     const GammaLaw law{0, 1, skewness};
     for (const double p : {1e-6, 1e-4, 0.3, 0.5, 0.9}) {
-      EXPECT_NEAR(law.cumulative(law.standardised_quantile(p, 1 - p)) / p, 1, 1e-9)
+      EXPECT_NEAR(law.cumulative_probability(law.standardised_quantile(p, 1 - p)) / p, 1, 1e-9)
           << skewness << ' ' << p;
     }
     const double far = law.standardised_quantile(1 - 0x1p-40, 0x1p-40);
-    EXPECT_NEAR((1 - law.cumulative(far)) * 0x1p40, 1, 1e-3) << skewness;
+    EXPECT_NEAR((1 - law.cumulative_probability(far)) * 0x1p40, 1, 1e-3) << skewness;
   }
 }
 

@@ -17,8 +17,8 @@ ImpulseParameters train(double rate, double intensity, double mean) {
 
 TEST(ImpulseTrain, IntensityIsRateTimesSecondMomentWhateverTheMean) {
   EXPECT_NEAR(ImpulseTrain(train(2.0, 0.6, 0.3)).intensity(), 0.6, 1e-15);
-  EXPECT_NEAR(ImpulseTrain(train(2.0, 0.6, 0.3)).rate_moment(1), 2.0 * 0.3, 1e-15);
-  EXPECT_NEAR(ImpulseTrain(train(1.0, 0.1, 0.0)).rate_moment(4), 3 * 0.1 * 0.1, 1e-15);
+  EXPECT_NEAR(ImpulseTrain(train(2.0, 0.6, 0.3)).rate_times_moment(1), 2.0 * 0.3, 1e-15);
+  EXPECT_NEAR(ImpulseTrain(train(1.0, 0.1, 0.0)).rate_times_moment(4), 3 * 0.1 * 0.1, 1e-15);
 }
 
 TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
@@ -28,7 +28,7 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
     const ImpulseTrain impulses(parameters);
     EXPECT_EQ(impulses.law().name(), name);
     EXPECT_NEAR(impulses.intensity(), 0.6, 1e-15) << name;
-    EXPECT_NEAR(impulses.rate_moment(1), 0.6, 1e-15) << name;
+    EXPECT_NEAR(impulses.rate_times_moment(1), 0.6, 1e-15) << name;
     EXPECT_NEAR(impulses.law().deviation(), std::sqrt(0.3 - 0.09), 1e-15) << name;
   }
 }
@@ -37,14 +37,17 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
   for (const std::string& name : tests::law_names_without_table()) {
     ImpulseParameters parameters = train(2.0, 0.6, 0.3);
     parameters.law = name;
-    const ImpulseTrain impulses(parameters), mirrored = impulses.mirrored();
+    const ImpulseTrain impulses(parameters), mirrored = impulses.mirror_image();
     for (int j = 0; j < kMomentCount; ++j) {
-      EXPECT_EQ(mirrored.rate_moment(j), (j % 2 == 0 ? 1 : -1) * impulses.rate_moment(j)) << name;
-      EXPECT_EQ(mirrored.mirrored().rate_moment(j), impulses.rate_moment(j)) << name;
+      EXPECT_EQ(mirrored.rate_times_moment(j),
+                (j % 2 == 0 ? 1 : -1) * impulses.rate_times_moment(j))
+          << name;
+      EXPECT_EQ(mirrored.mirror_image().rate_times_moment(j), impulses.rate_times_moment(j))
+          << name;
     }
     // The mirrored parameters describe the mirrored law.
     const ImpulseTrain again(mirrored.parameters());
-    EXPECT_NEAR(again.rate_moment(3), mirrored.rate_moment(3), 1e-15) << name;
+    EXPECT_NEAR(again.rate_times_moment(3), mirrored.rate_times_moment(3), 1e-15) << name;
   }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 TEST(InelasticCollapse, AffectsOnlyWhiteWithoutNoiseUpToTheThreshold) {
   const auto objection = [](double r, Equation equation) {
-    return collapse_unsupported_reason(tests::make_problem({.restitution = r}), equation);
+    return inelastic_collapse_reason(tests::make_problem({.restitution = r}), equation);
   };
   EXPECT_TRUE(objection(0.1631, Equation::white).empty());
   EXPECT_FALSE(objection(0.1630, Equation::white).empty());
@@ -23,11 +23,11 @@ TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
   const System system({.damping = 0.1, .stiffness = 1},
                       {.left = -1, .left_restitution = 0.5, .right = 1, .right_restitution = 0.12});
   Problem p = tests::with_impulses(system, tests::gaussian_impulses(1, 1));
-  EXPECT_TRUE(collapse_unsupported_reason(p, Equation::kf).empty());
-  EXPECT_NE(collapse_unsupported_reason(p, Equation::white).find("restitution 0.12"),
+  EXPECT_TRUE(inelastic_collapse_reason(p, Equation::kf).empty());
+  EXPECT_NE(inelastic_collapse_reason(p, Equation::white).find("restitution 0.12"),
             std::string::npos);
   p.noise.intensity = 0.1;
-  const auto text = collapse_unsupported_reason(p, Equation::kf);
+  const auto text = inelastic_collapse_reason(p, Equation::kf);
   EXPECT_NE(text.find("restitution 0.12"), std::string::npos) << text;
   // The equation kf contains the noise of the problem, too.
   EXPECT_EQ(text.find("solve kf"), std::string::npos) << text;
@@ -35,7 +35,7 @@ TEST(InelasticCollapse, MayBeAtEitherWallAndUnderNoiseOfTheProblem) {
 
 TEST(InelasticCollapse, StatesCauseAndAction) {
   const auto text =
-      collapse_unsupported_reason(tests::make_problem({.restitution = 0.15}), Equation::white);
+      inelastic_collapse_reason(tests::make_problem({.restitution = 0.15}), Equation::white);
   EXPECT_NE(text.find("restitution 0.15"), std::string::npos) << text;
   EXPECT_NE(text.find("0.1630"), std::string::npos) << text;
   EXPECT_NE(text.find("solve kf"), std::string::npos) << text;

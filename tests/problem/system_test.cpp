@@ -41,12 +41,13 @@ TEST(System, AcceptsTheEndsOfTheRanges) {
 
 TEST(System, ForceIsLinearPlusCubicAndItsSlopeAndPotentialFollow) {
   const System system(kGoodCoefficients);
-  EXPECT_DOUBLE_EQ(system.force()(2.0), 2.0 + 0.1 * 8.0);
+  EXPECT_DOUBLE_EQ(system.restoring_force()(2.0), 2.0 + 0.1 * 8.0);
   EXPECT_DOUBLE_EQ(system.tangent_stiffness()(2.0), 1 + 3 * 0.1 * 4.0);
   EXPECT_DOUBLE_EQ(system.potential()(2.0), 2.0 + 0.1 * 16.0 / 4);
   EXPECT_DOUBLE_EQ(system.stiffness(), 1);
-  EXPECT_FALSE(system.linear());
-  EXPECT_TRUE(System({.damping = 1, .stiffness = 2, .cubic = 0, .restitution = 1}).linear());
+  EXPECT_FALSE(system.has_linear_force());
+  EXPECT_TRUE(
+      System({.damping = 1, .stiffness = 2, .cubic = 0, .restitution = 1}).has_linear_force());
 }
 
 }  // namespace

@@ -19,19 +19,20 @@ TEST(UnsupportedFeature, IsRecognisedInKeysAndCommands) {
       const std::string word(each);
       for (const std::string& name :
            {word, "system." + word, word + ".amplitude", "system.dry_" + word, "first-" + word}) {
-        EXPECT_NE(unsupported_feature_text(name).find(subject), std::string::npos) << name;
+        EXPECT_NE(unsupported_feature_message(name).find(subject), std::string::npos) << name;
       }
     }
   }
-  EXPECT_EQ(unsupported_feature_text("system.colour"), "");
-  EXPECT_EQ(unsupported_feature_text("solve"), "");
+  EXPECT_EQ(unsupported_feature_message("system.colour"), "");
+  EXPECT_EQ(unsupported_feature_message("solve"), "");
 }
 
 // No key of the program is reported as unsupported.
 TEST(UnsupportedFeature, MatchesNoKeyOfTheProgram) {
-  for (const base::DescriptionBase* section : case_descriptions()) {
-    for (const auto& parameter : section->all()) {
-      EXPECT_EQ(unsupported_feature_text(section->prefix() + parameter.name), "") << parameter.name;
+  for (const base::DescriptionBase* section : case_section_descriptions()) {
+    for (const auto& parameter : section->parameters()) {
+      EXPECT_EQ(unsupported_feature_message(section->prefix() + parameter.name), "")
+          << parameter.name;
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "report/bounds.hpp"
+#include "report/guaranteed_bounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,13 @@ using tests::made_up_case;
 using tests::solution_of;
 
 /// Bounds centred at the moments of fd-kf.
-results::Case bounded_case(double half_width = 1e-4) {
+results::CaseResult bounded_case(double half_width = 1e-4) {
   auto case_result = made_up_case();
   const auto& m = case_result.find("fd-kf")->moments;
-  case_result.bounds = compare::Bounds{.seconds = 0.5,
-                                       .each = {{"E[y^2]", m.y2 - half_width, m.y2 + half_width},
-                                                {"E[y'^2]", m.v2 - half_width, m.v2 + half_width}}};
+  case_result.bounds =
+      compare::GuaranteedBounds{.seconds = 0.5,
+                                .each = {{"E[y^2]", m.y2 - half_width, m.y2 + half_width},
+                                         {"E[y'^2]", m.v2 - half_width, m.v2 + half_width}}};
   return case_result;
 }
 
@@ -46,14 +47,15 @@ TEST(BoundsFindings, CallASolutionWrongOutsideItsStatedError) {
 
 TEST(BoundsFindings, StateTheReasonWithoutBounds) {
   auto case_result = made_up_case();
-  EXPECT_TRUE(bounds_findings(case_result).empty());
-  case_result.bounds = compare::Bounds{.reason = "c^2 >= 4 k"};
-  EXPECT_EQ(bounds_findings(case_result).at(0), "There are no guaranteed bounds: c^2 >= 4 k.");
+  EXPECT_TRUE(guaranteed_bounds_findings(case_result).empty());
+  case_result.bounds = compare::GuaranteedBounds{.reason = "c^2 >= 4 k"};
+  EXPECT_EQ(guaranteed_bounds_findings(case_result).at(0),
+            "There are no guaranteed bounds: c^2 >= 4 k.");
 }
 
 TEST(BoundsTable, HasARowForEachBound) {
   const auto case_result = bounded_case();
-  const std::string text = bounds_table(case_result.problem, *case_result.bounds, 80);
+  const std::string text = guaranteed_bounds_table(case_result.problem, *case_result.bounds, 80);
   EXPECT_TRUE(contains(text, "functional")) << text;
   EXPECT_TRUE(contains(text, "\nE[y'^2]")) << text;
   EXPECT_TRUE(contains(text, "1.0e-04")) << text;

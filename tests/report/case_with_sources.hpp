@@ -9,7 +9,7 @@ namespace fpkcheck::tests {
 /// made_up_case() with errors of the second moments and their sources: 0.001 and -0.002 in
 /// epc-gaussian-n6, a thousandth of these in fd-kf. All sources are in the two cells at the wall
 /// next to y' = 0.
-inline results::Case case_with_sources() {
+inline results::CaseResult case_with_sources() {
   auto case_result = made_up_case();
   const auto axes = compare::comparison_axes(case_result.problem);
   case_result.joints.clear();

@@ -10,7 +10,7 @@ namespace fpkcheck::tests {
 
 /// The whole case with copies of epc-gaussian-n6 as external densities from files: family "chi"
 /// with these orders; the first copy is not ok.
-inline results::Case case_with_external_family(const std::vector<int>& orders) {
+inline results::CaseResult case_with_external_family(const std::vector<int>& orders) {
   const auto known = whole_case();
   auto problem = known.problem;
   const auto axes = compare::comparison_axes(problem);
@@ -35,7 +35,7 @@ inline results::Case case_with_external_family(const std::vector<int>& orders) {
     all.push_back(std::move(guest));
   }
   all.insert(all.end(), solutions.begin(), solutions.end());
-  return results::make_case(problem, axes, std::move(all));
+  return results::make_case_result(problem, axes, std::move(all));
 }
 
 }  // namespace fpkcheck::tests

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Families, KeepTheOrderOfTheSolutions) {
   const auto case_result = tests::whole_case();
-  const auto all = families(case_result.solutions);
+  const auto all = group_by_family(case_result.solutions);
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].name, "epc-gaussian");
   EXPECT_EQ(all[1].name, "fd");
@@ -21,7 +21,7 @@ TEST(Families, KeepTheOrderOfTheSolutions) {
 
 TEST(Families, GroupASelectionOfSolutions) {
   const auto case_result = tests::whole_case();
-  const auto all = families(std::vector{case_result.find("mcs"), case_result.find("fd-kf")});
+  const auto all = group_by_family(std::vector{case_result.find("mcs"), case_result.find("fd-kf")});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].name, "mcs");
   EXPECT_EQ(all[1].solutions.size(), 1u);

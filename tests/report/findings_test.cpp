@@ -19,7 +19,7 @@ using tests::solution_of;
 using transform::Status;
 
 /// The only sentence with these words, or "".
-std::string sentence_with(const results::Case& case_result, const std::string& words) {
+std::string sentence_with(const results::CaseResult& case_result, const std::string& words) {
   std::string found;
   for (const auto& sentence : findings(case_result)) {
     if (!contains(sentence, words)) continue;
@@ -192,7 +192,8 @@ TEST(Findings, StateTheDiscretisationError) {
 TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   auto case_result = made_up_case();
   for (auto& solution : case_result.solutions) {
-    if (solution.identity.role == transform::Role::closure) solution.status = Status::failed;
+    if (solution.identity.role == transform::SolutionRole::closure)
+      solution.status = Status::failed;
   }
   solution_of(case_result, "fd-white").status = Status::failed;
   solution_of(case_result, "mcs").sampling.reset();
@@ -212,10 +213,10 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
 }
 
 /// The case with epc-gaussian-n2 as an external density.
-results::Case with_a_file() {
+results::CaseResult with_a_file() {
   auto case_result = made_up_case();
   auto& file = solution_of(case_result, "epc-gaussian-n2");
-  file.identity.role = transform::Role::external;
+  file.identity.role = transform::SolutionRole::external;
   set_l1(case_result, file.id(), "mcs", 0.003, 0.004);
   set_l1(case_result, file.id(), "fd-kf", 0.005, 0.006);
   return case_result;
@@ -265,14 +266,14 @@ TEST(Findings, HaveTheNotesOfSolvers) {
   auto case_result = made_up_case();
   auto& metrics = solution_of(case_result, "epc-gaussian-n2").metrics;
   metrics = transform::MetricBuilder()
-                .text("files[0].file", std::string("/data/lab.csv"))
-                .text("files[0].notes[0]", std::string("sorted"))
-                .text("files[0].notes[1]", std::string("2 rows were left out"))
+                .add_text("files[0].file", std::string("/data/lab.csv"))
+                .add_text("files[0].notes[0]", std::string("sorted"))
+                .add_text("files[0].notes[1]", std::string("2 rows were left out"))
                 .add_empty_list("files[1].notes")
-                .text("keynotes[0]", std::string("no note"))
-                .take();
+                .add_text("keynotes[0]", std::string("no note"))
+                .take_metrics();
   EXPECT_EQ(findings(case_result).back(), "Note on lab.csv: sorted; 2 rows were left out.");
-  metrics = transform::MetricBuilder().text("notes[0]", std::string("by hand")).take();
+  metrics = transform::MetricBuilder().add_text("notes[0]", std::string("by hand")).take_metrics();
   EXPECT_EQ(findings(case_result).back(), "Note on epc-gaussian-n2: by hand.");
 }
 

@@ -15,7 +15,7 @@ using tests::collapse_whitespace;
 using tests::contains;
 using tests::made_up_case;
 
-std::string legend_of(const results::Case& case_result, std::size_t width) {
+std::string legend_of(const results::CaseResult& case_result, std::size_t width) {
   const std::string text = table({results::this_program(""), {case_result}}, width);
   return collapse_whitespace(text.substr(text.find("\n\n")));
 }
@@ -62,14 +62,14 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
 }
 
 TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
-  Column names{"", "error budget", true, kAlwaysShown, {"toy"}};
-  for (const auto& [link, name, meaning] : compare::kLinkNames) {
-    const Column part{"L1 of p(y)", part_header(std::string(name)), false, 1, {"0.1"}};
+  TextColumn names{"", "error budget", true, kAlwaysShown, {"toy"}};
+  for (const auto& [link, name, meaning] : compare::kApproximationNames) {
+    const TextColumn part{"L1 of p(y)", budget_part_header(std::string(name)), false, 1, {"0.1"}};
     const std::string text = budget_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
-  // Each of several links that share a column.
-  const Column shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
+  // Each of several approximations that share a column.
+  const TextColumn shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
   const std::string text = budget_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;
   EXPECT_EQ(budget_legend({}), "");

@@ -8,7 +8,7 @@
 /// Modifications of the synthetic case, and a helper for wrapped text.
 namespace fpkcheck::tests {
 
-inline transform::Solution& solution_of(results::Case& case_result, const std::string& id) {
+inline transform::Solution& solution_of(results::CaseResult& case_result, const std::string& id) {
   for (auto& solution : case_result.solutions) {
     if (solution.id() == id) return solution;
   }
@@ -16,8 +16,8 @@ inline transform::Solution& solution_of(results::Case& case_result, const std::s
 }
 
 /// Sets the L1 distances of a pair.
-inline void set_l1(results::Case& case_result, const std::string& a, const std::string& b, double y,
-                   double ydot) {
+inline void set_l1(results::CaseResult& case_result, const std::string& a, const std::string& b,
+                   double y, double ydot) {
   for (auto& pair : case_result.pairs) {
     if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) {
       pair.distances.l1 = pair.variable == transform::Variable::y ? y : ydot;
@@ -26,12 +26,12 @@ inline void set_l1(results::Case& case_result, const std::string& a, const std::
 }
 
 /// The case with only its first `count` solutions and their comparisons.
-inline results::Case case_with_first(std::size_t count) {
+inline results::CaseResult case_with_first(std::size_t count) {
   auto problem = paper_case(1);
   const auto axes = compare::comparison_axes(problem);
   auto solutions = made_up_solutions(axes);
   solutions.resize(count);
-  return results::make_case(problem, axes, std::move(solutions));
+  return results::make_case_result(problem, axes, std::move(solutions));
 }
 
 /// Replaces each sequence of blanks and line ends by a single blank, since wrapped lines may break

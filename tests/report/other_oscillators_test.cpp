@@ -47,8 +47,8 @@ TEST(ProblemStatement, OfTheBaseClassIsThatOfThePaper) {
   EXPECT_TRUE(contains(statement(tests::paper_case(1)), "on a hardening spring"));
 }
 
-results::Case with_not_offered() {
-  results::Case case_result = made_up_case();
+results::CaseResult with_not_offered() {
+  results::CaseResult case_result = made_up_case();
   for (const char* id : {"fd-white", "fd-kf"}) {
     auto& solution = solution_of(case_result, id);
     solution.status = transform::Status::not_offered;
@@ -78,7 +78,7 @@ TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
 }
 
 TEST(Table, HasTheProbabilityOfRestAtEachWall) {
-  results::Case case_result = made_up_case();
+  results::CaseResult case_result = made_up_case();
   solution_of(case_result, "fd-kf").atoms = {{.y = -0.5, .probability = 0.25}};
   EXPECT_EQ(walls_with_atoms(case_result), std::vector<double>{-0.5});
   EXPECT_TRUE(contains(table({results::this_program("fpkcheck run"), {case_result}}), "P(rest)"));

@@ -10,7 +10,7 @@ namespace {
 using tests::made_up_case;
 using tests::solution_of;
 
-std::vector<std::string> ids(const results::Case& case_result) {
+std::vector<std::string> ids(const results::CaseResult& case_result) {
   std::vector<std::string> all;
   for (const auto* solution : references(case_result)) all.push_back(solution->id());
   return all;

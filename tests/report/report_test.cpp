@@ -5,7 +5,7 @@
 #include <map>
 
 #include "report/table.hpp"
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"

@@ -19,7 +19,7 @@ using tests::made_up_case;
 using tests::set_l1;
 using tests::solution_of;
 
-std::string table_of(const results::Case& case_result, const TextFormat& format = {}) {
+std::string table_of(const results::CaseResult& case_result, const TextFormat& format = {}) {
   return table({results::this_program("fpkcheck run"), {case_result}}, format);
 }
 

@@ -1,4 +1,4 @@
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -128,7 +128,7 @@ TEST(RunDirectory, RefusesAnExistingFile) {
 // Files of another program, of an active run, and of an interrupted run.
 TEST(RunDirectory, RemovesOnlyFilesOfInterruptedRuns) {
   const tests::TemporaryDirectory directory;
-  const std::string own = base::partial_path(directory.path() / "f").filename().string();
+  const std::string own = base::partial_file_path(directory.path() / "f").filename().string();
   const std::string before_pid = own.substr(0, own.rfind('-') + 1);
   constexpr const char* kNobody = "4194999";  // exceeds the largest process id
   const std::vector<std::string> stay{".movie.mkv.partial-download",

@@ -60,8 +60,8 @@ TEST(JointDensities, OfASimulationSumItsCells) {
   ASSERT_EQ(joint.solution, "mcs");
   const auto& histogram = std::get<transform::GridDensity>(*solutions.back().density);
   for (const auto& [i, j] : {std::pair{0, 0}, {3, 69}, {3, 70}, {69, 139}}) {
-    EXPECT_NEAR(joint.density.average(i, j),
-                (histogram.average(2 * i, j) + histogram.average(2 * i + 1, j)) / 2, 1e-6)
+    EXPECT_NEAR(joint.density.cell_average(i, j),
+                (histogram.cell_average(2 * i, j) + histogram.cell_average(2 * i + 1, j)) / 2, 1e-6)
         << i << " " << j;
   }
 }

@@ -41,10 +41,10 @@ TEST(Json, IsReadWithinLimits) {
 TEST(Json, KeysMustNotContainPathSeparators) {
   for (const char* key : {"", ".", "a.b", "a[", "a[1000000000]", "[]", "]", "a[]"}) {
     const Json json{{"nested", {{key, 1}}}};
-    EXPECT_THROW(metrics_in(json), InputError) << key;
-    EXPECT_THROW(metrics_in(json.at("nested")), InputError) << key;
+    EXPECT_THROW(metrics_from_json(json), InputError) << key;
+    EXPECT_THROW(metrics_from_json(json.at("nested")), InputError) << key;
   }
-  EXPECT_EQ(metrics_in(json_of(R"({"a": {"b": [1, 2]}})")).at(1).path, "a.b[1]");
+  EXPECT_EQ(metrics_from_json(json_of(R"({"a": {"b": [1, 2]}})")).at(1).path, "a.b[1]");
 }
 
 TEST(Json, ControlCharactersAreEscaped) {

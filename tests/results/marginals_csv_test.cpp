@@ -14,8 +14,8 @@ namespace {
 using transform::Variable;
 
 /// The curves of a synthetic run with one case, and of cases that have only such curves.
-std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
-  std::vector<Case> cases;
+std::vector<CaseResult> cases_with(std::vector<std::pair<std::string, std::vector<Curve>>> curves) {
+  std::vector<CaseResult> cases;
   for (auto& [name, own] : curves) {
     auto problem = tests::paper_case(1);
     problem.name = name;
@@ -24,13 +24,13 @@ std::vector<Case> cases_with(std::vector<std::pair<std::string, std::vector<Curv
   return cases;
 }
 
-std::string written(const std::vector<Case>& cases) {
+std::string written(const std::vector<CaseResult>& cases) {
   std::ostringstream csv;
   write_marginals_csv(csv, cases);
   return csv.str();
 }
 
-void expect_read_back(const std::string& csv, const std::vector<Case>& cases) {
+void expect_read_back(const std::string& csv, const std::vector<CaseResult>& cases) {
   std::istringstream in(csv);
   const auto read = read_marginals_csv(in, "m.csv");
   std::size_t k = 0;
@@ -46,14 +46,14 @@ void expect_read_back(const std::string& csv, const std::vector<Case>& cases) {
 }
 
 TEST(MarginalsCsv, ReadsBackExactlyWhatItWrote) {
-  const std::vector<Case> cases{tests::made_up_case("a \"b\", c")};
+  const std::vector<CaseResult> cases{tests::made_up_case("a \"b\", c")};
   const std::string csv = written(cases);
   EXPECT_TRUE(csv.starts_with("case,solution,variable,abscissa,density,lower,upper\n"));
   expect_read_back(csv, cases);
 }
 
 TEST(MarginalsCsv, IsReadWithTheLineEndsOfOtherSystems) {
-  const std::vector<Case> cases{tests::made_up_case()};
+  const std::vector<CaseResult> cases{tests::made_up_case()};
   std::string crlf;
   for (const char c : written(cases)) crlf += c == '\n' ? "\r\n" : std::string(1, c);
   expect_read_back(crlf, cases);

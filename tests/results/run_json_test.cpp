@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using tests::contains;
-using transform::Kind;
 using transform::MetricBuilder;
+using transform::MetricKind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -52,23 +52,23 @@ results::Run full_run() {
   auto& solutions = run.cases[0].solutions;
   solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
   solutions[0].metrics = MetricBuilder()
-                             .result("order", std::int64_t{2})
-                             .work("iterations", std::int64_t{7})
-                             .result("coefficients[0].x1", std::int64_t{2})
-                             .result("coefficients[0].a", -0.25)
-                             .result("coefficients[1].x1", std::int64_t{0})
-                             .result("support.edge_density", 1e-9)
-                             .result("branch", {})
-                             .text("leading_form", std::string("negative"))
-                             .result("falls", true)
+                             .add_result("order", std::int64_t{2})
+                             .add_work("iterations", std::int64_t{7})
+                             .add_result("coefficients[0].x1", std::int64_t{2})
+                             .add_result("coefficients[0].a", -0.25)
+                             .add_result("coefficients[1].x1", std::int64_t{0})
+                             .add_result("support.edge_density", 1e-9)
+                             .add_result("branch", {})
+                             .add_text("leading_form", std::string("negative"))
+                             .add_result("falls", true)
                              .add_empty_list("branches")
-                             .take();
+                             .take_metrics();
   solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
-  solutions[6].metrics = MetricBuilder().result("error.observed_order", 4.9).take();
+  solutions[6].metrics = MetricBuilder().add_result("error.observed_order", 4.9).take_metrics();
   solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
-  run.cases[0].bounds = compare::Bounds{.reason = "wider than asked for",
-                                        .seconds = 0.5,
-                                        .each = {{"E[y^2]", 0.125, 0.25}, {"w1", 1, 2}}};
+  run.cases[0].bounds = compare::GuaranteedBounds{.reason = "wider than asked for",
+                                                  .seconds = 0.5,
+                                                  .each = {{"E[y^2]", 0.125, 0.25}, {"w1", 1, 2}}};
   return run;
 }
 
@@ -180,17 +180,20 @@ TEST(Summary, IsReadBackAsItWas) {
   EXPECT_TRUE(solution.has_density());
   EXPECT_FALSE(solution.density);
   EXPECT_FALSE(run.cases[0].solutions[3].has_density());
-  EXPECT_EQ(transform::number(solution.metrics, "coefficients[0].a"), -0.25);
-  EXPECT_EQ(transform::word(solution.metrics, "leading_form"), "negative");
-  EXPECT_EQ(run.cases[0].budget[0].parts[0].links.front(), compare::Link::closure);
+  EXPECT_EQ(transform::metric_number(solution.metrics, "coefficients[0].a"), -0.25);
+  EXPECT_EQ(transform::metric_text(solution.metrics, "leading_form"), "negative");
+  EXPECT_EQ(run.cases[0].budget[0].parts[0].approximations.front(),
+            compare::Approximation::closure);
 }
 
 TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
   results::Run run = full_run();
   auto& one = run.cases[0];
   one.solutions[0].energy_residual = std::nan("");
-  one.solutions[0].metrics =
-      MetricBuilder().result("residuals[0]", 1.0).result("residuals[1]", kInfinity).take();
+  one.solutions[0].metrics = MetricBuilder()
+                                 .add_result("residuals[0]", 1.0)
+                                 .add_result("residuals[1]", kInfinity)
+                                 .take_metrics();
   one.pairs[0].distances.kl = kInfinity;
   one.budget[0].total_tail = std::nan("");
   const Json json = summary_of(run);
@@ -211,14 +214,15 @@ TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
 TEST(Summary, MetricsMustNotReuseKeys) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
-    run.cases[0].solutions[0].metrics = MetricBuilder().result(path, 1.0).take();
+    run.cases[0].solutions[0].metrics = MetricBuilder().add_result(path, 1.0).take_metrics();
     EXPECT_THROW(summary_text(run), std::logic_error) << path;
   }
   results::Run run = full_run();
-  run.cases[0].solutions[0].metrics = MetricBuilder().result("nx", 1.0).result("nx", 2.0).take();
+  run.cases[0].solutions[0].metrics =
+      MetricBuilder().add_result("nx", 1.0).add_result("nx", 2.0).take_metrics();
   EXPECT_THROW(summary_text(run), std::logic_error);
   run.cases[0].solutions[0].metrics =
-      MetricBuilder().result("nx", 1.0).result("nx.more", 2.0).take();
+      MetricBuilder().add_result("nx", 1.0).add_result("nx.more", 2.0).take_metrics();
   EXPECT_THROW(summary_text(run), std::logic_error);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::results {
@@ -15,7 +15,7 @@ TEST(Curves, ComputeBinWidthsFromCentres) {
   const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
   ASSERT_GT(axes.divisions, 0);
   for (const Variable variable : transform::kVariables) {
-    const transform::Marginal marginal{compare::edges(axes, variable), {}, {}, {}};
+    const transform::Marginal marginal{compare::bin_edges(axes, variable), {}, {}, {}};
     Curve curve{"", variable, {}, {}, {}, {}};
     for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
       curve.abscissa.push_back(marginal.centre(b));

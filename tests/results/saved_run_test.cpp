@@ -19,7 +19,7 @@ using tests::contains;
 
 void save(const fs::path& directory, const results::Run& run) {
   base::PendingFiles files;
-  add_run(files, directory, run);
+  add_run_files(files, directory, run);
   files.commit();
 }
 
@@ -58,7 +58,7 @@ TEST(SavedRun, WithSmoothBinsAndErrorEstimatesIsReadBackWhole) {
   EXPECT_EQ(read.cases[0].moment_error_estimates[0].error.v2, -1e-6);
   // Saving a run without them removes those of an earlier run.
   save(directory.path(), tests::made_up_run());
-  EXPECT_FALSE(fs::exists(directory.path() / kSmoothFile));
+  EXPECT_FALSE(fs::exists(directory.path() / kSmoothMarginalsFile));
 }
 
 TEST(SavedRun, OfAnOlderVersionHasNoJointDensities) {

@@ -12,22 +12,24 @@ namespace {
 
 TEST(BalanceResiduals, AreMetricsWithTheirErrors) {
   MetricBuilder builder;
-  add_metrics(builder, {.virial = 1e-3, .momentum = -2e-3}, {.virial = {}, .momentum = 5e-4});
-  const auto metrics = builder.take();
-  EXPECT_EQ(number(metrics, "balances.virial"), 1e-3);
-  EXPECT_EQ(number(metrics, "balances.momentum"), -2e-3);
-  EXPECT_EQ(number(metrics, "balances.momentum_error"), 5e-4);
-  EXPECT_EQ(find(metrics, "balances.momentum")->standard_error_path, "balances.momentum_error");
-  EXPECT_EQ(find(metrics, "balances.virial_error"), nullptr);
+  add_balance_metrics(builder, {.virial = 1e-3, .momentum = -2e-3},
+                      {.virial = {}, .momentum = 5e-4});
+  const auto metrics = builder.take_metrics();
+  EXPECT_EQ(metric_number(metrics, "balances.virial"), 1e-3);
+  EXPECT_EQ(metric_number(metrics, "balances.momentum"), -2e-3);
+  EXPECT_EQ(metric_number(metrics, "balances.momentum_error"), 5e-4);
+  EXPECT_EQ(find_metric(metrics, "balances.momentum")->standard_error_path,
+            "balances.momentum_error");
+  EXPECT_EQ(find_metric(metrics, "balances.virial_error"), nullptr);
 }
 
 TEST(BalanceResiduals, AreNullIfAbsent) {
   MetricBuilder builder;
-  add_metrics(builder, {});
-  const auto metrics = builder.take();
-  ASSERT_NE(find(metrics, "balances.virial"), nullptr);
-  EXPECT_FALSE(number(metrics, "balances.virial"));
-  EXPECT_FALSE(number(metrics, "balances.momentum"));
+  add_balance_metrics(builder, {});
+  const auto metrics = builder.take_metrics();
+  ASSERT_NE(find_metric(metrics, "balances.virial"), nullptr);
+  EXPECT_FALSE(metric_number(metrics, "balances.virial"));
+  EXPECT_FALSE(metric_number(metrics, "balances.momentum"));
 }
 
 // Half-normal density: E[y] = sqrt(2/pi), E[y^2] = 1, E[y^3] = 2 sqrt(2/pi).
@@ -38,9 +40,11 @@ TEST(PanelMarginals, ComputeTheMeanOfAPolynomial) {
   const double mean = std::sqrt(2 / std::numbers::pi);
   for (const auto panels : {PanelSpacing::uniform, PanelSpacing::graded, PanelSpacing::geometric}) {
     const auto marginals = panel_marginals(bell, bell.y_max, bell.v_max, panels);
-    EXPECT_NEAR(displacement_mean(marginals, numerics::Polynomial({0, 3, 0, 0.5})), 4 * mean, 1e-8);
-    EXPECT_NEAR(displacement_mean(marginals, numerics::Polynomial({0, 3}).times_argument()), 3,
-                1e-8);
+    EXPECT_NEAR(mean_of_displacement_polynomial(marginals, numerics::Polynomial({0, 3, 0, 0.5})),
+                4 * mean, 1e-8);
+    EXPECT_NEAR(mean_of_displacement_polynomial(
+                    marginals, numerics::Polynomial({0, 3}).multiplied_by_argument()),
+                3, 1e-8);
   }
 }
 

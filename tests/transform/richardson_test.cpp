@@ -29,7 +29,7 @@ struct Sequence {
 
   LevelDifference before() const { return level_difference(coarse, middle); }
   LevelDifference last() const { return level_difference(middle, fine); }
-  Richardson richardson_estimate(int order_of_scheme) const {
+  RichardsonEstimate richardson_estimate(int order_of_scheme) const {
     return transform::richardson_estimate(before(), last(), kRefinementRatio, order_of_scheme);
   }
 };
@@ -40,8 +40,8 @@ Sequence of_order(double order) {
 
 TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
   const Sequence levels = of_order(3);
-  const Richardson known = levels.richardson_estimate(5);
-  const GridLevel found = limit(levels.middle, levels.fine, known.factor);
+  const RichardsonEstimate known = levels.richardson_estimate(5);
+  const GridLevel found = richardson_limit(levels.middle, levels.fine, known.factor);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(found.y.density[k], 0.3, 1e-13);
     EXPECT_NEAR(found.ydot.density[k], 0.2, 1e-13);
@@ -58,7 +58,8 @@ TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
 TEST(Richardson, ObservesTheOrderOfASequence) {
   for (const double order : {1.0, 2.0, 3.5, 7.0}) {
     const Sequence levels = of_order(order);
-    const auto orders = observed_orders(levels.before(), levels.last(), kRefinementRatio);
+    const auto orders =
+        observed_convergence_orders(levels.before(), levels.last(), kRefinementRatio);
     EXPECT_NEAR(orders.l1, order, 1e-9);
     EXPECT_NEAR(orders.y2, order, 1e-9);
     EXPECT_NEAR(orders.v2, order, 1e-9);
@@ -80,20 +81,20 @@ TEST(Richardson, LimitsTheExtrapolationByTheOrderOfTheScheme) {
 }
 
 TEST(Richardson, UsesACredibleOrderForErrors) {
-  EXPECT_EQ(credible_order(4.5, 5), 4.5);
-  EXPECT_EQ(credible_order(5 + kMaxOrderExcess, 5), 5);
-  EXPECT_NEAR(credible_order(7 + kMaxOrderExcess, 5), 3, 1e-12);
-  EXPECT_EQ(credible_order(22.4, 2), 1);
-  EXPECT_EQ(credible_order(-3, 5), 1);
+  EXPECT_EQ(credible_convergence_order(4.5, 5), 4.5);
+  EXPECT_EQ(credible_convergence_order(5 + kMaxOrderExcess, 5), 5);
+  EXPECT_NEAR(credible_convergence_order(7 + kMaxOrderExcess, 5), 3, 1e-12);
+  EXPECT_EQ(credible_convergence_order(22.4, 2), 1);
+  EXPECT_EQ(credible_convergence_order(-3, 5), 1);
   // The error of the coarsest level is far too large: the differences decrease too fast.
   Sequence levels = of_order(3);
   levels.coarse = at(1, 3, 3);
-  const Richardson known = levels.richardson_estimate(3);
+  const RichardsonEstimate known = levels.richardson_estimate(3);
   EXPECT_GT(known.orders.l1, 3 + kMaxOrderExcess + 2);
   EXPECT_GE(known.error.y_l1, levels.last().y_l1 / (kRefinementRatio - 1) * (1 - 1e-12));
-  EXPECT_FALSE(has_limit(known.orders.l1, 3));
-  EXPECT_TRUE(has_limit(3, 3));
-  EXPECT_FALSE(has_limit(1, 3));
+  EXPECT_FALSE(has_richardson_limit(known.orders.l1, 3));
+  EXPECT_TRUE(has_richardson_limit(3, 3));
+  EXPECT_FALSE(has_richardson_limit(1, 3));
 }
 
 TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder) {
@@ -129,7 +130,7 @@ TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   EXPECT_NEAR(last.rest_probabilities[1], 0.001, 1e-15);
   EXPECT_NEAR(last.y_l1 - plain.y_l1, 0.0035, 1e-15);
   EXPECT_NEAR(last.ydot_l1 - plain.ydot_l1, 0.0015, 1e-15);
-  const Richardson known =
+  const RichardsonEstimate known =
       richardson_estimate(level_difference(coarse, middle), last, kRefinementRatio, 2);
   EXPECT_NEAR(known.rest_probabilities[0], 0.0025,
               1e-12);  // second order: the error is the last difference
@@ -142,7 +143,8 @@ TEST(Richardson, GridLevelIsTakenFromASolution) {
   solution.density = GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.1, 0.2, 0.3, 0.4}};
   solution.moments.y2 = 7;
   solution.atoms = {{.y = 0, .probability = 0.25}};
-  const GridLevel of = level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
+  const GridLevel of =
+      grid_level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
   EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
   EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);
   EXPECT_EQ(of.moments.y2, 7);

@@ -16,11 +16,11 @@ constexpr SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8, .from = 0}
 TEST(SmoothBins, SumToOne) {
   for (const double t : {0.0, 0.3, 0.5, 0.99}) {
     double sum = 0;
-    for (int k = -2; k <= 2; ++k) sum += cubic_spline(t - k);
+    for (int k = -2; k <= 2; ++k) sum += cardinal_cubic_spline(t - k);
     EXPECT_NEAR(sum, 1, 1e-15);
   }
-  EXPECT_EQ(cubic_spline(2), 0);
-  EXPECT_NEAR(cubic_spline(0), 2.0 / 3, 1e-15);
+  EXPECT_EQ(cardinal_cubic_spline(2), 0);
+  EXPECT_NEAR(cardinal_cubic_spline(0), 2.0 / 3, 1e-15);
 }
 
 TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
@@ -28,7 +28,7 @@ TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
     double sum = 0;
     constexpr double kStep = 1e-4;
     for (double y = kStep / 2; y < 3; y += kStep) {
-      sum += kStep * cubic_spline((y - kBins.first) / kBins.spacing - b);
+      sum += kStep * cardinal_cubic_spline((y - kBins.first) / kBins.spacing - b);
     }
     EXPECT_NEAR(bin_weight(kBins, b), sum, 1e-8) << b;
     EXPECT_NEAR(bin_weight({.first = -0.2, .spacing = 0.2, .count = 8}, b), 0.2, 1e-15);
@@ -55,7 +55,7 @@ TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
       sharp.density.push_back((std::exp(-edges[k]) - std::exp(-edges[k + 1])) /
                               (edges[k + 1] - edges[k]));
     }
-    const Marginal smooth = smooth_averages(sharp, kBins);
+    const Marginal smooth = average_over_smooth_bins(sharp, kBins);
     const double factor = std::pow(2 * std::sinh(0.1) / 0.2, 4);
     for (std::size_t b = 3; b < 8; ++b) {
       EXPECT_NEAR(smooth.density[b], factor * std::exp(-0.2 * (double(b) - 1)), tolerance) << b;
@@ -65,7 +65,7 @@ TEST(SmoothAverages, OfAnExponentialAreThoseOfTheFormula) {
       double sum = 0;
       constexpr double kStep = 1e-5;
       for (double y = kStep / 2; y < 0.6; y += kStep) {
-        sum += kStep * std::exp(-y) * cubic_spline(y / 0.2 + 1 - b);
+        sum += kStep * std::exp(-y) * cardinal_cubic_spline(y / 0.2 + 1 - b);
       }
       EXPECT_NEAR(smooth.density[std::size_t(b)], sum / bin_weight(kBins, b), 4 * tolerance + 1e-8);
     }
@@ -76,7 +76,8 @@ TEST(SmoothAverages, KeepAJumpAtTheWall) {
   // p = 1 for v < 0 and 3 for v > 0: a jump as in densities of y' at the wall.
   Marginal sharp{.edges = tests::uniform_edges(-1, 1, 40), .density = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < 40; ++k) sharp.density.push_back(k < 20 ? 1 : 3);
-  const Marginal smooth = smooth_averages(sharp, {.first = -0.4, .spacing = 0.2, .count = 5});
+  const Marginal smooth =
+      average_over_smooth_bins(sharp, {.first = -0.4, .spacing = 0.2, .count = 5});
   // Fractions of M above 0, for the splines centred at -0.2 and -0.4: 1/24 and 0.
   EXPECT_NEAR(smooth.density[0], 1, 1e-12);
   EXPECT_NEAR(smooth.density[1], 1 + 2.0 / 24, 1e-12);
@@ -92,7 +93,7 @@ double mean_of_spike(double a, int bin) {
   const double end = std::pow(std::max(0.0, kBins.first + (bin + 2) * kBins.spacing), a);
   for (int n = 0; n < kPoints; ++n) {
     const double x = std::pow((n + 0.5) / kPoints * end, 1 / a);
-    sum += cubic_spline((x - kBins.first) / kBins.spacing - bin);
+    sum += cardinal_cubic_spline((x - kBins.first) / kBins.spacing - bin);
   }
   return sum * end / kPoints;
 }
@@ -108,7 +109,7 @@ TEST(SmoothAverages, ResolveASpikeThatNarrowBinsResolve) {
     sharp.density.push_back((std::pow(edges[k + 1], a) - std::pow(edges[k], a)) /
                             (edges[k + 1] - edges[k]));
   }
-  const Marginal smooth = smooth_averages(sharp, kBins);
+  const Marginal smooth = average_over_smooth_bins(sharp, kBins);
   for (int b = 0; b < kBins.count; ++b) {
     EXPECT_NEAR(smooth.density[std::size_t(b)] * bin_weight(kBins, b) / mean_of_spike(a, b), 1,
                 1e-5)

@@ -44,7 +44,7 @@ TEST(Zhuravlev, JointDensityOnAxesHasTheMassAndTheMarginalsOfTheFunction) {
   for (int k = -60; k <= 60; ++k) v_edges.push_back(0.2 * k);
   const GridDensity grid = average_over_cells(folded, y_edges, v_edges);
   EXPECT_NEAR(mass(grid), 1.0, 1e-9);
-  EXPECT_NEAR(grid.average(3, 50), folded.value(0.7, -1.9), 1e-3);
+  EXPECT_NEAR(grid.cell_average(3, 50), folded.value(0.7, -1.9), 1e-3);
   for (const auto variable : {Variable::y, Variable::ydot}) {
     const auto& edges = variable == Variable::y ? y_edges : v_edges;
     const Marginal from_grid = marginal(grid, variable, edges);

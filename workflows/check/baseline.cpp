@@ -18,7 +18,7 @@ using transform::Solution;
 
 // Removes a solution that no method of this program made, with the distances, error budget and
 // curves of the solution. Such a solution cannot be solved again.
-void remove_solution(results::Case& case_result, const std::string& id) {
+void remove_solution(results::CaseResult& case_result, const std::string& id) {
   std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
   std::erase_if(case_result.budget, [&](const auto& row) { return row.solution == id; });
@@ -30,7 +30,7 @@ void remove_solution(results::Case& case_result, const std::string& id) {
 // A simulation is compared in units of its standard errors. A simulation without standard errors,
 // or an interrupted simulation, cannot serve as a baseline.
 void require_complete_simulation(const Solution& solution) {
-  const auto* interrupted = transform::find(solution.metrics, kInterrupted);
+  const auto* interrupted = transform::find_metric(solution.metrics, kInterrupted);
   if (interrupted != nullptr && interrupted->value == base::Value(true)) {
     throw InputError("the simulation was interrupted: run it again, to its end");
   }
@@ -44,7 +44,7 @@ void require_complete_simulation(const Solution& solution) {
 
 // The methods of the solutions of a case. Solutions that are external densities have no method:
 // such solutions are removed from the case, with a note.
-RepeatedCase plan_repetition(results::Case& case_result, const methods::Registry& registry,
+RepeatedCase plan_repetition(results::CaseResult& case_result, const methods::Registry& registry,
                              const base::Values& option_overrides,
                              std::vector<std::string>& notes) {
   RepeatedCase again{case_result.problem, {}};
@@ -87,7 +87,7 @@ Baseline load_baseline(const fs::path& path, const methods::Registry& registry,
                     results::kMarginalsFile));
   }
   try {
-    for (results::Case& case_result : baseline.run.cases) {
+    for (results::CaseResult& case_result : baseline.run.cases) {
       baseline.cases.push_back(
           plan_repetition(case_result, registry, option_overrides, baseline.notes));
     }

@@ -9,13 +9,13 @@
 namespace fpkcheck::check {
 namespace {
 
-using compare::BudgetPart;
-using compare::BudgetRow;
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
 
 // The parts of a budget row as text: two budget rows with different parts cannot be compared.
-std::string chain(const BudgetRow& row) {
+std::string chain(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
-  for (const BudgetPart& part : row.parts) {
+  for (const ErrorBudgetPart& part : row.parts) {
     text += fmt::format(" {} ({} to {})", part.name(), part.from, part.to);
   }
   return text;
@@ -23,13 +23,13 @@ std::string chain(const BudgetRow& row) {
 
 /// @param simulation the simulation to which the total distances refer, if the runs differ by
 ///                   sampling; else a null pointer
-void add_row(const BudgetRow& row, const transform::Solution* simulation,
+void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
              const Tolerances& tolerances, Quantities& quantities) {
   const PartQuantities part{quantities, row.solution,
                             fmt::format("budget {}", density_name(row.variable))};
   const auto add = [&](const std::string& name, double number) -> Quantity& {
-    return part.number(part.name + ' ' + name, QuantityKind::budget, number,
-                       tolerances.deterministic);
+    return part.append_number(part.name + ' ' + name, QuantityKind::budget, number,
+                              tolerances.deterministic);
   };
   const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
     Quantity& quantity = add(name, l1);
@@ -43,7 +43,7 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
     // measurement.
     constexpr double kMaxTailFactor = 5;
     Quantity& quantity = add(name, tail);
-    quantity.allowed = simulation == nullptr ? tolerances.tail() : kMaxTailFactor - 1;
+    quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;
     if (simulation != nullptr) quantity.kind = QuantityKind::simulated_error;
   };
   const auto add_error = [&](const std::string& name, const std::optional<double>& l1,
@@ -59,7 +59,7 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
   add("tail from", row.tail_from);
   add("tail to", row.tail_to);
   add_tail("bins of tail", row.tail_bins);
-  for (const BudgetPart& step : row.parts) {
+  for (const ErrorBudgetPart& step : row.parts) {
     const std::string name = step.name();
     add_l1(name, step.l1, step.to == row.reference);
     add_tail("tail of " + name, step.tail);
@@ -72,10 +72,10 @@ void add_row(const BudgetRow& row, const transform::Solution* simulation,
 
 }  // namespace
 
-Quantities budget_quantities(const results::Case& one, const results::Case& other,
+Quantities budget_quantities(const results::CaseResult& one, const results::CaseResult& other,
                              const Tolerances& tolerances) {
   Quantities quantities;
-  for (const BudgetRow& row : one.budget) {
+  for (const ErrorBudgetRow& row : one.budget) {
     const auto *end = one.find(row.reference), *again = other.find(row.reference);
     const bool has_sampling_error =
         end != nullptr && again != nullptr && differs_by_sampling(*end, *again);

@@ -16,8 +16,8 @@ void append(List& list, List more) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
-Quantities case_quantities(const results::Case& one, const results::Case& other, bool is_baseline,
-                           const Tolerances& tolerances) {
+Quantities case_quantities(const results::CaseResult& one, const results::CaseResult& other,
+                           bool is_baseline, const Tolerances& tolerances) {
   Quantities quantities;
   for (transform::Solution solution : one.solutions) {
     const auto* again = other.find(solution.id());
@@ -33,19 +33,21 @@ Quantities case_quantities(const results::Case& one, const results::Case& other,
 
 }  // namespace
 
-std::vector<QuantityChange> Check::moved() const {
+std::vector<QuantityChange> CheckResult::changed_quantities() const {
   std::vector<QuantityChange> result;
-  std::ranges::copy_if(changes, std::back_inserter(result), &QuantityChange::moved);
+  std::ranges::copy_if(changes, std::back_inserter(result), &QuantityChange::exceeds_tolerance);
   return result;
 }
 
-bool Check::agrees() const { return std::ranges::none_of(changes, &QuantityChange::moved); }
+bool CheckResult::agrees_with_baseline() const {
+  return std::ranges::none_of(changes, &QuantityChange::exceeds_tolerance);
+}
 
-Check check(const results::Run& baseline, const results::Run& now, const Tolerances& tolerances,
-            bool with_marginals) {
-  Check result{tolerances, {}, 0, {}};
-  for (const results::Case& was : baseline.cases) {
-    const auto is = std::ranges::find(now.cases, was.name(), &results::Case::name);
+CheckResult check(const results::Run& baseline, const results::Run& now,
+                  const Tolerances& tolerances, bool with_marginals) {
+  CheckResult result{tolerances, {}, 0, {}};
+  for (const results::CaseResult& was : baseline.cases) {
+    const auto is = std::ranges::find(now.cases, was.name(), &results::CaseResult::name);
     if (is == now.cases.end()) {
       throw InputError(fmt::format("case {} is missing in the new run", was.name()));
     }
@@ -58,14 +60,14 @@ Check check(const results::Run& baseline, const results::Run& now, const Toleran
   return result;
 }
 
-std::vector<KindSummary> summarise_by_kind(const Check& check) {
-  std::vector<KindSummary> kinds;
+std::vector<QuantityKindSummary> summarise_by_kind(const CheckResult& check) {
+  std::vector<QuantityKindSummary> kinds;
   for (const auto& entry : kQuantityKindNames) {
-    KindSummary summary{entry.value};
+    QuantityKindSummary summary{entry.value};
     for (const auto& quantity_change : check.changes) {
       if (quantity_change.kind != entry.value) continue;
       ++summary.count;
-      if (quantity_change.moved()) {
+      if (quantity_change.exceeds_tolerance()) {
         ++summary.moved;
       } else if (summary.largest == nullptr || quantity_change.change_over_tolerance() >
                                                    summary.largest->change_over_tolerance()) {

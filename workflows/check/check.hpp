@@ -11,14 +11,14 @@
 namespace fpkcheck::check {
 
 /// The result of the comparison between a run and its baseline.
-struct Check {
+struct CheckResult {
   Tolerances tolerances;
   std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline
   std::size_t solutions;                ///< number of solutions of the baseline
   std::vector<std::string> notes;
 
-  std::vector<QuantityChange> moved() const;
-  bool agrees() const;
+  std::vector<QuantityChange> changed_quantities() const;
+  bool agrees_with_baseline() const;
 };
 
 /// Compares the quantities that two runs share, and reports the quantities that only one run has.
@@ -26,19 +26,20 @@ struct Check {
 /// computation and not the solution.
 /// @param now a run that this program has solved, so that each metric has a kind
 /// @throws InputError if the new run lacks a case of the baseline
-Check check(const results::Run& baseline, const results::Run& now, const Tolerances& tolerances,
-            bool with_marginals = true);
+CheckResult check(const results::Run& baseline, const results::Run& now,
+                  const Tolerances& tolerances, bool with_marginals = true);
 
 /// The result of the comparison as text for the terminal: the quantities that changed, for each
 /// kind the largest change within its tolerance, and a closing sentence.
-std::string check_table(const Check& check, const report::TextFormat& format);
+std::string check_table(const CheckResult& check, const report::TextFormat& format);
 
 /// The result of the comparison in JSON, the contents of check.json.
 /// @param baseline path of the baseline, as the user typed it
-std::string check_json(const Check& check, const std::string& command, const std::string& baseline);
+std::string check_json(const CheckResult& check, const std::string& command,
+                       const std::string& baseline);
 
 /// The number of compared quantities of one kind, and the number of those beyond the tolerance.
-struct KindSummary {
+struct QuantityKindSummary {
   QuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
@@ -47,6 +48,6 @@ struct KindSummary {
 
 /// Summaries of the kinds of quantities that occur in a check, in the order of the enum. The
 /// pointers in the summaries refer to `check`.
-std::vector<KindSummary> summarise_by_kind(const Check& check);
+std::vector<QuantityKindSummary> summarise_by_kind(const CheckResult& check);
 
 }  // namespace fpkcheck::check

@@ -24,7 +24,7 @@ Json json_of(const QuantityChange& quantity_change) {
 
 }  // namespace
 
-std::string check_json(const Check& check, const std::string& command,
+std::string check_json(const CheckResult& check, const std::string& command,
                        const std::string& baseline) {
   Json kinds = Json::array(), moved = Json::array();
   for (const auto& [kind, count, moved_count, largest] : summarise_by_kind(check)) {
@@ -33,8 +33,9 @@ std::string check_json(const Check& check, const std::string& command,
                      {"moved", moved_count},
                      {"largest_allowed", largest == nullptr ? Json() : json_of(*largest)}});
   }
-  for (const auto& quantity_change : check.moved()) moved.push_back(json_of(quantity_change));
-  return results::text_of(results::with_null_for_non_finite(
+  for (const auto& quantity_change : check.changed_quantities())
+    moved.push_back(json_of(quantity_change));
+  return results::json_text(results::with_null_for_non_finite(
       {{"schema", results::kSummarySchema},
        {"program", results::program_json(results::this_program(command))},
        {"baseline", baseline},
@@ -42,7 +43,7 @@ std::string check_json(const Check& check, const std::string& command,
        {"standard_errors", check.tolerances.standard_errors},
        {"solutions", check.solutions},
        {"figures", check.changes.size()},
-       {"agrees", check.agrees()},
+       {"agrees", check.agrees_with_baseline()},
        {"moved", moved},
        {"kinds", kinds},
        {"notes", check.notes}}));

@@ -12,9 +12,9 @@ namespace fpkcheck::check {
 namespace {
 
 using base::Value;
-using report::Column;
 using report::kAbsent;
 using report::kAlwaysShown;
+using report::TextColumn;
 using report::TextFormat;
 
 constexpr std::size_t kMaxRows = 40;
@@ -40,19 +40,19 @@ std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_c
           value_text(quantity_change.now, kAllDigits)};
 }
 
-void add_row(std::vector<Column>& columns, const std::vector<std::string>& cells) {
+void add_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
 }
 
 std::string moved_table(const std::vector<QuantityChange>& moved, const TextFormat& format) {
-  std::vector<Column> columns{{"", "case", true, kAlwaysShown},
-                              {"", "solution", true, kAlwaysShown},
-                              {"", "figure", true, kAlwaysShown},
-                              {"", "baseline", false, 2},
-                              {"", "now", false, 2},
-                              {"", "change", false, kAlwaysShown},
-                              {"", "allowed", false, kAlwaysShown},
-                              {"", "", true, 1}};
+  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
+                                  {"", "solution", true, kAlwaysShown},
+                                  {"", "figure", true, kAlwaysShown},
+                                  {"", "baseline", false, 2},
+                                  {"", "now", false, 2},
+                                  {"", "change", false, kAlwaysShown},
+                                  {"", "allowed", false, kAlwaysShown},
+                                  {"", "", true, 1}};
   for (const QuantityChange& f : moved) {
     const bool is_number = f.kind != QuantityKind::status;
     const auto [baseline, now] = value_texts(f);
@@ -60,17 +60,17 @@ std::string moved_table(const std::vector<QuantityChange>& moved, const TextForm
                       is_number ? change_text(f.change) : kAbsent,
                       is_number ? change_text(f.allowed) : kAbsent, std::string(unit(f.kind))});
   }
-  return report::rows(std::move(columns), format);
+  return report::table_rows_text(std::move(columns), format);
 }
 
-std::string kinds_table(const Check& check, const TextFormat& format) {
-  std::vector<Column> columns{{"", "compared", true, kAlwaysShown},
-                              {"", "figures", false, kAlwaysShown},
-                              {"", "moved", false, kAlwaysShown},
-                              {"within allowance", "largest", false, kAlwaysShown},
-                              {"within allowance", "allowed", false, kAlwaysShown},
-                              {"within allowance", "", true, 2},
-                              {"", "of", true, 1}};
+std::string kinds_table(const CheckResult& check, const TextFormat& format) {
+  std::vector<TextColumn> columns{{"", "compared", true, kAlwaysShown},
+                                  {"", "figures", false, kAlwaysShown},
+                                  {"", "moved", false, kAlwaysShown},
+                                  {"within allowance", "largest", false, kAlwaysShown},
+                                  {"within allowance", "allowed", false, kAlwaysShown},
+                                  {"within allowance", "", true, 2},
+                                  {"", "of", true, 1}};
   for (const auto& [kind, count, moved, largest] : summarise_by_kind(check)) {
     const bool shown = largest != nullptr && kind != QuantityKind::status;
     const std::string of =
@@ -80,7 +80,7 @@ std::string kinds_table(const Check& check, const TextFormat& format) {
                       shown ? change_text(largest->allowed) : kAbsent,
                       std::string(shown ? unit(kind) : ""), of});
   }
-  return report::rows(std::move(columns), format);
+  return report::table_rows_text(std::move(columns), format);
 }
 
 // The changes that are largest in units of their tolerance, in the order of the run.
@@ -103,8 +103,8 @@ std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& m
 
 }  // namespace
 
-std::string check_table(const Check& check, const TextFormat& format) {
-  const auto moved = check.moved();
+std::string check_table(const CheckResult& check, const TextFormat& format) {
+  const auto moved = check.changed_quantities();
   std::string text;
   if (!moved.empty()) {
     const auto shown = largest_changes(moved, kMaxRows);

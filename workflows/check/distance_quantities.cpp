@@ -17,8 +17,8 @@ double deviation(const transform::Solution* reference, transform::Variable varia
   return std::sqrt(variable == transform::Variable::y ? moments.y2 : moments.v2);
 }
 
-bool has_finite_divergence(const results::Case& one, const PairDistances& pair) {
-  const auto* found = compare::find_pair(one.pairs, pair.a, pair.b, pair.variable);
+bool has_finite_divergence(const results::CaseResult& one, const PairDistances& pair) {
+  const auto* found = compare::find_pair_distances(one.pairs, pair.a, pair.b, pair.variable);
   return found == nullptr || std::isfinite(found->distances.kl);
 }
 
@@ -33,22 +33,22 @@ void add_tail(const compare::Distances& d, const PartQuantities& pair, double al
   const PartQuantities tail{pair.quantities, pair.solution, "tail " + pair.name};
   tail.begin(QuantityKind::tail, bins, pair.name);
   for (const auto& decade : d.log10_tail) {
-    tail.number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
-                decade.mean_abs, allowed);
+    tail.append_number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
+                       decade.mean_abs, allowed);
   }
 }
 
 void add_standard_error(const PairDistances& pair, const transform::Solution& simulation,
                         const Tolerances& tolerances, const PartQuantities& part) {
   constexpr std::size_t kBothVariables = 2;
-  part.number("standard error of L1 " + part.name, QuantityKind::simulated_error,
-              *pair.l1_standard_error,
-              allowed_error_change(simulation, kBothVariables, 1, tolerances));
+  part.append_number("standard error of L1 " + part.name, QuantityKind::simulated_error,
+                     *pair.l1_standard_error,
+                     allowed_error_change(simulation, kBothVariables, 1, tolerances));
 }
 
 }  // namespace
 
-Quantities distance_quantities(const results::Case& one, const results::Case& other,
+Quantities distance_quantities(const results::CaseResult& one, const results::CaseResult& other,
                                const Tolerances& tolerances) {
   Quantities quantities;
   for (const PairDistances& pair : one.pairs) {
@@ -57,8 +57,8 @@ Quantities distance_quantities(const results::Case& one, const results::Case& ot
     const PartQuantities part{quantities, pair.a,
                               fmt::format("{} to {}", density_name(pair.variable), pair.b)};
     const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
-      return part.number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance, distance,
-                         tolerances.deterministic, scale);
+      return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
+                                distance, tolerances.deterministic, scale);
     };
     part.begin(QuantityKind::distance);
     Quantity& l1 = add("L1", d.l1, 1);
@@ -79,7 +79,7 @@ Quantities distance_quantities(const results::Case& one, const results::Case& ot
     add("sup", d.sup, unit);
     add("Hellinger", d.hellinger, 1);
     if (has_finite_divergence(one, pair) && has_finite_divergence(other, pair)) add("KL", d.kl, 1);
-    add_tail(d, part, tolerances.tail());
+    add_tail(d, part, tolerances.tail_tolerance());
   }
   return quantities;
 }

@@ -35,7 +35,7 @@ base::Value bin_range_text(const Curve* curve) {
                      curve->abscissa.empty() ? 0 : curve->abscissa.back());
 }
 
-bool has_narrow_interval(const Curve& curve, std::size_t k) {
+bool has_narrow_confidence_interval(const Curve& curve, std::size_t k) {
   return curve.density[k] > 0 &&
          curve.upper[k] - curve.density[k] <= kMaxRelativeHalfWidth * curve.density[k];
 }
@@ -52,7 +52,8 @@ QuantityChange compare_bins(QuantityChange quantity_change, const Curve& was, co
   std::size_t compared = 0;
   quantity_change.change = -1;
   for (std::size_t k = 0; k < was.density.size(); ++k) {
-    if (has_sampling_error && !(has_narrow_interval(was, k) && has_narrow_interval(is, k)))
+    if (has_sampling_error &&
+        !(has_narrow_confidence_interval(was, k) && has_narrow_confidence_interval(is, k)))
       continue;
     const double difference = std::abs(is.density[k] - was.density[k]);
     const double scale =
@@ -85,7 +86,7 @@ double l1(const Curve& was, const Curve& is) {
 Quantities l1_quantity(const Solution& simulation, const Curve& curve, double l1,
                        const Tolerances& tolerances) {
   Quantities quantities;
-  Quantity& quantity = PartQuantities{quantities, curve.solution, kWholeSolution}.number(
+  Quantity& quantity = PartQuantities{quantities, curve.solution, kWholeSolution}.append_number(
       fmt::format("L1 {} to baseline", density_name(curve.variable)), QuantityKind::simulated_l1,
       l1, 0);
   set_sampling_tolerance(quantity, simulation.sampling, curve.variable, tolerances);
@@ -94,8 +95,8 @@ Quantities l1_quantity(const Solution& simulation, const Curve& curve, double l1
 
 }  // namespace
 
-std::vector<QuantityChange> marginal_changes(const results::Case& baseline,
-                                             const results::Case& now,
+std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline,
+                                             const results::CaseResult& now,
                                              const Tolerances& tolerances) {
   std::vector<QuantityChange> changes;
   const auto change_of_curve = [&](const Curve& curve) {

@@ -13,8 +13,8 @@ namespace fpkcheck::check {
 namespace {
 
 using base::Value;
-using transform::Kind;
 using transform::Metric;
+using transform::MetricKind;
 using transform::Metrics;
 
 // The path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for
@@ -40,7 +40,7 @@ class MetricQuantities {
       : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
     for (const auto& o : metrics) {
       if (!o.standard_error_path.empty()) standard_error_paths_.insert(o.standard_error_path);
-      if (o.kind == Kind::coefficient) coefficient_terms_.insert(parent_path(o.path));
+      if (o.kind == MetricKind::coefficient) coefficient_terms_.insert(parent_path(o.path));
       const auto place = o.path.find_last_of('[');
       if (place == std::string::npos) continue;
       auto& entries = list_entries_[o.path.substr(0, place)];
@@ -51,15 +51,17 @@ class MetricQuantities {
   void add_all() {
     const std::size_t first = whole_.quantities.size();
     for (const auto& o : metrics_) {
-      if (o.kind == Kind::coefficient) {
+      if (o.kind == MetricKind::coefficient) {
         const double a = number_in(o.value);
-        whole_.number(coefficient_name(o), QuantityKind::coefficient, a, tolerances_.coefficient(),
-                      std::max(std::abs(a), o.min_scale));
-      } else if (o.kind == Kind::result && !coefficient_terms_.contains(parent_path(o.path))) {
+        whole_.append_number(coefficient_name(o), QuantityKind::coefficient, a,
+                             tolerances_.coefficient_tolerance(),
+                             std::max(std::abs(a), o.min_scale));
+      } else if (o.kind == MetricKind::result &&
+                 !coefficient_terms_.contains(parent_path(o.path))) {
         add_result(o);
-      } else if (o.kind == Kind::error && !standard_error_paths_.contains(o.path)) {
+      } else if (o.kind == MetricKind::error && !standard_error_paths_.contains(o.path)) {
         // The number of effective samples is proportional to 1 / error^2.
-        whole_.number(o.path, QuantityKind::simulated_error, number_in(o.value), 2);
+        whole_.append_number(o.path, QuantityKind::simulated_error, number_in(o.value), 2);
       }
     }
     const auto own = std::span(whole_.quantities).subspan(first);
@@ -76,7 +78,7 @@ class MetricQuantities {
   std::string coefficient_name(const Metric& o) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
-      if (sibling.kind == Kind::result && parent_path(sibling.path) == parent_path(o.path)) {
+      if (sibling.kind == MetricKind::result && parent_path(sibling.path) == parent_path(o.path)) {
         powers.push_back(number_in(sibling.value));
       }
     }
@@ -106,23 +108,24 @@ class MetricQuantities {
       add_estimate(o, in);
     } else if (std::holds_alternative<double>(o.value) ||
                std::holds_alternative<std::int64_t>(o.value)) {
-      in.number(o.path, QuantityKind::detail, number,
-                o.is_rounding_sensitive ? tolerances_.tail() : tolerances_.deterministic,
-                std::max(std::abs(number), o.min_scale));
+      in.append_number(
+          o.path, QuantityKind::detail, number,
+          o.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
+          std::max(std::abs(number), o.min_scale));
     } else {
-      in.word(o.path, o.value);
+      in.append_word(o.path, o.value);
     }
   }
 
   void add_estimate(const Metric& o, const PartQuantities& in) {
-    const Metric* error = find(metrics_, o.standard_error_path);
+    const Metric* error = find_metric(metrics_, o.standard_error_path);
     const double standard_error =
         error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
-    in.number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
+    in.append_number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
     // The standard error of a value that is sensitive to rounding comes from few events, and is
     // therefore as uncertain as the value itself.
     if (error == nullptr || o.is_rounding_sensitive) return;
-    in.number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
+    in.append_number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
   }
 
   const Metrics& metrics_;
@@ -134,15 +137,16 @@ class MetricQuantities {
 
 }  // namespace
 
-void add_metrics(const Metrics& metrics, const Tolerances& tolerances,
-                 const PartQuantities& whole) {
+void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
+                           const PartQuantities& whole) {
   MetricQuantities(metrics, tolerances, whole).add_all();
 }
 
 Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
   std::set<std::string> ignored_paths;
   for (const auto& o : now) {
-    if (o.kind == Kind::work || o.kind == Kind::text) ignored_paths.insert(without_indices(o.path));
+    if (o.kind == MetricKind::work || o.kind == MetricKind::text)
+      ignored_paths.insert(without_indices(o.path));
   }
   // A metric in a list is also ignored if the new run has an ignored metric at another index of the
   // same list, or if an enclosing list has kind work and is empty in the new run.
@@ -153,9 +157,9 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
     return ignored_paths.contains(path);
   };
   for (auto& o : baseline) {
-    const Metric* same = find(now, o.path);
+    const Metric* same = find_metric(now, o.path);
     Metric as_now = same != nullptr ? *same : Metric{.path = o.path, .value = {}};
-    if (is_ignored(without_indices(o.path))) as_now.kind = Kind::work;
+    if (is_ignored(without_indices(o.path))) as_now.kind = MetricKind::work;
     as_now.value = std::move(o.value);
     o = std::move(as_now);
   }

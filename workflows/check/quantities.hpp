@@ -27,8 +27,8 @@ Quantities solution_quantities(const transform::Solution& solution, const Tolera
 /// @param whole the part that stands for the whole solution. The tolerance of a quantity of kind
 ///        `simulated_error` is replaced by an exponent: the quantity is proportional to this power
 ///        of a standard error
-void add_metrics(const transform::Metrics& metrics, const Tolerances& tolerances,
-                 const PartQuantities& whole);
+void add_metric_quantities(const transform::Metrics& metrics, const Tolerances& tolerances,
+                           const PartQuantities& whole);
 
 /// Copies kinds and scales from the metrics of the new run to the same metrics of a run that was
 /// read from files, since files store only the values.
@@ -40,21 +40,21 @@ transform::Metrics copy_metric_kinds(transform::Metrics baseline, const transfor
 /// is infinite in one of the runs is omitted, since a rounding error in the far tail decides
 /// whether kl is finite.
 /// @param other the same case in the other one of the two runs
-Quantities distance_quantities(const results::Case& one, const results::Case& other,
+Quantities distance_quantities(const results::CaseResult& one, const results::CaseResult& other,
                                const Tolerances& tolerances);
 
 /// The parts of the error budget of every closure. If the total distance refers to a simulation,
 /// and the simulations of both runs differ by sampling, the tolerance of the parts that depend on
 /// the simulation follows from the sampling error.
-Quantities budget_quantities(const results::Case& one, const results::Case& other,
+Quantities budget_quantities(const results::CaseResult& one, const results::CaseResult& other,
                              const Tolerances& tolerances);
 
 /// Compares every marginal density, and returns the bin of the density with the largest change. For
 /// a simulation the change is in standard errors. Only bins whose 95 % interval has a half-width of
 /// at most half the density are compared, and the tolerance takes the number of these bins into
 /// account. For a simulation the L1 distance between both simulations is a further quantity.
-std::vector<QuantityChange> marginal_changes(const results::Case& baseline,
-                                             const results::Case& now,
+std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline,
+                                             const results::CaseResult& now,
                                              const Tolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -53,12 +53,12 @@ const PartQuantities& PartQuantities::begin(QuantityKind kind, const Value& what
   return *this;
 }
 
-void PartQuantities::word(const std::string& of, const Value& value) const {
+void PartQuantities::append_word(const std::string& of, const Value& value) const {
   quantities.push_back({.solution = solution, .name = of, .value = value, .part = name});
 }
 
-Quantity& PartQuantities::number(const std::string& of, QuantityKind kind, double value,
-                                 double allowed, double scale) const {
+Quantity& PartQuantities::append_number(const std::string& of, QuantityKind kind, double value,
+                                        double allowed, double scale) const {
   return quantities.emplace_back(Quantity{.solution = solution,
                                           .name = of,
                                           .kind = kind,
@@ -87,8 +87,9 @@ std::vector<QuantityChange> compare_quantities(const std::string& case_name,
     const bool is_in_excluded_part = excluded_parts.contains({quantity.solution, quantity.part});
     QuantityChange quantity_change{case_name, quantity.solution, quantity.name, quantity.kind, was,
                                    is,        change_value,      tolerance};
-    if (opens_part && (is_in_excluded_part || quantity_change.moved())) excluded_parts.insert(key);
-    if (!is_in_excluded_part && (!opens_part || quantity_change.moved()))
+    if (opens_part && (is_in_excluded_part || quantity_change.exceeds_tolerance()))
+      excluded_parts.insert(key);
+    if (!is_in_excluded_part && (!opens_part || quantity_change.exceeds_tolerance()))
       changes.push_back(std::move(quantity_change));
   };
   for (const Quantity& was : baseline) {

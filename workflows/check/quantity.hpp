@@ -43,11 +43,11 @@ struct PartQuantities {
   /// part.
   const PartQuantities& begin(QuantityKind kind, const base::Value& what = "there",
                               const std::string& outer = kWholeSolution) const;
-  void word(const std::string& of, const base::Value& value) const;
+  void append_word(const std::string& of, const base::Value& value) const;
   /// Appends a number; a number that is not finite becomes an empty value, as in files. The
   /// returned reference is valid until the next quantity is appended.
-  Quantity& number(const std::string& of, QuantityKind kind, double value, double allowed,
-                   double scale = 1) const;
+  Quantity& append_number(const std::string& of, QuantityKind kind, double value, double allowed,
+                          double scale = 1) const;
 };
 
 /// The number in a value of type double or integer, if the number is finite; NaN for every other

@@ -46,7 +46,7 @@ inline constexpr base::EnumEntry<QuantityKind> kQuantityKindNames[] = {
     {QuantityKind::simulated_bin, "simulated bins", "std errors"},
     {QuantityKind::simulated_l1, "simulated L1", "absolute"},
     {QuantityKind::simulated_error, "simulation's errors", "relative"}};
-constexpr std::span<const base::EnumEntry<QuantityKind>> names(QuantityKind) {
+constexpr std::span<const base::EnumEntry<QuantityKind>> enumerator_names(QuantityKind) {
   return kQuantityKindNames;
 }
 constexpr std::string_view name(QuantityKind kind) { return base::name_of(kind); }
@@ -63,7 +63,7 @@ struct QuantityChange {
   double change;  ///< not negative, in unit(kind); infinite where a comparison is impossible
   double allowed;
 
-  bool moved() const { return !(change <= allowed); }
+  bool exceeds_tolerance() const { return !(change <= allowed); }
   /// The change of the quantity in units of the tolerance.
   double change_over_tolerance() const { return change == 0 ? 0 : change / allowed; }
 };

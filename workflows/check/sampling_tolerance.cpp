@@ -38,8 +38,8 @@ void set_sampling_tolerance(Quantity& quantity,
                             const std::optional<transform::SamplingError>& sampling,
                             transform::Variable variable, const Tolerances& tolerances) {
   if (!sampling) return;
-  const auto error = expected(*sampling, variable);
-  const auto most = quantile_99(*sampling, variable);
+  const auto error = expected_l1_error(*sampling, variable);
+  const auto most = l1_error_quantile_99(*sampling, variable);
   if (!error || !most) return;
   quantity.kind = QuantityKind::simulated_l1;
   quantity.allowed = tolerances.standard_errors;
@@ -53,7 +53,7 @@ double allowed_error_change(const Solution& simulation, std::size_t number_of_er
   // measurement.
   constexpr double kHeavyTailFactor = 1.25;
   constexpr double kDefaultStreams = 128;
-  const double streams = number(simulation.metrics, kStreams).value_or(kDefaultStreams);
+  const double streams = metric_number(simulation.metrics, kStreams).value_or(kDefaultStreams);
   const double scatter = kHeavyTailFactor / std::sqrt(std::max(streams - 1, 1.0));
   return std::exp(power * scatter * tolerances.bonferroni_threshold(number_of_errors)) - 1;
 }

@@ -17,10 +17,10 @@ struct Tolerances {
 
   /// Relative tolerance for the coefficients of a closure: rounding errors change small
   /// coefficients of the formulation `moment` by up to 1.5e-7.
-  double coefficient() const { return 50 * deterministic; }
+  double coefficient_tolerance() const { return 50 * deterministic; }
   /// Absolute tolerance for the mean |log10| difference in a decade of the tail: for densities of
   /// 1e-6 of the peak, rounding errors change this difference by up to 3e-8.
-  double tail() const { return 100 * deterministic; }
+  double tail_tolerance() const { return 100 * deterministic; }
   /// The Bonferroni-adjusted threshold for n comparisons: the largest of n standard normal numbers
   /// exceeds this threshold as rarely as a single number exceeds `standard_errors`.
   double bonferroni_threshold(std::size_t n) const;

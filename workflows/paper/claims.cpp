@@ -29,8 +29,8 @@ std::string density(const Claim& claim) {
 }  // namespace
 
 // {cases, panels, variables, n, relation, rival, quotation}
-const std::vector<Claim>& claims() {
-  using enum Relation;
+const std::vector<Claim>& paper_claims() {
+  using enum ClaimedRelation;
   static const std::vector<Claim> all{
       // Section 3.1
       {kAll, "abcd", kBoth, 2, is_linearisation, 0,
@@ -216,32 +216,32 @@ std::string claim_text(const Claim& claim) {
                        fmt::arg("p", claim.variables.empty() ? "" : density(claim)));
   };
   switch (claim.relation) {
-    case Relation::agrees:
+    case ClaimedRelation::agrees:
       return formatted("n={n} agrees with MCS in {p}");
-    case Relation::agrees_in_tail:
+    case ClaimedRelation::agrees_in_tail:
       return formatted("n={n} agrees in the tail of {p}");
-    case Relation::differs:
+    case ClaimedRelation::differs:
       return formatted("n={n} differs from MCS in {p}");
-    case Relation::differs_in_tail:
+    case ClaimedRelation::differs_in_tail:
       return formatted("n={n} differs in the tail of {p}");
-    case Relation::closer:
+    case ClaimedRelation::closer:
       return formatted("n={n} is better than n={rival} in {p}");
-    case Relation::closer_in_l1:
+    case ClaimedRelation::closer_in_l1:
       return formatted("n={n} is better than n={rival} in {p}, L1");
-    case Relation::closer_in_tail:
+    case ClaimedRelation::closer_in_tail:
       return formatted("n={n} is better than n={rival} in {p}, tail");
-    case Relation::further_than_in_case_1:
+    case ClaimedRelation::further_than_in_case_1:
       return formatted("{p} is less Gaussian than in case 1");
-    case Relation::is_linearisation:
+    case ClaimedRelation::is_linearisation:
       return formatted("n={n} is equivalent linearisation");
-    case Relation::not_found:
+    case ClaimedRelation::not_found:
       return formatted("n={n} is not found by Newton's method");
   }
   return "";
 }
 
-std::string closure_id(int order) { return fmt::format("epc-gaussian-n{}", order); }
+std::string paper_closure_id(int order) { return fmt::format("epc-gaussian-n{}", order); }
 
-std::string case_name(int number) { return fmt::format("case{}", number); }
+std::string paper_case_name(int number) { return fmt::format("case{}", number); }
 
 }  // namespace fpkcheck::paper

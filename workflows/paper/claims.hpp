@@ -15,7 +15,7 @@
 namespace fpkcheck::paper {
 
 /// The relation between a closure and the simulation that a claim of the paper states.
-enum class Relation {
+enum class ClaimedRelation {
   agrees,
   agrees_in_tail,
   differs,
@@ -29,21 +29,27 @@ enum class Relation {
 };
 /// The name of each relation in files, and the condition under which the relation holds
 /// (workflows/paper/criteria.hpp).
-inline constexpr base::EnumEntry<Relation> kRelationNames[] = {
-    {Relation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
-    {Relation::agrees_in_tail, "agrees_in_tail", "the tail is within the limit of agreement"},
-    {Relation::differs, "differs", "L1 or tail exceeds the limit of agreement"},
-    {Relation::differs_in_tail, "differs_in_tail", "the tail exceeds the limit of agreement"},
-    {Relation::closer, "closer", "L1 and tail are both smaller than those of the rival"},
-    {Relation::closer_in_l1, "closer_in_l1", "L1 is smaller than that of the rival"},
-    {Relation::closer_in_tail, "closer_in_tail", "the tail is smaller than that of the rival"},
-    {Relation::further_than_in_case_1, "further_than_in_case_1", "L1 is larger than in case 1"},
-    {Relation::is_linearisation, "is_linearisation",
+inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
+    {ClaimedRelation::agrees, "agrees", "L1 and tail are both within the limits of agreement"},
+    {ClaimedRelation::agrees_in_tail, "agrees_in_tail",
+     "the tail is within the limit of agreement"},
+    {ClaimedRelation::differs, "differs", "L1 or tail exceeds the limit of agreement"},
+    {ClaimedRelation::differs_in_tail, "differs_in_tail",
+     "the tail exceeds the limit of agreement"},
+    {ClaimedRelation::closer, "closer", "L1 and tail are both smaller than those of the rival"},
+    {ClaimedRelation::closer_in_l1, "closer_in_l1", "L1 is smaller than that of the rival"},
+    {ClaimedRelation::closer_in_tail, "closer_in_tail",
+     "the tail is smaller than that of the rival"},
+    {ClaimedRelation::further_than_in_case_1, "further_than_in_case_1",
+     "L1 is larger than in case 1"},
+    {ClaimedRelation::is_linearisation, "is_linearisation",
      "L1 to the Gaussian of equivalent linearisation is 0 up to rounding"},
-    {Relation::not_found, "not_found",
+    {ClaimedRelation::not_found, "not_found",
      "plain Newton steps from equivalent linearisation find no root"}};
-constexpr std::span<const base::EnumEntry<Relation>> names(Relation) { return kRelationNames; }
-constexpr std::string_view name(Relation relation) { return base::name_of(relation); }
+constexpr std::span<const base::EnumEntry<ClaimedRelation>> enumerator_names(ClaimedRelation) {
+  return kRelationNames;
+}
+constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 
 /// A statement of the paper that measured numbers can support or contradict.
 struct Claim {
@@ -51,7 +57,7 @@ struct Claim {
   std::string panels;      ///< panels of the case's figure, e.g. "ab"; empty for the text alone
   std::vector<transform::Variable> variables;  ///< the claim must hold for all of them
   int order;                                   ///< n of the closure
-  Relation relation;
+  ClaimedRelation relation;
   int rival;          ///< n of the other closure, where the relation compares two; else 0
   std::string quote;  ///< quotation from the paper; [..] is our addition
 
@@ -60,18 +66,19 @@ struct Claim {
 };
 
 /// All claims of the paper, sorted by case, in the order of the paper's text.
-const std::vector<Claim>& claims();
+const std::vector<Claim>& paper_claims();
 
 /// The text of a claim, e.g. "n=6 agrees with MCS in p(y)".
 std::string claim_text(const Claim& claim);
 
 /// The id of the paper's closure of the given order.
-std::string closure_id(int order);
+std::string paper_closure_id(int order);
 
-/// The methods whose solutions are required to judge all claims, in the syntax of Registry::select.
+/// The methods whose solutions are required to judge all claims, in the syntax of
+/// Registry::select_methods.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
 /// The name that problem/named_cases.hpp gives a case of the paper.
-std::string case_name(int number);
+std::string paper_case_name(int number);
 
 }  // namespace fpkcheck::paper

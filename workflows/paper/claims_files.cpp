@@ -50,10 +50,10 @@ Json claim_json(const Judgement& judgement) {
           {"panels", claim.panels},
           {"claim", claim_text(claim)},
           {"quote", claim.quote},
-          {"solution", closure_id(claim.order)},
+          {"solution", paper_closure_id(claim.order)},
           {"variables", densities(claim)},
           {"relation", name(claim.relation)},
-          {"rival", claim.rival == 0 ? Json() : Json(closure_id(claim.rival))},
+          {"rival", claim.rival == 0 ? Json() : Json(paper_closure_id(claim.rival))},
           {"l1", measured_json(judgement.l1)},
           {"tail", measured_json(judgement.tail)},
           {"status", judgement.status ? Json(name(*judgement.status)) : Json()},
@@ -106,13 +106,13 @@ std::string claims_csv(std::span<const Judgement> judgements) {
 std::string claims_json(std::span<const Judgement> judgements, const results::Program& program) {
   Json json{{"schema", results::kSummarySchema}, {"program", results::program_json(program)}};
   add_claims(judgements, json);
-  return results::text_of(results::with_null_for_non_finite(json));
+  return results::json_text(results::with_null_for_non_finite(json));
 }
 
 std::string summary_with_claims(std::span<const Judgement> judgements, const results::Run& run) {
   Json json = Json::parse(results::summary_text(run));
   add_claims(judgements, json);
-  return results::text_of(results::with_null_for_non_finite(json));
+  return results::json_text(results::with_null_for_non_finite(json));
 }
 
 }  // namespace fpkcheck::paper

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "results/run.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {
 

@@ -18,8 +18,8 @@
 namespace fpkcheck::paper {
 namespace {
 
-using report::Column;
 using report::kAlwaysShown;
+using report::TextColumn;
 
 std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
@@ -28,7 +28,8 @@ std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
 // The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
 std::string tail_limit(const Judgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
-  return judgement.claim.relation == Relation::differs && !text.empty() ? "or " + text : text;
+  return judgement.claim.relation == ClaimedRelation::differs && !text.empty() ? "or " + text
+                                                                               : text;
 }
 
 std::string cell_or_dash(const std::string& cell) {
@@ -37,26 +38,26 @@ std::string cell_or_dash(const std::string& cell) {
 
 std::string table_rows(std::span<const Judgement> judgements, const report::TextFormat& format) {
   constexpr int kLimits = 1;
-  std::vector<Column> columns{{"", "case", true, kAlwaysShown},
-                              {"", "fig.", true, kAlwaysShown},
-                              {"", "claim of the paper", true, kAlwaysShown},
-                              {"L1", "is", false, kAlwaysShown},
-                              {"L1", "required", true, kLimits},
-                              {"tail", "is", false, kAlwaysShown},
-                              {"tail", "required", true, kLimits},
-                              {"", "outcome", true, kAlwaysShown}};
-  for (const auto& row : rows(judgements)) {
+  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
+                                  {"", "fig.", true, kAlwaysShown},
+                                  {"", "claim of the paper", true, kAlwaysShown},
+                                  {"L1", "is", false, kAlwaysShown},
+                                  {"L1", "required", true, kLimits},
+                                  {"tail", "is", false, kAlwaysShown},
+                                  {"tail", "required", true, kLimits},
+                                  {"", "outcome", true, kAlwaysShown}};
+  for (const auto& row : claim_rows(judgements)) {
     const std::string cells[] = {
         row.cases,    cell_or_dash(row.figure), row.claim,      cell_or_dash(row.l1),
         row.l1_limit, cell_or_dash(row.tail),   row.tail_limit, row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells[k]);
   }
-  return report::rows(std::move(columns), format);
+  return report::table_rows_text(std::move(columns), format);
 }
 
 // The texts of the claims with a given outcome: "n=6 agrees with MCS in p(y) (case 1, 2)". Each
 // claim occurs once, with the cases that have this outcome.
-std::string claims_with_outcome(std::span<const Judgement> judgements, Outcome outcome) {
+std::string claims_with_outcome(std::span<const Judgement> judgements, ClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {
     if (judgement.outcome != outcome) continue;
@@ -89,8 +90,8 @@ std::string paragraphs(const std::vector<std::string>& sentences, std::size_t wi
 
 }  // namespace
 
-std::vector<Row> rows(std::span<const Judgement> judgements) {
-  std::vector<Row> all;
+std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements) {
+  std::vector<ClaimRow> all;
   for (const auto& judgement : judgements) {
     all.push_back({.cases = cases_text(judgement.claim),
                    .figure = figure_text(judgement.claim),
@@ -104,17 +105,17 @@ std::vector<Row> rows(std::span<const Judgement> judgements) {
   return all;
 }
 
-std::vector<std::string> notes(std::span<const Judgement> judgements) {
+std::vector<std::string> claim_notes(std::span<const Judgement> judgements) {
   std::set<std::pair<int, int>> quoted_closures;  // case, n
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
-    const bool is_search = judgement.claim.relation == Relation::not_found;
+    const bool is_search = judgement.claim.relation == ClaimedRelation::not_found;
     if (judgement.note.empty() && !is_search) continue;
     std::string line = fmt::format("case {}, {}: {}", cases_text(judgement.claim),
                                    claim_text(judgement.claim), name(judgement.outcome));
     if (!judgement.note.empty()) {
-      line +=
-          fmt::format("{} {}", judgement.outcome == Outcome::qualified ? "" : ":", judgement.note);
+      line += fmt::format("{} {}", judgement.outcome == ClaimOutcome::qualified ? "" : ":",
+                          judgement.note);
     }
     const bool shows_reason = is_search || judgement.status == transform::Status::inadmissible;
     if (shows_reason && !judgement.reason.empty() &&
@@ -126,7 +127,7 @@ std::vector<std::string> notes(std::span<const Judgement> judgements) {
   return lines;
 }
 
-std::vector<std::string> criteria() {
+std::vector<std::string> criteria_sentences() {
   return {
       fmt::format("MCS: the simulation; n: the order of the paper's closure, epc-gaussian. L1: "
                   "integral of |p - MCS|. tail: mean |log10 p - log10 MCS| where MCS is 1e-5 .. "
@@ -167,9 +168,10 @@ std::string closing_sentence(std::span<const Judgement> judgements) {
   return fmt::format("{} claims of the paper: {}.", judgements.size(), fmt::join(parts, "; "));
 }
 
-std::vector<std::string> summary(std::span<const Judgement> judgements) {
+std::vector<std::string> outcome_summary(std::span<const Judgement> judgements) {
   std::vector<std::string> sentences{closing_sentence(judgements)};
-  for (const auto outcome : {Outcome::qualified, Outcome::not_established, Outcome::unjudged}) {
+  for (const auto outcome :
+       {ClaimOutcome::qualified, ClaimOutcome::not_established, ClaimOutcome::unjudged}) {
     const std::string claims = claims_with_outcome(judgements, outcome);
     if (claims.empty()) continue;
     std::string subject(name(outcome));
@@ -180,8 +182,8 @@ std::vector<std::string> summary(std::span<const Judgement> judgements) {
 }
 
 std::string table(std::span<const Judgement> judgements, const report::TextFormat& format) {
-  return table_rows(judgements, format) + indented(notes(judgements), format.width) + '\n' +
-         paragraphs(criteria(), format.width) + '\n' +
+  return table_rows(judgements, format) + indented(claim_notes(judgements), format.width) + '\n' +
+         paragraphs(criteria_sentences(), format.width) + '\n' +
          report::wrap_text(closing_sentence(judgements), format.width);
 }
 

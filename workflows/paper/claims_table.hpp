@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "report/text/format.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {
 
@@ -15,22 +15,22 @@ namespace fpkcheck::paper {
 std::string table(std::span<const Judgement> judgements, const report::TextFormat& format = {});
 
 /// The cells of a claim's row in the table; absent values are empty.
-struct Row {
+struct ClaimRow {
   std::string cases, figure, claim, l1, l1_limit, tail, tail_limit, outcome;
 };
-std::vector<Row> rows(std::span<const Judgement> judgements);
+std::vector<ClaimRow> claim_rows(std::span<const Judgement> judgements);
 
 /// One line for each claim whose outcome is not `established`. The first line about a closure
 /// quotes the reason of the closure's status.
-std::vector<std::string> notes(std::span<const Judgement> judgements);
+std::vector<std::string> claim_notes(std::span<const Judgement> judgements);
 
 /// Sentences that define the terms of the claims by numerical criteria
 /// (workflows/paper/criteria.hpp).
-std::vector<std::string> criteria();
+std::vector<std::string> criteria_sentences();
 
 /// The closing sentence, then a sentence for each outcome other than `established` with the claims
 /// of this outcome.
-std::vector<std::string> summary(std::span<const Judgement> judgements);
+std::vector<std::string> outcome_summary(std::span<const Judgement> judgements);
 
 /// The sentence that counts the claims of each outcome: "44 claims of the paper: 36 established,
 /// ..."

@@ -16,7 +16,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-using results::Case;
+using results::CaseResult;
 
 constexpr int kOrders[] = {2, 4, 6};
 constexpr const char* kSimulation = "mcs";
@@ -25,7 +25,7 @@ constexpr const char* kSimulation = "mcs";
 std::vector<std::pair<std::string, std::string>> paper_names() {
   std::vector<std::pair<std::string, std::string>> names;
   for (const int order : kOrders) {
-    names.emplace_back(closure_id(order), fmt::format("EPC (n = {})", order));
+    names.emplace_back(paper_closure_id(order), fmt::format("EPC (n = {})", order));
   }
   names.emplace_back(kSimulation, "MCS");
   return names;
@@ -33,14 +33,14 @@ std::vector<std::pair<std::string, std::string>> paper_names() {
 
 // The case with only the four solutions of the paper's figure and their curves, under the names of
 // the paper.
-Case paper_figure_case(const Case& case_result) {
-  Case shown{.problem = case_result.problem,
-             .solutions = {},
-             .pairs = {},
-             .budget = {},
-             .limits = {},
-             .curves = {},
-             .joints = {}};
+CaseResult paper_figure_case(const CaseResult& case_result) {
+  CaseResult shown{.problem = case_result.problem,
+                   .solutions = {},
+                   .pairs = {},
+                   .budget = {},
+                   .limits = {},
+                   .curves = {},
+                   .joints = {}};
   for (const auto& [id, paper_name] : paper_names()) {
     const auto* solution = case_result.find(id);
     if (solution == nullptr) continue;
@@ -61,10 +61,11 @@ Case paper_figure_case(const Case& case_result) {
 template <class Use>
 void for_each_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
-    const auto case_result = std::ranges::find(run.cases, case_name(number), &Case::name);
+    const auto case_result =
+        std::ranges::find(run.cases, paper_case_name(number), &CaseResult::name);
     if (case_result == run.cases.end()) continue;
     const int figure = Claim::figure(number);
-    const Case shown = paper_figure_case(*case_result);
+    const CaseResult shown = paper_figure_case(*case_result);
     auto content = report::figure_content(shown);
     if (content.marginals.empty()) continue;
     // The figures of the paper show no differences from a reference.
@@ -73,7 +74,7 @@ void for_each_figure(const results::Run& run, const Use& use) {
       for (auto& drawn : marginal.curves) drawn.difference = {};
       // The axes of the paper's figures include the peaks of all curves, also of closures that are
       // not ok.
-      const auto all_curves = report::figure_ranges(marginal.curves);
+      const auto all_curves = report::density_axis_ranges(marginal.curves);
       marginal.ranges.linear_top = std::max(marginal.ranges.linear_top, all_curves.linear_top);
       marginal.ranges.largest_density =
           std::max(marginal.ranges.largest_density, all_curves.largest_density);
@@ -86,30 +87,33 @@ std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure)
 
 }  // namespace
 
-std::vector<report::Picture> figures(const results::Run& run, report::FigureWidth width) {
-  std::vector<report::Picture> all;
-  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
-    const std::string stem = figure_stem(figure);
-    problem::Problem titled = shown.problem;
-    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
-    all.push_back({stem, report::density_script(titled, content, stem, width)});
-  });
+std::vector<report::PictureScript> paper_figures(const results::Run& run,
+                                                 report::FigureWidth width) {
+  std::vector<report::PictureScript> all;
+  for_each_figure(run,
+                  [&](int figure, const CaseResult& shown, const report::FigureContent& content) {
+                    const std::string stem = figure_stem(figure);
+                    problem::Problem titled = shown.problem;
+                    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
+                    all.push_back({stem, report::density_script(titled, content, stem, width)});
+                  });
   return all;
 }
 
-std::vector<std::vector<report::Plot>> figure_plots(const results::Run& run) {
+std::vector<std::vector<report::Plot>> paper_figure_plots(const results::Run& run) {
   std::vector<std::vector<report::Plot>> all;
-  for_each_figure(run, [&](int figure, const Case& shown, const report::FigureContent& content) {
-    std::set<std::string> ids;
-    for (const auto& solution : shown.solutions) ids.insert(solution.id());
-    auto plots = report::density_plots(shown, content, ids, figure_stem(figure));
-    for (std::size_t k = 0; k < plots.size(); ++k) {
-      const bool is_y = content.marginals[k].variable == transform::Variable::y;
-      plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",
-                                     shown.problem.name, plots[k].caption);
-    }
-    all.push_back(std::move(plots));
-  });
+  for_each_figure(
+      run, [&](int figure, const CaseResult& shown, const report::FigureContent& content) {
+        std::set<std::string> ids;
+        for (const auto& solution : shown.solutions) ids.insert(solution.id());
+        auto plots = report::density_plots(shown, content, ids, figure_stem(figure));
+        for (std::size_t k = 0; k < plots.size(); ++k) {
+          const bool is_y = content.marginals[k].variable == transform::Variable::y;
+          plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",
+                                         shown.problem.name, plots[k].caption);
+        }
+        all.push_back(std::move(plots));
+      });
   return all;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 std::string list_html(const std::vector<std::string>& lines) {
   std::string html;
-  for (const auto& line : lines) html += report::element("li", line);
+  for (const auto& line : lines) html += report::html_element("li", line);
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
 }
 
@@ -32,7 +32,7 @@ std::string claims_table(std::span<const Judgement> judgements) {
                                           {"required", Align::left},
                                           {"outcome", Align::left}};
   columns.back().is_status = true;
-  for (const auto& row : rows(judgements)) {
+  for (const auto& row : claim_rows(judgements)) {
     const std::string* const cells[] = {&row.cases,    &row.figure, &row.claim,      &row.l1,
                                         &row.l1_limit, &row.tail,   &row.tail_limit, &row.outcome};
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -53,16 +53,19 @@ std::string quotes(std::span<const Judgement> judgements) {
 }
 
 report::PageSection section(std::span<const Judgement> judgements, const results::Run& run) {
-  report::PageSection section{
-      .anchor = "claims", .heading = "The paper's claims", .html = {}, .groups = figure_plots(run)};
-  auto sentences = summary(judgements);
+  report::PageSection section{.anchor = "claims",
+                              .heading = "The paper's claims",
+                              .html = {},
+                              .groups = paper_figure_plots(run)};
+  auto sentences = outcome_summary(judgements);
   sentences.erase(sentences.begin());  // the page begins with this sentence
-  for (const auto& sentence : sentences) section.html += report::element("p", sentence);
+  for (const auto& sentence : sentences) section.html += report::html_element("p", sentence);
   section.html += claims_table(judgements);
-  for (const auto& sentence : criteria()) section.html += report::element("p", sentence);
-  section.html +=
-      report::details_html("claims-notes", "Notes on single claims", list_html(notes(judgements))) +
-      quotes(judgements);
+  for (const auto& sentence : criteria_sentences())
+    section.html += report::html_element("p", sentence);
+  section.html += report::details_html("claims-notes", "Notes on single claims",
+                                       list_html(claim_notes(judgements))) +
+                  quotes(judgements);
   if (!section.groups.empty()) {
     section.html +=
         "<h3 id=\"paper-figures\">The paper's figures, by the densities of this run</h3>\n";
@@ -73,14 +76,14 @@ report::PageSection section(std::span<const Judgement> judgements, const results
 
 }  // namespace
 
-report::Supplement supplement(std::span<const Judgement> judgements, const results::Run& run,
-                              report::FigureWidth width, const report::TextFormat& format) {
-  return {.summary = summary(judgements),
+report::Supplement claims_supplement(std::span<const Judgement> judgements, const results::Run& run,
+                                     report::FigureWidth width, const report::TextFormat& format) {
+  return {.summary = outcome_summary(judgements),
           .text = '\n' + table(judgements, format),
           .sections = {section(judgements, run)},
           .files = {{kClaimsCsv, claims_csv(judgements)},
                     {kClaimsJson, claims_json(judgements, run.program) + '\n'}},
-          .pictures = figures(run, width)};
+          .pictures = paper_figures(run, width)};
 }
 
 bool is_paper_run(const results::Run& run) {

@@ -6,7 +6,7 @@
 #include "report/supplement.hpp"
 #include "report/text/format.hpp"
 #include "results/run.hpp"
-#include "workflows/paper/judge.hpp"
+#include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {
 
@@ -15,8 +15,9 @@ namespace fpkcheck::paper {
 /// the same figures as pictures.
 /// @param judgements the judgements of the claims by this run
 /// @param format     text format of the table for the terminal
-report::Supplement supplement(std::span<const Judgement> judgements, const results::Run& run,
-                              report::FigureWidth width, const report::TextFormat& format = {});
+report::Supplement claims_supplement(std::span<const Judgement> judgements, const results::Run& run,
+                                     report::FigureWidth width,
+                                     const report::TextFormat& format = {});
 
 /// Whether a run is a complete run of `fpkcheck paper`. The report of such a run includes the
 /// claims of the paper.

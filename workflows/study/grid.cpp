@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "fd_fpk/solve.hpp"
 #include "workflows/study/method_variants.hpp"
 
@@ -42,7 +42,7 @@ class GridStudySolver {
     report_progress(fmt::format("order {}, level {}", order, level), 0, "");
     auto found = fd_fpk::solve(problem_, {.equation = options_.equation,
                                           .impact = options_.impact,
-                                          .stepper = fd_fpk::Stepper::direct,
+                                          .stepper = fd_fpk::StationarySolver::direct,
                                           .order = order,
                                           .refinement = row.refinement,
                                           .origin_refinement = options_.origin_refinement,
@@ -77,7 +77,7 @@ class GridStudySolver {
 
   std::optional<GridLevel> density(const Solution& solution) const {
     if (!solution.has_density()) return std::nullopt;
-    return transform::level(solution, axes_.y_edges, axes_.v_edges);
+    return transform::grid_level(solution, axes_.y_edges, axes_.v_edges);
   }
 
  private:
@@ -110,7 +110,7 @@ std::string reason_without_limit(const GridRow& coarse, const GridRow& middle,
         "larger --coarsest",
         here->nx, here->nv);
   }
-  if (transform::has_limit(fine.observed->l1, fine.order)) return "";
+  if (transform::has_richardson_limit(fine.observed->l1, fine.order)) return "";
   if (fine.observed->l1 > fine.order) {
     return fmt::format(
         "the observed order {:.2g} exceeds what a scheme of order {} explains; use a larger "
@@ -130,9 +130,9 @@ GridLimit limit(std::vector<GridRow>& grids) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
                &fine = grids[k].density;
     if (!coarse || !middle || !fine) continue;
-    grids[k].observed = transform::observed_orders(transform::level_difference(*coarse, *middle),
-                                                   transform::level_difference(*middle, *fine),
-                                                   transform::kRefinementRatio);
+    grids[k].observed = transform::observed_convergence_orders(
+        transform::level_difference(*coarse, *middle), transform::level_difference(*middle, *fine),
+        transform::kRefinementRatio);
   }
   const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
   GridLimit limit{.order = fine.order, .failure = reason_without_limit(coarse, middle, fine)};
@@ -141,15 +141,16 @@ GridLimit limit(std::vector<GridRow>& grids) {
       transform::richardson_estimate(transform::level_difference(*coarse.density, *middle.density),
                                      transform::level_difference(*middle.density, *fine.density),
                                      transform::kRefinementRatio, fine.order);
-  limit.density = transform::limit(*middle.density, *fine.density, found.factor);
+  limit.density = transform::richardson_limit(*middle.density, *fine.density, found.factor);
   limit.error = found.error.moments;
   return limit;
 }
 
-std::optional<MarginalL1> l1(const std::optional<GridLevel>& one,
-                             const std::optional<GridLevel>& other) {
+std::optional<MarginalL1Distances> l1(const std::optional<GridLevel>& one,
+                                      const std::optional<GridLevel>& other) {
   if (!one || !other) return std::nullopt;
-  return MarginalL1{transform::l1(one->y, other->y), transform::l1(one->ydot, other->ydot)};
+  return MarginalL1Distances{transform::l1(one->y, other->y),
+                             transform::l1(one->ydot, other->ydot)};
 }
 
 // The solution on a single grid has no error estimate: the distance to the limit serves as error
@@ -193,11 +194,11 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
   const std::set<int> orders(options.orders.begin(), options.orders.end());
   const auto others =
       comparison_methods(registry, options.equation, options.impact, options.simulation);
-  methods::require_solvable({problem}, others);
+  methods::require_compatible_options({problem}, others);
   GridStudySolver solving(problem, options,
                           orders.size() * static_cast<std::size_t>(options.levels) + others.size(),
                           listener);
-  GridStudy study{problem, fd_fpk::identity(grid_options(options)), {}, {}, {}};
+  GridStudy study{problem, fd_fpk::solution_identity(grid_options(options)), {}, {}, {}};
   for (const int order : orders) {
     std::vector<GridRow> grids;
     for (int level = 1; level <= options.levels; ++level) {

@@ -38,9 +38,10 @@ struct GridRow {
   double refinement = 1, origin_refinement = 1;
   int nx = 0, nv = 0;  ///< numbers of cells in y and y'
   transform::Solution solution;
-  std::optional<transform::GridLevel> density = {};        ///< empty without a density
-  std::optional<transform::ObservedOrders> observed = {};  ///< from this level and two before
-  std::optional<MarginalL1> l1 = {};                       ///< distance to the limit
+  std::optional<transform::GridLevel> density = {};  ///< empty without a density
+  std::optional<transform::ObservedConvergenceOrders> observed =
+      {};                                      ///< from this level and two before
+  std::optional<MarginalL1Distances> l1 = {};  ///< distance to the limit
 };
 
 /// The Richardson limit of the grids of one order of the scheme, extrapolated from the three finest
@@ -49,14 +50,14 @@ struct GridLimit {
   int order = 0;
   std::string failure = {};  ///< reason why there is no limit; empty where there is a limit
   std::optional<transform::GridLevel> density = {};
-  transform::Moments error = {};      ///< differences of the moments to the finest grid, absolute
-  std::optional<MarginalL1> l1 = {};  ///< distance to the limit of the highest order
+  transform::Moments error = {};  ///< differences of the moments to the finest grid, absolute
+  std::optional<MarginalL1Distances> l1 = {};  ///< distance to the limit of the highest order
 };
 
 /// A closure or a simulation that is compared with the grids.
 struct ComparedMethodRow {
   transform::Solution solution;
-  std::optional<MarginalL1> l1 = {};
+  std::optional<MarginalL1Distances> l1 = {};
 };
 
 /// The result of a grid study. The Richardson limit at the highest order is the reference of all
@@ -64,13 +65,13 @@ struct ComparedMethodRow {
 struct GridStudy {
   static constexpr const char* kName = "grid";
   problem::Problem problem;
-  transform::Identity grids;              ///< equation and impact of the finite volumes
+  transform::SolutionIdentity grids;      ///< equation and impact of the finite volumes
   std::vector<GridRow> rows;              ///< by order, then by level
   std::vector<GridLimit> limits;          ///< by order
   std::vector<ComparedMethodRow> others;  ///< empty without a limit
   /// The accuracy of the limit at the highest order: the L1 distance to the limit at the next lower
   /// order.
-  std::optional<MarginalL1> limit_accuracy = {};
+  std::optional<MarginalL1Distances> limit_accuracy = {};
 
   const GridLimit& reference_limit() const { return limits.back(); }
 };
@@ -100,8 +101,8 @@ std::string table(const GridStudy& study, const report::TextFormat& format);
 std::string figure(const GridStudy& study, const std::string& file_stem,
                    report::FigureWidth width = report::FigureWidth::screen);
 
-Record record(const GridRow& row);
-Record record(const GridLimit& limit);
-Record record(const ComparedMethodRow& row);
+Record make_record(const GridRow& row);
+Record make_record(const GridLimit& limit);
+Record make_record(const ComparedMethodRow& row);
 
 }  // namespace fpkcheck::study

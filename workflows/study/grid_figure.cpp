@@ -31,12 +31,12 @@ std::string point(const Row& row, double fineness) {
                      row.l1->y, row.l1->ydot);
 }
 
-std::vector<Series> grids(const GridStudy& study) {
+std::vector<PlotSeries> grids(const GridStudy& study) {
   auto all = make_series(
       study.rows, "grid_",
       [](const GridRow& row) { return fmt::format("finite volumes, order {}", row.order); },
       [](const GridRow& row) { return point(row, row.refinement); });
-  std::vector<transform::Identity> schemes;
+  std::vector<transform::SolutionIdentity> schemes;
   for (std::size_t k = 0; k < all.size(); ++k) {
     schemes.push_back({.id = all[k].label, .method = "fd", .plot_style = methods::scheme_style(k)});
   }
@@ -47,7 +47,7 @@ std::vector<Series> grids(const GridStudy& study) {
 
 std::string method_label(const ComparedMethodRow& row) {
   const auto& identity = row.solution.identity;
-  if (identity.role == transform::Role::simulation) return "simulation";
+  if (identity.role == transform::SolutionRole::simulation) return "simulation";
   return fmt::format("closure, {}{}",
                      identity.formulation.empty() ? identity.family : identity.formulation,
                      identity.order ? ", n = 2, 4, .." : "");
@@ -62,7 +62,7 @@ std::string line_style(const SeriesStyle& plot_style) {
 
 // Dashed lines with the slope of each scheme's nominal order, through the first point of the
 // scheme.
-std::string order_slopes(const GridStudy& study, double MarginalL1::*variable) {
+std::string order_slopes(const GridStudy& study, double MarginalL1Distances::*variable) {
   std::string text;
   std::set<int> drawn;
   for (const auto& row : study.rows) {
@@ -76,7 +76,7 @@ std::string order_slopes(const GridStudy& study, double MarginalL1::*variable) {
 /// The column of the data blocks that is the abscissa of a panel.
 enum Abscissa { by_fineness = 1, by_time = 2 };
 
-std::string panel(const std::vector<Series>& all, const std::string& title, Variable variable,
+std::string panel(const std::vector<PlotSeries>& all, const std::string& title, Variable variable,
                   Abscissa abscissa, const PanelBox& place, const std::string& beside = "") {
   std::string plots;
   for (const auto& series : all) {
@@ -86,7 +86,8 @@ std::string panel(const std::vector<Series>& all, const std::string& title, Vari
                          line_style(series.plot_style));
   }
   if (plots.empty()) return "";
-  return fmt::format("set title '{}'\n{}set ylabel {}\nplot {}\n\n", title, margin_commands(place),
+  return fmt::format("set title '{}'\n{}set ylabel {}\nplot {}\n\n", title,
+                     panel_position_commands(place),
                      report::gnuplot_text(fmt::format(
                          "{{/:Italic L}}_1 distance of {} to the limit", density_symbol(variable))),
                      plots + beside);
@@ -108,7 +109,7 @@ std::string axis_ranges(const GridStudy& study) {
                      least / 2, most * 2);
 }
 
-report::Legend legend(const std::vector<Series>& all) {
+report::Legend legend(const std::vector<PlotSeries>& all) {
   report::Legend legend{{}, 4};
   for (const auto& series : all) {
     if (series.points.empty()) continue;
@@ -129,7 +130,7 @@ std::string figure(const GridStudy& study, const std::string& file_stem,
                                   [](const ComparedMethodRow& row) { return point(row, 0); })) {
     all.push_back(std::move(series));
   }
-  if (std::ranges::all_of(all, &std::string::empty, &Series::points)) return "";
+  if (std::ranges::all_of(all, &std::string::empty, &PlotSeries::points)) return "";
   const report::Legend entries = legend(all);
   const bool narrow = width == report::FigureWidth::one_column;
   report::PanelGrid grid = report::panel_grid(width, kScreenWidth);
@@ -139,9 +140,9 @@ std::string figure(const GridStudy& study, const std::string& file_stem,
   grid.legend_height = report::legend_height(entries, grid.width);
   const auto title = report::figure_title(study.problem, grid.size());
   grid.title_height = title.height;
-  const auto place = [&](std::size_t panel) { return grid.place(panel); };
+  const auto place = [&](std::size_t panel) { return grid.panel_box(panel); };
 
-  std::string text = report::output_commands(file_stem, grid.size());
+  std::string text = report::gnuplot_output_commands(file_stem, grid.size());
   for (const auto& series : all) text += data_block(series.block, series.points);
   text += fmt::format(
       "set tics out nomirror\nset border 3\nset grid lc rgb '#DDDDDD' lt 1 dt solid lw 0.6\n"
@@ -152,16 +153,17 @@ std::string figure(const GridStudy& study, const std::string& file_stem,
       "{}set xtics ({})\n",
       axis_ranges(study), "0.125, 0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4, 5.66, 8");
   text += panel(fd, "(a) grids: displacement", Variable::y, by_fineness, place(0),
-                order_slopes(study, &MarginalL1::y));
+                order_slopes(study, &MarginalL1Distances::y));
   text += panel(fd, "(b) grids: velocity", Variable::ydot, by_fineness, place(1),
-                order_slopes(study, &MarginalL1::ydot));
+                order_slopes(study, &MarginalL1Distances::ydot));
   text += "set autoscale\n";
   text +=
       "set xlabel 'wall-clock time of one solve, ms'\nset xtics autofreq\n"
       "set format x '%g'\n";
   text += panel(all, "(c) error against cost: displacement", Variable::y, by_time, place(2));
   text += panel(all, "(d) error against cost: velocity", Variable::ydot, by_time, place(3));
-  return text + report::legend_strip(entries, grid.size()) + "unset multiplot\nunset output\n";
+  return text + report::legend_strip_commands(entries, grid.size()) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::study

@@ -95,7 +95,7 @@ std::string fastest_sentence(const GridStudy& study, double accuracy) {
   std::optional<TimedMethod> grid, closure, simulation;
   for (const auto& row : study.rows) update_fastest(row, accuracy, grid);
   for (const auto& row : study.others) {
-    const bool simulated = row.solution.identity.role == transform::Role::simulation;
+    const bool simulated = row.solution.identity.role == transform::SolutionRole::simulation;
     update_fastest(row, accuracy, simulated ? simulation : closure);
   }
   if (grid) grid->name = "finite volumes of " + grid->name;

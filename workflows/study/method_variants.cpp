@@ -15,8 +15,8 @@ using methods::Method;
 using methods::Registry;
 using problem::Equation;
 using problem::Impact;
-using transform::Identity;
-using transform::Role;
+using transform::SolutionIdentity;
+using transform::SolutionRole;
 
 // Finds the method of an id with the given options. The result is empty if no solver has a method
 // of this id, or if an option is invalid.
@@ -39,7 +39,7 @@ std::vector<Method> members_and_variants(const Registry& registry, const methods
   };
   for (const auto& id : usual) add(registry.method_by_id(id));
   for (const auto& id : usual) {
-    for (const auto& parameter : solver.option_descriptions->all()) {
+    for (const auto& parameter : solver.option_descriptions->parameters()) {
       for (const auto& choice : parameter.choices) {
         add(find_method(registry, id, {{parameter.name, choice}}));
       }
@@ -48,13 +48,13 @@ std::vector<Method> members_and_variants(const Registry& registry, const methods
   return found;
 }
 
-std::string stem_of(const Identity& identity) {
+std::string stem_of(const SolutionIdentity& identity) {
   const std::string end = identity.order ? fmt::format("-n{}", *identity.order) : "";
   return identity.id.substr(0, identity.id.size() - (identity.id.ends_with(end) ? end.size() : 0));
 }
 
 // The impact condition of a simulation is exact, and therefore equivalent to `map`.
-bool solves(const Identity& identity, Equation equation, Impact impact) {
+bool solves(const SolutionIdentity& identity, Equation equation, Impact impact) {
   return identity.equation == equation && identity.impact &&
          (*identity.impact == Impact::delta) == (impact == Impact::delta);
 }
@@ -65,7 +65,7 @@ bool MethodVariant::solves_full_problem() const {
   return solves(identity(), Equation::kf, Impact::map);
 }
 
-std::vector<MethodVariant> method_variants(const Registry& registry, Role role) {
+std::vector<MethodVariant> method_variants(const Registry& registry, SolutionRole role) {
   std::vector<MethodVariant> all;
   const auto known = [&](const std::string& stem) {
     return std::ranges::find(all, stem, &MethodVariant::stem) != all.end();
@@ -92,8 +92,8 @@ std::vector<Method> comparison_methods(const Registry& registry, Equation equati
                                        const base::Values& simulation) {
   std::vector<Method> all;
   std::set<std::string> families;  // with a variant in `all`; default variants come first
-  for (const auto& variant : method_variants(registry, Role::closure)) {
-    const Identity& identity = variant.identity();
+  for (const auto& variant : method_variants(registry, SolutionRole::closure)) {
+    const SolutionIdentity& identity = variant.identity();
     const bool approximates_full_problem =
         variant.usual && equation == Equation::kf && impact != Impact::delta;
     if (!approximates_full_problem && !solves(identity, equation, impact)) continue;
@@ -107,7 +107,7 @@ std::vector<Method> comparison_methods(const Registry& registry, Equation equati
       }
     }
   }
-  for (const auto& variant : method_variants(registry, Role::simulation)) {
+  for (const auto& variant : method_variants(registry, SolutionRole::simulation)) {
     if (!solves(variant.identity(), equation, impact)) continue;
     all.push_back(*registry.method_by_id(variant.stem, simulation));
   }

@@ -18,14 +18,15 @@ struct MethodVariant {
   bool usual;             ///< the default variant of its family
   methods::Method first;  ///< one of these methods
 
-  const transform::Identity& identity() const { return first.identity; }
+  const transform::SolutionIdentity& identity() const { return first.identity; }
   bool solves_full_problem() const;  ///< equation `kf` with the exact impact
 };
 
 /// The method variants of a role, by increasing trust. The default variants of each family come
 /// first. The variants that differ from a default variant by one choice of an option (another
 /// equation, another tail of the exponent) follow.
-std::vector<MethodVariant> method_variants(const methods::Registry& registry, transform::Role role);
+std::vector<MethodVariant> method_variants(const methods::Registry& registry,
+                                           transform::SolutionRole role);
 
 /// The closures and simulations that are compared with finite volumes for one equation. A family of
 /// closures contributes its default variant if this variant solves the equation, or if the equation

@@ -11,13 +11,13 @@ namespace fpkcheck::study {
 
 using report::data_block;
 using report::density_symbol;
-using report::margin_commands;
+using report::panel_position_commands;
 using report::PanelBox;
 using report::series_styles;
 using report::SeriesStyle;
 
 /// A curve of a figure with points, label and plot style.
-struct Series {
+struct PlotSeries {
   std::string block;  ///< name of its data block in the script
   std::string label;
   std::string points;  ///< lines of the data block, each ended by a newline
@@ -29,10 +29,10 @@ struct Series {
 /// @param label function that returns the label of a row
 /// @param points function that returns the lines of a row's points; these lines may be empty
 template <class Row, class Label, class Points>
-std::vector<Series> make_series(const std::vector<Row>& rows, const std::string& block, Label label,
-                                Points points) {
-  std::vector<Series> all;
-  std::vector<transform::Identity> identities;
+std::vector<PlotSeries> make_series(const std::vector<Row>& rows, const std::string& block,
+                                    Label label, Points points) {
+  std::vector<PlotSeries> all;
+  std::vector<transform::SolutionIdentity> identities;
   for (auto row = rows.begin(); row != rows.end();) {
     all.push_back({block + std::to_string(all.size()), label(*row), "", {}});
     const auto first = row;

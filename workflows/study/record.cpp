@@ -16,7 +16,7 @@ namespace {
 using base::Value;
 
 Value value_at(const Record& record, const std::string& path) {
-  const auto found = std::ranges::find(record, path, &base::NamedValue::name);
+  const auto found = std::ranges::find(record, path, &base::NamedParameterValue::name);
   return found == record.end() ? Value() : found->value;
 }
 
@@ -32,28 +32,29 @@ std::string text(const Value& value, const char* format) {
 
 }  // namespace
 
-void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1>& l1,
+void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1Distances>& l1,
                  Record& record) {
   record.push_back({"status", std::string(name(solution.status))});
   record.push_back({"reason", solution.reason});
   record.push_back({"seconds", solution.seconds});
-  record.push_back({"l1_y", value(l1, &MarginalL1::y)});
-  record.push_back({"l1_ydot", value(l1, &MarginalL1::ydot)});
+  record.push_back({"l1_y", value(l1, &MarginalL1Distances::y)});
+  record.push_back({"l1_ydot", value(l1, &MarginalL1Distances::ydot)});
 }
 
 std::string table_text(const std::vector<Record>& rows, const std::vector<TableColumn>& columns,
                        const report::TextFormat& format) {
-  std::vector<report::Column> filled;
+  std::vector<report::TextColumn> filled;
   for (const auto& shown : columns) {
-    filled.push_back(shown.path == "status" ? report::status_column()
-                                            : report::Column{shown.group, shown.header,
-                                                             shown.left_aligned, shown.importance});
+    filled.push_back(
+        shown.path == "status"
+            ? report::status_column()
+            : report::TextColumn{shown.group, shown.header, shown.left_aligned, shown.importance});
     for (const auto& row : rows) {
       const std::string cell = text(value_at(row, shown.path), shown.format);
       filled.back().cells.push_back(cell.empty() ? report::kAbsent : cell);
     }
   }
-  return report::rows(std::move(filled), format);
+  return report::table_rows_text(std::move(filled), format);
 }
 
 std::string csv_text(const std::vector<Record>& rows, const std::string& columns) {
@@ -73,7 +74,7 @@ std::string csv_text(const std::vector<Record>& rows, const std::string& columns
 }
 
 std::string number_text(const std::optional<double>& number, const char* format) {
-  const std::string found = text(transform::optional_value(number), format);
+  const std::string found = text(transform::value_from_optional(number), format);
   return found.empty() ? report::kAbsent : found;
 }
 

@@ -13,7 +13,7 @@
 namespace fpkcheck::study {
 
 /// L1 distances of the two marginal densities.
-struct MarginalL1 {
+struct MarginalL1Distances {
   double y, ydot;
 };
 
@@ -27,7 +27,7 @@ base::Value value(const std::optional<Owner>& owner, double Owner::*member) {
 }
 
 /// Adds the fields status, reason, seconds, l1_y and l1_ydot of a solution to a record.
-void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1>& l1,
+void add_outcome(const transform::Solution& solution, const std::optional<MarginalL1Distances>& l1,
                  Record& record);
 
 /// A column of a table: the values under one path.
@@ -59,7 +59,7 @@ std::string study_json(const std::string& study, const problem::Problem& problem
 template <class Row>
 std::vector<Record> records(const std::vector<Row>& rows) {
   std::vector<Record> all;
-  for (const Row& row : rows) all.push_back(record(row));
+  for (const Row& row : rows) all.push_back(make_record(row));
   return all;
 }
 

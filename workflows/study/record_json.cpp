@@ -12,8 +12,8 @@ using results::Json;
 
 void add(const Record& record, Json& object) {
   transform::MetricBuilder values;
-  for (const auto& [path, value] : record) values.result(path, value);
-  results::add_metrics(std::move(values).take(), object);
+  for (const auto& [path, value] : record) values.add_result(path, value);
+  results::add_metrics(std::move(values).take_metrics(), object);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ std::string study_json(const std::string& study, const problem::Problem& problem
     json[name] = Json::array();
     for (const auto& row : rows) add(row, json[name].emplace_back(Json::object()));
   }
-  return results::text_of(results::with_null_for_non_finite(json));
+  return results::json_text(results::with_null_for_non_finite(json));
 }
 
 }  // namespace fpkcheck::study

@@ -20,7 +20,7 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
   RegularisationStudy study{problem, fd_study.default_length, fd_study.shortest_length, {}};
   for (const auto& row : fd_study.rows) {
     const bool symbol_grows = row.symbol && is_unstable(*row.symbol, problem.impulses);
-    study.rows.push_back({row, symbol_grows, row.growth(problem)});
+    study.rows.push_back({row, symbol_grows, row.growth_rate(problem)});
   }
   return study;
 }

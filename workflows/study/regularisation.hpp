@@ -50,6 +50,6 @@ inline std::string figure(const RegularisationStudy&, const std::string&, report
   return {};
 }
 
-Record record(const RegularisationRow& row);
+Record make_record(const RegularisationRow& row);
 
 }  // namespace fpkcheck::study

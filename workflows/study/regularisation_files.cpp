@@ -5,9 +5,9 @@
 namespace fpkcheck::study {
 
 using base::Value;
-using fd_fpk::Growth;
-using transform::count_value;
-using transform::optional_value;
+using fd_fpk::FastestGrowingWave;
+using transform::value_from_count;
+using transform::value_from_optional;
 
 namespace {
 
@@ -23,19 +23,19 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
 
 }  // namespace
 
-Record record(const RegularisationRow& row) {
+Record make_record(const RegularisationRow& row) {
   Record record{{"scheme", row.scheme},
                 {"step", row.step},
                 {"length", row.length > 0 ? Value(row.length) : Value()},  // none for pade
-                {"nx", count_value(row.nx)},
-                {"nv", count_value(row.nv)},
-                {"symbol_rate", value(row.symbol, &Growth::rate)},
-                {"symbol_wavenumber", value(row.symbol, &Growth::wavenumber)},
+                {"nx", value_from_count(row.nx)},
+                {"nv", value_from_count(row.nv)},
+                {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
+                {"symbol_wavenumber", value(row.symbol, &FastestGrowingWave::wavenumber)},
                 {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
-                {"growth_rate", optional_value(row.growth_rate)},
-                {"l1_y", optional_value(row.l1_y)},
-                {"l1_ydot", optional_value(row.l1_ydot)},
-                {"min_density", optional_value(row.min_density)},
+                {"growth_rate", value_from_optional(row.growth_rate)},
+                {"l1_y", value_from_optional(row.l1_y)},
+                {"l1_ydot", value_from_optional(row.l1_ydot)},
+                {"min_density", value_from_optional(row.min_density)},
                 {"remark", row.remark}};
   add_eigenvalue("rightmost", row.rightmost, record);
   add_eigenvalue("next", row.next, record);

@@ -19,9 +19,9 @@ using report::wrap_text;
 
 // The text of the growth rate of the symbol. If no wave grows, the rate is 0, since the rate of
 // long waves tends to 0.
-std::string symbol_text(const RegularisationRow& row, double fd_fpk::Growth::*of) {
+std::string symbol_text(const RegularisationRow& row, double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
-  return row.symbol && of == &fd_fpk::Growth::rate ? "0" : "";
+  return row.symbol && of == &fd_fpk::FastestGrowingWave::rate ? "0" : "";
 }
 
 std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
@@ -51,14 +51,14 @@ std::string rows(const RegularisationStudy& study, const report::TextFormat& for
                     {"h", row.step},
                     {"l", row.length > 0 ? base::Value(row.length) : base::Value()},
                     {"cells", fmt::format("{}x{}", row.nx, row.nv)},
-                    {"rate", symbol_text(row, &fd_fpk::Growth::rate)},
-                    {"q", symbol_text(row, &fd_fpk::Growth::wavenumber)},
+                    {"rate", symbol_text(row, &fd_fpk::FastestGrowingWave::rate)},
+                    {"q", symbol_text(row, &fd_fpk::FastestGrowingWave::wavenumber)},
                     {"rightmost", eigenvalue_text(row.rightmost)},
                     {"next", eigenvalue_text(row.next)},
                     {"in time", time_behaviour_text(row)},
                     {"l1_y", l1_text(row.l1_y)},
                     {"l1_ydot", l1_text(row.l1_ydot)},
-                    {"least", transform::optional_value(row.min_density)}});
+                    {"least", transform::value_from_optional(row.min_density)}});
   }
   constexpr int kAlways = report::kAlwaysShown;
   return table_text(rows,

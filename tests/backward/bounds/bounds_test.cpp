@@ -5,7 +5,7 @@
 #include <cmath>
 #include <variant>
 
-#include "backward/bounds/grid_bounds.hpp"
+#include "backward/bounds/bounds_from_grid.hpp"
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
@@ -20,8 +20,8 @@ const Functional kMeanSquareVelocity = PowerMoment{Axis::velocity, 2};
 std::vector<numerics::Enclosure> on_level(const problem::Problem& problem, int level,
                                           const std::vector<Functional>& functionals) {
   const SplineGrid grid =
-      grid_sequence(width_limit(functionals[0]))[static_cast<std::size_t>(level)];
-  return bounds_on_grid(problem, weight(problem, 12), grid, functionals, 2);
+      grid_sequence(width_limiting_feature(functionals[0]))[static_cast<std::size_t>(level)];
+  return bounds_from_grid(problem, residual_weight(problem, 12), grid, functionals, 2);
 }
 
 TEST(Bounds, OfCase1ContainTheReferenceAndExcludeWrongModels) {
@@ -78,7 +78,7 @@ TEST(Bounds, OfDifferentGridsOverlap) {
         {"impulse.law=two_point"},
         {"system.cubic=1", "impulse.intensity=1"}}) {
     const problem::Problem problem = problem::load_case("case1", overrides);
-    const std::vector<Functional> all = standard_functionals();
+    const std::vector<Functional> all = default_functionals();
     const std::vector<numerics::Enclosure> coarse = on_level(problem, 0, all),
                                            fine = on_level(problem, 1, all);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -92,11 +92,12 @@ TEST(Bounds, OfSmoothBinsContainTheExactDensity) {
   const problem::Problem linear =
       problem::load_case("case1", {"system.restitution=1", "system.cubic=0"});
   const exact::LinearDensity density(linear);
-  const std::vector<Functional> bins{SmoothBin::cardinal(Axis::displacement, 0.9, 0.4),
-                                     SmoothBin::cardinal(Axis::velocity, -0.3, 0.4)};
+  const std::vector<Functional> bins{
+      SmoothBin::with_equidistant_knots(Axis::displacement, 0.9, 0.4),
+      SmoothBin::with_equidistant_knots(Axis::velocity, -0.3, 0.4)};
   const std::vector<numerics::Enclosure> b = on_level(linear, 1, bins);
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    const std::vector<double> knots = breaks(bins[i]);
+    const std::vector<double> knots = non_smooth_points(bins[i]);
     constexpr int kCells = 400;
     std::vector<double> edges(kCells + 1);
     const double width = (knots.back() - knots.front()) / kCells;
@@ -117,9 +118,11 @@ TEST(Bounds, OfSmoothBinsContainTheExactDensity) {
 TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<Functional> both{kMeanSquare, kMeanSquareVelocity};
-  const Weight tau = weight(problem, 12);
-  const auto one = bounds_on_grid(problem, tau, grid_sequence(WidthLimit::origin)[0], both, 1);
-  const auto two = bounds_on_grid(problem, tau, grid_sequence(WidthLimit::origin)[0], both, 2);
+  const ResidualWeight tau = residual_weight(problem, 12);
+  const auto one =
+      bounds_from_grid(problem, tau, grid_sequence(WidthLimitingFeature::origin)[0], both, 1);
+  const auto two =
+      bounds_from_grid(problem, tau, grid_sequence(WidthLimitingFeature::origin)[0], both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);
@@ -130,15 +133,15 @@ TEST(Bounds, AreRefinedToTheRequestedWidth) {
   Options options;
   options.functionals = {kMeanSquare};
   options.half_width = 1e-5;
-  const Bounds narrow = bounds(problem::load_case("case1"), options);
+  const GuaranteedBounds narrow = compute_bounds(problem::load_case("case1"), options);
   EXPECT_EQ(narrow.status, BoundsStatus::ok);
   EXPECT_LE(narrow.each[0].value.half_width(), 1e-5);
   EXPECT_GT(narrow.grids.size(), 1u);
-  EXPECT_LT(narrow.grids.size(), grid_sequence(WidthLimit::origin).size());
+  EXPECT_LT(narrow.grids.size(), grid_sequence(WidthLimitingFeature::origin).size());
 
   options.half_width = 1e-12;
   options.seconds = 0;
-  const Bounds wide = bounds(problem::load_case("case1"), options);
+  const GuaranteedBounds wide = compute_bounds(problem::load_case("case1"), options);
   EXPECT_EQ(wide.status, BoundsStatus::width_not_met);
   EXPECT_EQ(wide.grids.size(), 1u);
   EXPECT_NE(wide.reason.find("--seconds"), std::string::npos) << wide.reason;
@@ -149,8 +152,8 @@ TEST(FinestBounds, AreAccurateToOneMillionth) {
   Options options;
   options.relative_half_width = 1e-6;
   options.seconds = 1e9;
-  const Bounds all = bounds(problem::load_case("case1"), options);
-  for (const Bound& bound : all.each) {
+  const GuaranteedBounds all = compute_bounds(problem::load_case("case1"), options);
+  for (const FunctionalBounds& bound : all.each) {
     const auto* const power = std::get_if<PowerMoment>(&bound.functional);
     const bool hardest = power != nullptr && power->axis == Axis::velocity && power->power == 4;
     EXPECT_LT(bound.value.half_width() / bound.value.middle(), hardest ? 6e-6 : 1e-6)
@@ -162,13 +165,14 @@ TEST(FinestBounds, AreAccurateToOneMillionth) {
 }
 
 TEST(Bounds, RejectOverdampedMotionAndInvalidOptions) {
-  const Bounds refused = bounds(problem::load_case("case1", {"system.damping=2.5"}));
+  const GuaranteedBounds refused =
+      compute_bounds(problem::load_case("case1", {"system.damping=2.5"}));
   EXPECT_EQ(refused.status, BoundsStatus::not_offered);
   EXPECT_NE(refused.reason.find("c^2 >= 4k"), std::string::npos);
   EXPECT_TRUE(refused.each.empty());
   Options options;
   options.half_width = -1;
-  EXPECT_THROW(bounds(problem::load_case("case1"), options), InputError);
+  EXPECT_THROW(compute_bounds(problem::load_case("case1"), options), InputError);
 }
 
 }  // namespace

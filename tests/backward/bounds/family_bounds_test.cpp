@@ -27,18 +27,18 @@ problem::Problem driven(const SystemCoefficients& system, const WallParameters& 
       problem::ImpulseTrain({.arrival_rate = 1, .law = law, .intensity = 0.1, .mean = mean}));
 }
 
-numerics::Enclosure bound_of(const Bounds& bounds, const std::string& of) {
-  for (const Bound& b : bounds.each) {
+numerics::Enclosure bound_of(const GuaranteedBounds& bounds, const std::string& of) {
+  for (const FunctionalBounds& b : bounds.each) {
     if (name(b.functional) == of) return b.value;
   }
   ADD_FAILURE() << "no bounds of " << of;
   return {0, 0};
 }
 
-Bounds first_grid(const problem::Problem& problem) {
+GuaranteedBounds first_grid(const problem::Problem& problem) {
   Options options;
   options.seconds = 0;
-  return bounds(problem, options);
+  return compute_bounds(problem, options);
 }
 
 TEST(FamilyBounds, WithoutAWallContainTheCumulants) {
@@ -109,7 +109,7 @@ TEST(FamilyBounds, OfTheMirroredProblemAreMirrored) {
 
 TEST(FamilyBounds, HaveAReasonForUnsupportedProblems) {
   const auto refused = [](const problem::Problem& problem, const char* why) {
-    const Bounds found = bounds(problem);
+    const GuaranteedBounds found = compute_bounds(problem);
     EXPECT_EQ(found.status, BoundsStatus::not_offered) << why;
     EXPECT_NE(found.reason.find(why), std::string::npos) << found.reason;
   };
@@ -128,13 +128,13 @@ TEST(FamilyBounds, HaveAReasonForUnsupportedProblems) {
 struct OpenExample {
   problem::Problem problem =
       driven({.damping = 0.3, .stiffness = 1, .cubic = 0.2}, {.none = true}, "gaussian", 0.05);
-  Weight tau = weight(problem, 12);
+  ResidualWeight tau = residual_weight(problem, 12);
   numerics::SplineBasis displacement{std::vector<double>{-3.5, -2, -0.5, 0.4, 2, 4}};
   ImpactBasis velocity;
-  DisplacementOperators y = numerics::with_upward_rounding(
+  DisplacementOperators y = numerics::call_with_upward_rounding(
       [&] { return displacement_operators(problem, displacement, {}); });
-  VelocityOperators v =
-      numerics::with_upward_rounding([&] { return velocity_operators(problem, velocity, {}); });
+  VelocityOperators v = numerics::call_with_upward_rounding(
+      [&] { return velocity_operators(problem, velocity, {}); });
   Eigen::MatrixXd c{displacement.size(), velocity.size()};
 
   explicit OpenExample(double u_end = 4.5)
@@ -144,7 +144,7 @@ struct OpenExample {
         c(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);
     }
   }
-  CertificateContext context(const BoxEnds& ends) const {
+  CertificateCheckInputs context(const BoxEnds& ends) const {
     return {problem, displacement, velocity, y, v, tau, ends};
   }
 };
@@ -156,7 +156,7 @@ TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   OpenExample e;
   const Functional f = PowerMoment{Axis::displacement, 2};
   const auto finite = [&](const BoxEnds& ends) {
-    const ResidualRange range = numerics::with_upward_rounding([&] {
+    const ResidualRange range = numerics::call_with_upward_rounding([&] {
       return residual_range(e.context(ends), f, {e.c, 0.3}, {0, 0}, 0.05);
     });
     return std::isfinite(range.largest - range.least);
@@ -164,7 +164,7 @@ TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   EXPECT_TRUE(finite(kOpen));
   EXPECT_FALSE(finite({.left_wall = true, .right_wall = false}));
   EXPECT_FALSE(finite({.left_wall = false, .right_wall = true}));
-  for (int b = 0; b < e.c.cols(); ++b) e.c(0, b) = e.c(0, e.velocity.mirrored(b));
+  for (int b = 0; b < e.c.cols(); ++b) e.c(0, b) = e.c(0, e.velocity.mirrored_index(b));
   EXPECT_TRUE(finite({.left_wall = true, .right_wall = false}));
 }
 
@@ -172,21 +172,21 @@ TEST(FamilyBounds, InnerAndOuterResidualsBoundAllSamples) {
   const OpenExample e;
   const Functional f = PowerMoment{Axis::displacement, 4};
   const auto context = e.context(kOpen);
-  const ResidualRange range = numerics::with_upward_rounding([&] {
+  const ResidualRange range = numerics::call_with_upward_rounding([&] {
     return residual_range(context, f, {e.c, 0.3}, {0, 0}, 0.02);
   });
-  const double outside = numerics::with_upward_rounding([&] {
+  const double outside = numerics::call_with_upward_rounding([&] {
     return outer_residual_bound(context, f, {e.c, 0.3});
   });
   const VelocitySamples vs =
-      numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
+      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
   const DisplacementSamples ys = displacement_samples(e.displacement, 12);
   double least = 0, largest = 0;
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local = ys.values[i] * e.c.middleRows(ys.span[i], 7);
     const Eigen::VectorXd l =
         vs.jump * local.row(0).transpose() + vs.drift * local.row(1).transpose() +
-        e.problem.system.force()(ys.y[i]) * (vs.force * local.row(0).transpose());
+        e.problem.system.restoring_force()(ys.y[i]) * (vs.force * local.row(0).transpose());
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const double r =
           (std::pow(ys.y[i], 4) + l(static_cast<int>(j)) - 0.3) / e.tau(ys.y[i], vs.v[j]);
@@ -211,13 +211,14 @@ TEST(FamilyBounds, OuterResidualDependsOnTheEdgeAtEachOpenEnd) {
     OpenExample e(14);
     const Eigen::Index row = y < 0 ? 0 : e.c.rows() - 1;
     for (int b = 0; b < e.c.cols(); ++b) e.c(row, b) = 1e4 * std::sin(b);
-    const double outside = numerics::with_upward_rounding([&] {
+    const double outside = numerics::call_with_upward_rounding([&] {
       return outer_residual_bound(e.context(kOpen), f, {e.c, 0.3});
     });
     const VelocitySamples vs =
-        numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
+        numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
     const Eigen::VectorXd edge = e.c.row(row);
-    const Eigen::VectorXd l = vs.jump * edge + e.problem.system.force()(y) * (vs.force * edge);
+    const Eigen::VectorXd l =
+        vs.jump * edge + e.problem.system.restoring_force()(y) * (vs.force * edge);
     double largest = 0;
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const double r = y + l(static_cast<int>(j)) - 0.3;

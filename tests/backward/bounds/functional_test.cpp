@@ -12,7 +12,7 @@ namespace {
 
 TEST(Functional, IntegrandsMatchTheNames) {
   const problem::Problem problem = problem::load_case("case1");
-  const std::vector<Functional> all = standard_functionals();
+  const std::vector<Functional> all = default_functionals();
   const std::vector<std::pair<const char*, double>> expected{
       {"E[y]", 0.5},      {"E[y^2]", 0.25},  {"E[y'^2]", 4.0},
       {"E[y^4]", 0.0625}, {"E[y'^4]", 16.0}, {"w1", 0.5 + 0.1 * 0.125}};
@@ -27,7 +27,7 @@ TEST(SmoothBin, HasUnitIntegralWithItsFactor) {
   const problem::Problem problem = problem::load_case("case1");
   const Functional bin = SmoothBin{Axis::velocity, {-0.7, -0.4, 0.1, 0.2, 0.9}};
   double integral = 0;
-  const std::vector<double> knots = breaks(bin);
+  const std::vector<double> knots = non_smooth_points(bin);
   for (int i = 0; i < 4; ++i) {
     integral += boost::math::quadrature::gauss<double, 7>::integrate(
         [&](double v) { return integrand(bin, problem, 0.3, v); }, knots[i], knots[i + 1]);
@@ -39,8 +39,9 @@ TEST(SmoothBin, HasUnitIntegralWithItsFactor) {
 TEST(Functional, RejectsInvalidPowersAndKnots) {
   EXPECT_THROW(validate(PowerMoment{Axis::velocity, 5}), InputError);
   EXPECT_THROW(validate(SmoothBin{Axis::velocity, {0, 1, 1, 2, 3}}), InputError);
-  EXPECT_THROW(validate(SmoothBin::cardinal(Axis::displacement, 0.1, 0.1)), InputError);
-  EXPECT_NO_THROW(validate(SmoothBin::cardinal(Axis::velocity, 0.1, 0.1)));
+  EXPECT_THROW(validate(SmoothBin::with_equidistant_knots(Axis::displacement, 0.1, 0.1)),
+               InputError);
+  EXPECT_NO_THROW(validate(SmoothBin::with_equidistant_knots(Axis::velocity, 0.1, 0.1)));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 // An inaccurate certificate: the residual is large and varies.
 struct Example {
   problem::Problem problem;
-  Weight tau;
+  ResidualWeight tau;
   numerics::SplineBasis displacement;
   ImpactBasis velocity;
   DisplacementOperators y;
@@ -25,12 +25,12 @@ struct Example {
   explicit Example(const std::string& law, double y_end = 4, double u_end = 5)
       : problem(problem::load_case(
             "case1", {"system.restitution=0.7", "impulse.law=" + law, "impulse.mean=0.05"})),
-        tau(weight(problem, 12)),
+        tau(residual_weight(problem, 12)),
         displacement(numerics::graded_breaks(y_end, 5, 0.1, 1)),
         velocity(numerics::SplineBasis(numerics::graded_breaks(u_end, 5, 0.1, 1)), 0.7),
-        y(numerics::with_upward_rounding(
+        y(numerics::call_with_upward_rounding(
             [&] { return displacement_operators(problem, displacement, {}); })),
-        v(numerics::with_upward_rounding(
+        v(numerics::call_with_upward_rounding(
             [&] { return velocity_operators(problem, velocity, {}); })),
         coefficients(displacement.size(), velocity.size()) {
     for (int a = 0; a < coefficients.rows(); ++a) {
@@ -39,7 +39,7 @@ struct Example {
       }
     }
   }
-  CertificateContext context() const { return {problem, displacement, velocity, y, v, tau}; }
+  CertificateCheckInputs context() const { return {problem, displacement, velocity, y, v, tau}; }
   Certificate certificate() const { return {coefficients, 0.3}; }
 };
 
@@ -47,14 +47,14 @@ struct Example {
 std::pair<double, double> sampled_range(const Example& e, const Functional& f) {
   const DisplacementSamples ys = displacement_samples(e.displacement, 24);
   const VelocitySamples vs =
-      numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 24); });
+      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 24); });
   std::pair<double, double> range{0, 0};
   for (std::size_t i = 0; i < ys.y.size(); ++i) {
     const Eigen::MatrixXd local =
         ys.values[i] * e.coefficients.middleRows(ys.span[i], e.displacement.degree() + 1);
     const Eigen::VectorXd a = local.row(0), slope = local.row(1);
-    const Eigen::VectorXd l =
-        vs.jump * a + vs.drift * slope + e.problem.system.force()(ys.y[i]) * (vs.force * a);
+    const Eigen::VectorXd l = vs.jump * a + vs.drift * slope +
+                              e.problem.system.restoring_force()(ys.y[i]) * (vs.force * a);
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const double r = (integrand(f, e.problem, ys.y[i], vs.v[j]) + l(static_cast<int>(j)) - 0.3) /
                        e.tau(ys.y[i], vs.v[j]);
@@ -70,7 +70,7 @@ TEST(ResidualRange, ContainsAllSamplesAndIsNarrow) {
     for (const Functional& f : {Functional(PowerMoment{Axis::displacement, 2}),
                                 Functional(PowerMoment{Axis::velocity, 4})}) {
       const auto [least, largest] = sampled_range(e, f);
-      const ResidualRange range = numerics::with_upward_rounding([&] {
+      const ResidualRange range = numerics::call_with_upward_rounding([&] {
         return residual_range(e.context(), f, e.certificate(), {0, 0}, 0.02);
       });
       EXPECT_TRUE(range.is_converged) << law;
@@ -87,7 +87,7 @@ TEST(ResidualRange, DoesNotDependOnExpectedValues) {
   const Functional f = PowerMoment{Axis::displacement, 2};
   const auto [least, largest] = sampled_range(e, f);
   const std::pair expected(10 * least, 10 * largest);
-  const ResidualRange range = numerics::with_upward_rounding([&] {
+  const ResidualRange range = numerics::call_with_upward_rounding([&] {
     return residual_range(e.context(), f, e.certificate(), {expected.first, expected.second}, 0.02);
   });
   EXPECT_LE(range.least, least);
@@ -97,7 +97,7 @@ TEST(ResidualRange, DoesNotDependOnExpectedValues) {
 TEST(ResidualRange, IsUnboundedForNaN) {
   Example e("gaussian");
   e.coefficients(2, 3) = std::nan("");
-  const ResidualRange range = numerics::with_upward_rounding([&] {
+  const ResidualRange range = numerics::call_with_upward_rounding([&] {
     return residual_range(e.context(), PowerMoment{Axis::displacement, 1}, e.certificate(), {0, 0},
                           0.02);
   });
@@ -107,18 +107,18 @@ TEST(ResidualRange, IsUnboundedForNaN) {
 TEST(OuterResidual, BoundsAllSamplesOutsideTheBox) {
   const Example e("gaussian");
   const Functional f = PowerMoment{Axis::velocity, 4};
-  const double bound = numerics::with_upward_rounding(
+  const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
   // For y > y_end V has the coefficients of the last row.
   const VelocitySamples vs =
-      numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 5); });
+      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 5); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd jump = vs.jump * last, force = vs.force * last;
   for (const double y : {4.0001, 4.5, 8.0, 20.0}) {
     for (std::size_t j = 0; j < vs.v.size(); ++j) {
       const int row = static_cast<int>(j);
-      const double r =
-          std::pow(vs.v[j], 4) + jump(row) + e.problem.system.force()(y) * force(row) - 0.3;
+      const double r = std::pow(vs.v[j], 4) + jump(row) +
+                       e.problem.system.restoring_force()(y) * force(row) - 0.3;
       EXPECT_LE(std::abs(r) / e.tau(y, vs.v[j]), bound) << y << " " << vs.v[j];
     }
   }
@@ -140,12 +140,13 @@ TEST(OuterResidual, DependsOnSlopesInVPastTheLargestDisplacement) {
   for (int b = 0; b < e.coefficients.cols(); ++b)
     e.coefficients.col(b).setConstant(1e3 * std::sin(b));
   const Functional f = PowerMoment{Axis::displacement, 1};
-  const double bound = numerics::with_upward_rounding(
+  const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
   const VelocitySamples vs =
-      numerics::with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
+      numerics::call_with_upward_rounding([&] { return velocity_samples(e.v, e.velocity, 9); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
-  const Eigen::VectorXd l = vs.jump * last + e.problem.system.force()(4.0001) * (vs.force * last);
+  const Eigen::VectorXd l =
+      vs.jump * last + e.problem.system.restoring_force()(4.0001) * (vs.force * last);
   double largest = 0;
   for (std::size_t j = 0; j < vs.v.size(); ++j) {
     largest = std::max(largest, std::abs(l(static_cast<int>(j)) + 3.7) / e.tau(4.0001, vs.v[j]));
@@ -160,7 +161,7 @@ TEST(OuterResidual, DependsOnSlopesInYPastTheLargestSpeeds) {
   for (int a = 0; a < e.coefficients.rows(); ++a)
     e.coefficients.row(a).setConstant(1e3 * std::sin(a));
   const Functional f = PowerMoment{Axis::displacement, 1};
-  const double bound = numerics::with_upward_rounding(
+  const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.context(), f, e.certificate()); });
   const DisplacementSamples ys = displacement_samples(e.displacement, 9);
   double largest = 0;

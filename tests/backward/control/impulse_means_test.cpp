@@ -22,7 +22,7 @@ TEST(ImpulseMeans, AreTheMomentsOfEveryLawOnPowers) {
       const auto law = problem::ImpulseLaw::from_name(name, mean, 0.4);
       const Eigen::MatrixXd k = impulse_means(wide_splines(), law, v);
       for (int p = 0; p <= 5; ++p) {
-        const auto c = wide_splines().power(p);
+        const auto c = wide_splines().coefficients_of_power(p);
         const Eigen::VectorXd got =
             k * Eigen::Map<const Eigen::VectorXd>(c.data(), wide_splines().size());
         for (int i = 0; i < 4; ++i) {
@@ -55,7 +55,7 @@ TEST(ImpulseMeans, OfTwoPointsAreTwoShifts) {
   for (int j = 0; j < wide_splines().size(); ++j) {
     double expected = 0;
     for (const double at : {0.37 - 0.5, 0.37 + 0.5}) {
-      const auto b = wide_splines().at(at);
+      const auto b = wide_splines().values_and_slopes(at);
       if (j >= b.first && j <= b.first + 5) expected += 0.5 * b.value[j - b.first];
     }
     EXPECT_NEAR(k(0, j), expected, 1e-15);
@@ -71,7 +71,7 @@ TEST(ImpulseMeans, OfAUniformLawAreAveragesOverCorners) {
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(wide_splines().size());
   constexpr int kPoints = 20000;
   for (int n = 0; n < kPoints; ++n) {
-    const auto b = wide_splines().at(0.2 - half + 2 * half * (n + 0.5) / kPoints);
+    const auto b = wide_splines().values_and_slopes(0.2 - half + 2 * half * (n + 0.5) / kPoints);
     for (int l = 0; l <= 5; ++l) expected(b.first + l) += b.value[l] / kPoints;
   }
   EXPECT_LT(

@@ -19,7 +19,7 @@ struct Generator {
   numerics::SplineBasis displacement{numerics::graded_breaks(2, 6, 0.1, 1)};
   ImpactBasis velocity{numerics::SplineBasis(numerics::graded_breaks(6, 9, 0.2, 2)), 0.8};
   DisplacementSamples y = displacement_samples(displacement, 3);
-  VelocitySamples v = numerics::with_upward_rounding(
+  VelocitySamples v = numerics::call_with_upward_rounding(
       [&] { return velocity_samples(velocity_operators(problem, velocity, {}), velocity, 3); });
 
   // L (y^m v^n) at point i of y and j of v.
@@ -29,7 +29,7 @@ struct Generator {
     const int row = static_cast<int>(j);
     const Eigen::VectorXd values = y.values[i] * a.segment(y.span[i], displacement.degree() + 1);
     return values(0) * v.jump.row(row).dot(b) + values(1) * v.drift.row(row).dot(b) +
-           problem.system.force()(y.y[i]) * values(0) * v.force.row(row).dot(b);
+           problem.system.restoring_force()(y.y[i]) * values(0) * v.force.row(row).dot(b);
   }
 };
 
@@ -58,15 +58,15 @@ TEST(Generator, IsExactOnPolynomials) {
 
 TEST(LeastSquares, SatisfiesTheImpactConditionAndReproducesConstants) {
   const Generator g;
-  const BackwardSolutions s =
-      solve_backward({g.problem, g.displacement, g.velocity, g.y, g.v,
-                      [](double, double) { return 1.0; }, [](double, double) { return 1.0; }},
-                     {[](double, double) { return 0.7; }, [](double y, double) { return y * y; }});
+  const BackwardSolutions s = solve_backward_equations(
+      {g.problem, g.displacement, g.velocity, g.y, g.v, [](double, double) { return 1.0; },
+       [](double, double) { return 1.0; }},
+      {[](double, double) { return 0.7; }, [](double y, double) { return y * y; }});
   EXPECT_NEAR(s.means[0], 0.7, 1e-9);
   EXPECT_NEAR(s.residual_extremes[0].first, 0, 1e-6);
   EXPECT_NEAR(s.residual_extremes[0].second, 0, 1e-6);
   for (int b = 0; b < g.velocity.size(); ++b) {
-    EXPECT_EQ(s.coefficients[1](0, b), s.coefficients[1](0, g.velocity.mirrored(b)));
+    EXPECT_EQ(s.coefficients[1](0, b), s.coefficients[1](0, g.velocity.mirrored_index(b)));
   }
 }
 

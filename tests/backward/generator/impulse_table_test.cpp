@@ -25,10 +25,10 @@ struct Tabulated {
 };
 
 Tabulated tabulated(const ImpulseLaw& law, double end, int cells, double r) {
-  return numerics::with_upward_rounding([&] {
+  return numerics::call_with_upward_rounding([&] {
     const ImpactBasis basis(
         numerics::SplineBasis(numerics::graded_breaks(end, cells, 0.05, end / 3)), r);
-    const ImpulseKinks kinks = impulse_kinks(basis, law);
+    const VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
     std::vector<VelocityPiece> pieces = velocity_pieces(basis, kinks.cuts, kinks.longest);
     ImpulseTable table = impulse_table(basis, pieces, law);
     return Tabulated{basis, std::move(pieces), std::move(table)};
@@ -38,14 +38,14 @@ Tabulated tabulated(const ImpulseLaw& law, double end, int cells, double r) {
 // The enclosure of K V at t of a piece.
 numerics::Enclosure jump_mean(const Tabulated& t, const Eigen::VectorXd& c, std::size_t piece,
                               double at) {
-  return numerics::with_upward_rounding([&] {
+  return numerics::call_with_upward_rounding([&] {
     numerics::Interval sum = numerics::symmetric_interval(
         (numerics::Interval(t.table.remainder) * c.cwiseAbs().maxCoeff()).upper());
     for (int b = 0; b < t.basis.size(); ++b) {
-      sum +=
-          c(b) * value(t.table.coefficients_of(static_cast<int>(piece), b), numerics::Interval(at));
+      sum += c(b) * bernstein_value(t.table.coefficients_of(static_cast<int>(piece), b),
+                                    numerics::Interval(at));
     }
-    return enclosure(sum);
+    return enclosure_from_interval(sum);
   });
 }
 
@@ -57,7 +57,7 @@ double point(const VelocityPiece& piece, double t) {
 // sum over atoms.
 double quadrature(const Tabulated& t, const Eigen::VectorXd& c, const ImpulseLaw& law, double v) {
   double sum = 0;
-  for (const problem::Atom& atom : law.atoms()) {
+  for (const problem::AmplitudeAtom& atom : law.atoms()) {
     sum += atom.probability * spline_value(t.basis, c, v + atom.amplitude);
   }
   std::vector<double> ends = law.density_breakpoints();
@@ -126,7 +126,7 @@ TEST_P(ImpulseTables, EncloseTheQuadratureOfARoughSpline) {
 TEST_P(ImpulseTables, MomentsAreThoseOfTheLaw) {
   for (int n = 0; n <= 24; ++n) {
     const numerics::Interval m =
-        numerics::with_upward_rounding([&] { return moment_enclosure(law(), n); });
+        numerics::call_with_upward_rounding([&] { return moment_enclosure(law(), n); });
     const double expected = law().moment(n);
     EXPECT_NEAR(m.lower(), expected, 1e-12 * std::abs(expected)) << n;
     EXPECT_NEAR(m.upper(), expected, 1e-12 * std::abs(expected)) << n;
@@ -139,9 +139,9 @@ INSTANTIATE_TEST_SUITE_P(Laws, ImpulseTables,
                                             ::testing::Values(0.0, 0.17, -0.4)));
 
 TEST(Enclosures, AreThoseOfLawsWithATable) {
-  EXPECT_TRUE(has_enclosures(ImpulseLaw::from_name("laplace", 0, 1)));
+  EXPECT_TRUE(has_interval_enclosures(ImpulseLaw::from_name("laplace", 0, 1)));
   const ImpulseLaw gamma = ImpulseLaw::from_name("gamma", 0, 1);
-  EXPECT_FALSE(has_enclosures(gamma));
+  EXPECT_FALSE(has_interval_enclosures(gamma));
   EXPECT_THROW(moment_enclosure(gamma, 2), std::logic_error);
 }
 

@@ -15,7 +15,7 @@ ImpactBasis example(double r = 0.7) {
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
   const ImpactBasis basis = example();
-  const std::vector<VelocityPiece> pieces = numerics::with_upward_rounding([&] {
+  const std::vector<VelocityPiece> pieces = numerics::call_with_upward_rounding([&] {
     return velocity_pieces(basis, std::array{-1.234, 0.5}, 0.3);
   });
   EXPECT_EQ(pieces.front().from.lower(), -3);
@@ -38,16 +38,17 @@ TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
 
 TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
   const ImpactBasis basis = example();
-  numerics::with_upward_rounding([&] {
+  numerics::call_with_upward_rounding([&] {
     for (const VelocityPiece& piece : velocity_pieces(basis, std::array{-0.9, 0.4}, 0.25)) {
-      const PieceFunctions functions = piece_functions(basis, piece);
+      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
       for (std::size_t l = 0; l < functions.index.size(); ++l) {
         Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
         c(functions.index[l]) = 1;
         for (const double t : {0.0, 0.4, 1.0}) {
           const double v = piece.from.lower() + t * (piece.to.lower() - piece.from.lower());
           const double expected = spline_value(basis, c, v);
-          EXPECT_NEAR(value(functions.value[l], numerics::Interval(t)).lower(), expected, 1e-12);
+          EXPECT_NEAR(bernstein_value(functions.value[l], numerics::Interval(t)).lower(), expected,
+                      1e-12);
         }
       }
     }
@@ -59,13 +60,14 @@ TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
   // The impact condition in exact arithmetic: the enclosures of the Bernstein coefficients on
   // mirrored spans overlap, even if r u is rounded.
   const ImpactBasis basis = example(0.98);
-  numerics::with_upward_rounding([&] {
+  numerics::call_with_upward_rounding([&] {
     const std::vector<VelocityPiece> spans = velocity_pieces(basis, {}, 100);
     for (std::size_t i = 0; i < spans.size() / 2; ++i) {
-      const PieceFunctions in = piece_functions(basis, spans[i]);
-      const PieceFunctions out = piece_functions(basis, spans[spans.size() - 1 - i]);
+      const BasisFunctionsOnPiece in = basis_functions_on_piece(basis, spans[i]);
+      const BasisFunctionsOnPiece out =
+          basis_functions_on_piece(basis, spans[spans.size() - 1 - i]);
       for (std::size_t l = 0; l < in.index.size(); ++l) {
-        EXPECT_EQ(out.index[l], basis.mirrored(in.index[l]));
+        EXPECT_EQ(out.index[l], basis.mirrored_index(in.index[l]));
         for (std::size_t j = 0; j < in.value[l].size(); ++j) {
           EXPECT_TRUE(overlap(in.value[l][j], out.value[l][in.value[l].size() - 1 - j]));
         }
@@ -78,14 +80,14 @@ TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
 TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
   const ImpactBasis basis = example();
   const Eigen::VectorXd c = power_coefficients(basis, 3);
-  numerics::with_upward_rounding([&] {
+  numerics::call_with_upward_rounding([&] {
     for (const VelocityPiece& piece : velocity_pieces(basis, {}, 0.5)) {
-      const PieceFunctions functions = piece_functions(basis, piece);
-      const std::vector<numerics::BernsteinCoefficients> slopes = difference_slopes(basis, piece);
+      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+      const std::vector<numerics::BernsteinCoefficients> slopes = partial_sum_slopes(basis, piece);
       numerics::Interval slope = 0;
       for (std::size_t l = 1; l < functions.index.size(); ++l) {
         slope += (numerics::Interval(c(functions.index[l])) - c(functions.index[l - 1])) *
-                 value(slopes[l - 1], numerics::Interval(0.5));
+                 bernstein_value(slopes[l - 1], numerics::Interval(0.5));
       }
       const double v = ((piece.from + piece.to) / 2.0).lower();
       EXPECT_NEAR(slope.lower(), 3 * v * v, 1e-11);
@@ -97,26 +99,26 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
 
 TEST(VelocityPieces, OverhangIsPartOfTheError) {
   const ImpactBasis basis = example();
-  numerics::with_upward_rounding([&] {
+  numerics::call_with_upward_rounding([&] {
     const VelocityPiece across =
-        locate_piece(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
+        velocity_piece_of_segment(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
     EXPECT_EQ(across.side, VelocitySide::incoming);
     EXPECT_GE(across.overhang, 1e-3);
-    const PieceFunctions functions = piece_functions(basis, across);
+    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, across);
     // On the overhang the polynomial of the central function exceeds 1, but the function itself
     // decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
-    c(basis.centre()) = 1;
+    c(basis.centre_index()) = 1;
     for (std::size_t l = 0; l < functions.index.size(); ++l) {
-      if (functions.index[l] != basis.centre()) continue;
-      const double there = value(functions.value[l], numerics::Interval(1)).upper();
+      if (functions.index[l] != basis.centre_index()) continue;
+      const double there = bernstein_value(functions.value[l], numerics::Interval(1)).upper();
       const double error = std::abs(there - spline_value(basis, c, 1e-3));
       EXPECT_GT(error, 1e-4);
       EXPECT_LE(error, functions.overhang_error);
     }
     const VelocityPiece inside =
-        locate_piece(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
-    EXPECT_EQ(piece_functions(basis, inside).overhang_error, 0);
+        velocity_piece_of_segment(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
+    EXPECT_EQ(basis_functions_on_piece(basis, inside).overhang_error, 0);
     return 0;
   });
 }

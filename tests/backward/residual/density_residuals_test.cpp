@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "backward/bounds/grid_bounds.hpp"
+#include "backward/bounds/bounds_from_grid.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_moments.hpp"
 #include "exact/linear_problem.hpp"
@@ -72,8 +72,9 @@ TEST(DensityResiduals, CorrectAnyDensityIntoTheGuaranteedBounds) {
   for (const auto& problem :
        {tests::paper_case(1),
         tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
-    const auto bounds = bounds_on_grid(problem, weight(problem, 12),
-                                       grid_sequence(WidthLimit::origin)[0], functionals, 1);
+    const auto bounds =
+        bounds_from_grid(problem, residual_weight(problem, 12),
+                         grid_sequence(WidthLimitingFeature::origin)[0], functionals, 1);
     const auto found = DensityResiduals(problem).estimate_errors(gaussian_density());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       const double value = found.corrected.*moments[k];
@@ -218,7 +219,7 @@ TEST(DensityResiduals, WeightByTheCentredSolution) {
   // For E[y'] the solution is h = -y + constant: the weight is y - E_p[y].
   const auto weak = WeakResiduals(tests::paper_case(1), case_1_residuals().y(),
                                   case_1_residuals().v())(gaussian_density());
-  const auto y = case_1_residuals().y().power(1);
+  const auto y = case_1_residuals().y().coefficients_of_power(1);
   Eigen::MatrixXd expected = weak.residuals;
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {
     expected.row(i) *= y[static_cast<std::size_t>(i)] - kBellMoments.y1;
@@ -238,7 +239,7 @@ TEST(DensityResiduals, SpreadSumsToTheError) {
   const double area = (y[1] - y[0]) * (v[1] - v[0]);
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const Eigen::MatrixXd map =
-        case_1_residuals().spread_contributions(found.contributions[k], y, v);
+        case_1_residuals().contributions_per_cell(found.contributions[k], y, v);
     EXPECT_EQ(map.rows(), 23);
     EXPECT_EQ(map.cols(), 31);
     EXPECT_NEAR(map.sum() * area, found.error.*transform::kMoments[k].moment, 1e-12);
@@ -264,7 +265,7 @@ TEST(DensityResiduals, LocateALocalError) {
   const auto found = residuals.estimate_errors(grid);
   EXPECT_NEAR(found.error.y2, kHeight * 4 * std::numbers::pi * y0 * std::pow(width, 3), 1e-6);
   const Eigen::MatrixXd map =
-      residuals.spread_contributions(found.contributions[1], y, v).cwiseAbs();
+      residuals.contributions_per_cell(found.contributions[1], y, v).cwiseAbs();
   double near = 0, height = 0, speed = 0;
   for (Eigen::Index i = 0; i < map.rows(); ++i) {
     for (Eigen::Index j = 0; j < map.cols(); ++j) {

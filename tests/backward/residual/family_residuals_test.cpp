@@ -15,7 +15,7 @@
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::backward {
@@ -62,7 +62,7 @@ transform::SmoothDensity density_of(const problem::Problem& problem) {
   const auto law = std::make_shared<const exact::EnergyLaw>(problem);
   const auto scales = problem::scales(problem);
   const double margin = 0.1 * (scales.y_high - scales.y_low);
-  const auto &left = problem.system.left(), &right = problem.system.right();
+  const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
   return {[law](double y, double v) { return (*law)(y, v); },
           right ? right->position : scales.y_high + margin, 1.1 * scales.v_high,
           left ? left->position : scales.y_low - margin};
@@ -70,7 +70,8 @@ transform::SmoothDensity density_of(const problem::Problem& problem) {
 
 double distance(const std::function<double(double)>& a, const std::function<double(double)>& b,
                 double from, double to) {
-  return numerics::integrate_panels([&](double x) { return std::abs(a(x) - b(x)); }, from, to, 40);
+  return numerics::integrate_by_composite_gauss([&](double x) { return std::abs(a(x) - b(x)); },
+                                                from, to, 40);
 }
 
 transform::Moments moments_of(const problem::Problem& problem) {
@@ -156,9 +157,9 @@ transform::SmoothDensity with_other_shares(transform::SmoothDensity density,
                                            const exact::EnergyLaw& law, double barrier,
                                            double factor) {
   const auto one = [=](double y) { return 1 + factor * std::tanh((y - barrier) / 0.1); };
-  const double mass =
-      numerics::integrate_panels([&](double y) { return one(y) * law.displacement_marginal(y); },
-                                 density.y_min, density.y_max, 200);
+  const double mass = numerics::integrate_by_composite_gauss(
+      [&](double y) { return one(y) * law.displacement_marginal(y); }, density.y_min, density.y_max,
+      200);
   density.value = [=, value = density.value](double y, double v) {
     return one(y) * value(y, v) / mass;
   };
@@ -178,8 +179,8 @@ TEST(FamilyResiduals, EstimateNoErrorForExactLawsOfDeepWells) {
 TEST(FamilyResiduals, BoundTheErrorOfTheProbabilitiesOfWells) {
   const auto right_share = [](const transform::SmoothDensity& p) {
     const auto mass = [&](double from) {
-      return numerics::integrate_panels([&](double y) { return p.value(y, 0); }, from, p.y_max,
-                                        200);
+      return numerics::integrate_by_composite_gauss([&](double y) { return p.value(y, 0); }, from,
+                                                    p.y_max, 200);
     };
     return mass(0) / mass(p.y_min);
   };
@@ -245,7 +246,7 @@ TEST(RandomWells, HaveReliableErrorEstimatesOrNone) {
     const exact::EnergyLaw hotter(tests::in_wall_coordinates(wells.problem(1.05)));
     check(density_of(tests::in_wall_coordinates(wells.problem(1.05))),
           [&](double y) { return hotter.displacement_marginal(y); });
-    const double barrier = problem.frame.x(0);
+    const double barrier = problem.frame.wall_x(0);
     for (const double factor : {-0.95, -0.3, 0.3, 0.95}) {
       const auto wrong = with_other_shares(right, law, barrier, factor);
       // In these laws the velocity is independent of y.
@@ -272,7 +273,8 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   auto one = tests::with_impulses(problem::System(system, walls), impulses);
   system.constant = -system.constant;
   system.quadratic = -system.quadratic;
-  auto other = tests::with_impulses(problem::System(system, mirrored_walls), impulses.mirrored());
+  auto other =
+      tests::with_impulses(problem::System(system, mirrored_walls), impulses.mirror_image());
   one.noise = other.noise = {.intensity = 0.05};
   const auto bell = [](double y, double v) {
     return std::exp(-std::pow(y - 0.1, 2) - 2 * v * v - v * y);

@@ -47,7 +47,7 @@ TEST(GoalFunctions, ArePowersOfThePhysicalCoordinates) {
 
 TEST(ResidualSplines, AreGradedAtTheWallUnlessTheMotionIsOffTheWall) {
   const ControlCells cells{.y = 40, .v = 88};
-  const auto paper_class = paper_class_splines(tests::paper_case(1), cells);
+  const auto paper_class = control_splines_paper_class(tests::paper_case(1), cells);
   const auto splines = residual_splines(tests::paper_case(1), cells);
   EXPECT_LT(splines.y.breaks()[1], paper_class.y.breaks()[1] / 8);
   EXPECT_EQ(splines.y.end(), paper_class.y.end());
@@ -57,7 +57,7 @@ TEST(ResidualSplines, AreGradedAtTheWallUnlessTheMotionIsOffTheWall) {
   ASSERT_GT(problem::static_deflection(pushed),
             4 * problem::equivalent_linearisation(pushed).displacement_deviation);
   EXPECT_EQ(residual_splines(pushed, cells).y.breaks(),
-            paper_class_splines(pushed, cells).y.breaks());
+            control_splines_paper_class(pushed, cells).y.breaks());
 }
 
 }  // namespace

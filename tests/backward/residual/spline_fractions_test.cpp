@@ -22,7 +22,7 @@ TEST(SplineShares, OfPolynomialsAreTheirIntegrals) {
   const numerics::QuinticBSplines splines(numerics::graded_knots(0, 3, 2, 9));
   const std::vector<double> edges{-1, 0.4, 0.45, 1.9, 2.5};
   const Eigen::MatrixXd fractions = spline_fractions(splines, edges);
-  const auto cube = splines.power(3);
+  const auto cube = splines.coefficients_of_power(3);
   Eigen::VectorXd integrals(splines.size());
   for (int i = 0; i < splines.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);

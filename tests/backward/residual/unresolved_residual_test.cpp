@@ -21,8 +21,8 @@ WeakResiduals weak_residuals(const problem::Problem& problem) {
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlFit control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  return paper_class_fit(problem, residuals.y(), residuals.v(), 1);
+ControlFitProblem control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
+  return control_fit_paper_class(problem, residuals.y(), residuals.v(), 1);
 }
 
 double constant_one(double) { return 1; }
@@ -31,8 +31,8 @@ double zero_function(double) { return 0; }
 
 /// h = y or h = v by Marsden's identity.
 Eigen::VectorXd linear(const WeakResiduals& residuals, bool in_v) {
-  const auto v_factor = residuals.v().power(in_v ? 1 : 0);
-  const auto y_factor = residuals.y().power(in_v ? 0 : 1);
+  const auto v_factor = residuals.v().coefficients_of_power(in_v ? 1 : 0);
+  const auto y_factor = residuals.y().coefficients_of_power(in_v ? 0 : 1);
   const Eigen::Map<const Eigen::VectorXd> b(v_factor.data(), std::ssize(v_factor)),
       a(y_factor.data(), std::ssize(y_factor));
   const Eigen::MatrixXd h = a * b.transpose();

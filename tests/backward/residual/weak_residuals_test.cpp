@@ -11,7 +11,7 @@
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_problem.hpp"
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {
@@ -29,7 +29,7 @@ double skew_bell(double y, double v) {
 transform::SmoothDensity skew_density() { return {skew_bell, 6, 6.5}; }
 
 double function(const numerics::QuinticBSplines& splines, int i, double x, bool slope = false) {
-  const auto at = splines.at(x);
+  const auto at = splines.values_and_slopes(x);
   if (i < at.first || i > at.first + numerics::QuinticBSplines::kDegree) return 0;
   return slope ? at.slope[static_cast<std::size_t>(i - at.first)]
                : at.value[static_cast<std::size_t>(i - at.first)];
@@ -45,7 +45,7 @@ double integral(const std::function<double(double)>& f, double a, double b,
   double sum = 0;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     if (breaks[k] < breaks[k + 1]) {
-      sum += numerics::integrate_panels(f, breaks[k], breaks[k + 1], 2);
+      sum += numerics::integrate_by_composite_gauss(f, breaks[k], breaks[k + 1], 2);
     }
   }
   return sum;
@@ -57,8 +57,8 @@ double mean_over_law(const problem::ImpulseLaw& law, const std::function<double(
   for (const auto& atom : law.atoms()) sum += atom.probability * f(atom.amplitude);
   const auto pieces = law.density_breakpoints();
   for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
-    sum += numerics::integrate_panels([&](double z) { return law.density(z) * f(z); }, pieces[k],
-                                      pieces[k + 1], 12);
+    sum += numerics::integrate_by_composite_gauss([&](double z) { return law.density(z) * f(z); },
+                                                  pieces[k], pieces[k + 1], 12);
   }
   return sum;
 }
@@ -77,7 +77,7 @@ double by_definition(const problem::Problem& problem, const WeakResiduals& splin
           const double b = function(in_v, j, v), of_b = function(in_v, j, v, true);
           const double p = inside(y, v);
           double sum = v * slope * b * p -
-                       (system.damping() * v + system.force()(y)) * a * of_b * p -
+                       (system.damping() * v + system.restoring_force()(y)) * a * of_b * p -
                        problem.impulses.arrival_rate() * a * b * p;
           if (a != 0 && b != 0) {
             sum += problem.impulses.arrival_rate() * a * b *
@@ -145,7 +145,8 @@ TEST(WeakResiduals, OfPowersAreTheBalances) {
   const auto residuals = residuals_of(problem);
   const auto p = skew_density();
   const auto weak = residuals(p);
-  const auto of_y = residuals.y().power(1), of_v = residuals.v().power(1);
+  const auto of_y = residuals.y().coefficients_of_power(1),
+             of_v = residuals.v().coefficients_of_power(1);
   const Eigen::Map<const Eigen::VectorXd> y(of_y.data(), std::ssize(of_y)),
       v(of_v.data(), std::ssize(of_v));
   const auto& m = weak.moments;
@@ -153,8 +154,9 @@ TEST(WeakResiduals, OfPowersAreTheBalances) {
   const auto mean = [&](const std::function<double(double, double)>& g) {
     return transform::expectation(p, g) / weak.mass;
   };
-  const double spring = mean([&](double at, double) { return problem.system.force()(at); });
-  const double balance = -0.1 * m.v1 - spring + problem.impulses.rate_moment(1) +
+  const double spring =
+      mean([&](double at, double) { return problem.system.restoring_force()(at); });
+  const double balance = -0.1 * m.v1 - spring + problem.impulses.rate_times_moment(1) +
                          1.7 * transform::impact_flux(p, 2) / weak.mass;
   EXPECT_NEAR(weak.residuals.colwise().sum().dot(v), balance, 1e-9);
   EXPECT_NEAR(m.y1, mean([](double at, double) { return at; }), 1e-11);

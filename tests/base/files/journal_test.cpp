@@ -41,7 +41,7 @@ class JournalOfKilledRun : public testing::Test {
   Journal journal() const {
     Journal made;
     for (const char* name : {"a", "b", "c"}) {
-      const fs::path partial = partial_path(path(name));
+      const fs::path partial = partial_file_path(path(name));
       write_new_file(partial, "new");
       made.renames.push_back({partial.filename().string(), name});
     }
@@ -65,7 +65,7 @@ class JournalOfKilledRun : public testing::Test {
 };
 
 TEST_F(JournalOfKilledRun, IsAppliedByNextRun) {
-  in_killed_process([&] { journal().publish(directory.path()); });
+  in_killed_process([&] { journal().write_to_directory(directory.path()); });
   EXPECT_EQ(text("a"), "old");
   complete_interrupted_commit(directory.path());
   expect_the_new_files();
@@ -74,7 +74,7 @@ TEST_F(JournalOfKilledRun, IsAppliedByNextRun) {
 TEST_F(JournalOfKilledRun, IsAppliedAfterPartialChange) {
   in_killed_process([&] {
     const Journal all = journal();
-    all.publish(directory.path());
+    all.write_to_directory(directory.path());
     fs::rename(directory.path() / all.renames[0].from, path("a"));
   });
   EXPECT_EQ(text("a"), "new");
@@ -87,17 +87,17 @@ TEST_F(JournalOfKilledRun, UnpublishedChangesNothing) {
   in_killed_process([&] { journal(); });
   complete_interrupted_commit(directory.path());
   for (const char* name : {"a", "b", "gone"}) EXPECT_EQ(text(name), "old") << name;
-  remove_abandoned_partials(directory.path());
+  remove_abandoned_partial_files(directory.path());
   EXPECT_EQ(directory.entries().size(), 3u);
 }
 
 TEST_F(JournalOfKilledRun, IsLeftToRunningProcess) {
-  journal().publish(directory.path());  // written by this process
+  journal().write_to_directory(directory.path());  // written by this process
   const std::string message = refusal();
   EXPECT_NE(message.find("is writing files into"), std::string::npos) << message;
   EXPECT_EQ(text("a"), "old");
   Journal other;
-  EXPECT_THROW(other.publish(directory.path()), std::system_error);
+  EXPECT_THROW(other.write_to_directory(directory.path()), std::system_error);
 }
 
 TEST_F(JournalOfKilledRun, WithPathsElsewhereIsRejected) {
@@ -112,7 +112,7 @@ TEST_F(JournalOfKilledRun, WithPathsElsewhereIsRejected) {
 }
 
 TEST_F(JournalOfKilledRun, TruncatedIsRejected) {
-  in_killed_process([&] { journal().publish(directory.path()); });
+  in_killed_process([&] { journal().write_to_directory(directory.path()); });
   const std::string whole = text(Journal::kFileName);
   for (std::size_t size = 0; size < whole.size(); size += 7) {
     write_file(path(Journal::kFileName), whole.substr(0, size));

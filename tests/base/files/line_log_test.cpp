@@ -38,7 +38,7 @@ TEST_F(LineLogFile, GrowsByWholeLines) {
   {
     LineLog log(file_);
     EXPECT_EQ(log.read(), (Lines{"one", ""}));
-    EXPECT_FALSE(log.removed_partial_line());
+    EXPECT_FALSE(log.has_removed_partial_line());
     log.append("two");
   }
   EXPECT_EQ(tests::contents(file_), "one\n\ntwo\n");
@@ -48,7 +48,7 @@ TEST_F(LineLogFile, RemovesPartialLastLine) {
   std::ofstream(file_) << "one\ntw";
   LineLog log(file_);
   EXPECT_EQ(log.read(), Lines{"one"});
-  EXPECT_TRUE(log.removed_partial_line());
+  EXPECT_TRUE(log.has_removed_partial_line());
   log.append("three");
   EXPECT_EQ(tests::contents(file_), "one\nthree\n");
 }

@@ -10,7 +10,7 @@ namespace fpkcheck::base {
 
 enum class Colour { red, green };
 constexpr EnumEntry<Colour> kColourNames[] = {{Colour::red, "red"}, {Colour::green, "dark-green"}};
-constexpr std::span<const EnumEntry<Colour>> names(Colour) { return kColourNames; }
+constexpr std::span<const EnumEntry<Colour>> enumerator_names(Colour) { return kColourNames; }
 
 namespace {
 
@@ -29,9 +29,9 @@ const Description<Paint>& paint() {
   static const auto description =
       Description<Paint>("paint.")
           .add("colour", &Paint::colour, {"C", "of the top coat"})
-          .add("coats", &Paint::coats, {"N", "how many"}, even_between(2, 8))
-          .add("gloss_share", &Paint::gloss, {"G", "how shiny"}, strictly_between(0, 1))
-          .add("litres", &Paint::litres, {"L", "how much"}, positive())
+          .add("coats", &Paint::coats, {"N", "how many"}, even_integers_between(2, 8))
+          .add("gloss_share", &Paint::gloss, {"G", "how shiny"}, open_interval(0, 1))
+          .add("litres", &Paint::litres, {"L", "how much"}, positive_numbers())
           .add("primer", &Paint::primer, {"C", "below"})
           .add("wet", &Paint::wet, {"", "not yet dry"})
           .add("maker", &Paint::maker, {"M", "who"})

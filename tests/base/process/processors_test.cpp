@@ -28,28 +28,28 @@ TEST_F(Processors, RespectAffinityMask) {
     CPU_ZERO(&one);
     CPU_SET(sched_getcpu(), &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-    found = processors();
+    found = available_processors();
   })
       .join();
   EXPECT_EQ(found, 1);
-  EXPECT_GE(processors(), 1);
+  EXPECT_GE(available_processors(), 1);
 }
 
 TEST_F(Processors, RespectEnvironmentLimits) {
-  const int own = processors();
+  const int own = available_processors();
   setenv("SLURM_CPUS_PER_TASK", "1", 1);
-  EXPECT_EQ(processors(), 1);
+  EXPECT_EQ(available_processors(), 1);
   setenv("SLURM_CPUS_PER_TASK", "1000000", 1);
-  EXPECT_EQ(processors(), own);
+  EXPECT_EQ(available_processors(), own);
   setenv("OMP_NUM_THREADS", "1,4", 1);
-  EXPECT_EQ(processors(), 1);
+  EXPECT_EQ(available_processors(), 1);
 }
 
 TEST_F(Processors, IgnoreInvalidEnvironmentValues) {
-  const int own = processors();
+  const int own = available_processors();
   for (const char* nonsense : {"", "0", "-2", "many", "1.5", "99999999999999999999"}) {
     setenv("OMP_NUM_THREADS", nonsense, 1);
-    EXPECT_EQ(processors(), own) << nonsense;
+    EXPECT_EQ(available_processors(), own) << nonsense;
   }
 }
 

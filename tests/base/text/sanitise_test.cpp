@@ -31,7 +31,7 @@ TEST(Sanitise, TruncatesTheMiddleOfLongText) {
   std::string greek;
   for (int k = 0; k < 100; ++k) greek += "λ";
   const std::string cut = sanitise(greek);
-  EXPECT_EQ(escape_controls(cut), cut);
+  EXPECT_EQ(escape_control_characters(cut), cut);
   EXPECT_LT(cut.size(), 170u);
 }
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "epc/contact/tail.hpp"
+#include "epc/contact/contour.hpp"
 #include "epc/half_plane/contour.hpp"
 #include "general_oscillators.hpp"
 #include "problem/problem.hpp"
@@ -47,9 +47,9 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
     const auto p = pressed({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
     const Coordinates coordinates(p);
     for (const double y : {0.0, 1e-12, 1e-3, 0.3, 5.0}) {
-      EXPECT_NEAR(coordinates.y(coordinates.w(y)), y, 4e-14 * y);
+      EXPECT_NEAR(coordinates.displacement(coordinates.potential_speed(y)), y, 4e-14 * y);
       const double energy = 0.32 + 0.5 * y + y * y / 2 + cubic * std::pow(y, 4) / 4;
-      EXPECT_NEAR(std::pow(coordinates.rho(y, -0.8), 2) / 2, energy, 1e-14 * energy);
+      EXPECT_NEAR(std::pow(coordinates.amplitude_of(y, -0.8), 2) / 2, energy, 1e-14 * energy);
     }
   }
 }
@@ -88,19 +88,23 @@ TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const Polynomial q({{2, 0, -1 / (2 * temperature)}});
   const double h = rho * rho / 2;
   const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);
-  EXPECT_NEAR(half_plane::probability_beyond(q, contour(Coordinates(p), rho), temperature, 0),
+  EXPECT_NEAR(half_plane::probability_beyond_contour(q, contour_of_amplitude(Coordinates(p), rho),
+                                                     temperature, 0),
               expected, 2e-3 * expected);
 }
 
 TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
   // -rho^2 + 0.5 v^2 falls at every phase, -rho^2 + 1.2 v^2 rises at the wall.
-  EXPECT_TRUE(leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1}).negative);
-  const LeadingForm rising = leading_form_of(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
+  EXPECT_TRUE(leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
+                  .negative);
+  const LeadingForm rising =
+      leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
   EXPECT_GT(rising.rising_fraction, 0);
   EXPECT_LT(rising.rising_fraction, 0.5);
-  const LeadingForm turning = leading_form_of(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  const LeadingForm turning =
+      leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
 }
 

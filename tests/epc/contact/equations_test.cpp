@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
-using half_plane::Equations;
+using half_plane::ClosureEquations;
 using half_plane::QuadraturePoints;
 
 constexpr int kContactWallPoints = 40;
@@ -34,17 +34,17 @@ problem::Problem pressed_mass(const char* law) {
       problem::ImpulseTrain({.arrival_rate = 2, .law = law, .intensity = 0.6, .mean = 0.1}));
 }
 
-Equations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
-                               const half_plane::Confinement& confinement = {}) {
+ClosureEquations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
+                                      const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const QuadraturePoints points = quadrature_points(
       coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
-  return equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
+  return closure_equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
 }
 
 // Coefficients with a perturbation so small that the atom at the corner keeps its probability.
-VectorXd perturbed_contact_coefficients(const Equations& equations) {
+VectorXd perturbed_contact_coefficients(const ClosureEquations& equations) {
   const VectorXd a = tests::boltzmann_coefficients(equations, kTemperature);
   return a + 0.1 * (tests::perturbed(a) - a);
 }
@@ -54,17 +54,18 @@ VectorXd perturbed_contact_coefficients(const Equations& equations) {
 // follows an impulse at rest towards the wall.
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const auto p = pressed_mass("two_point");
-  const Equations equations = contact_equations_of(p, 4, 40);
+  const ClosureEquations equations = contact_equations_of(p, 4, 40);
   const Coordinates coordinates(p);
   const auto& basis = equations.basis();
   const auto& all = equations.points();
-  const auto density = equations.density(perturbed_contact_coefficients(equations));
+  const auto density = equations.evaluate_density(perturbed_contact_coefficients(equations));
   const Eigen::Index moving = all.size() - 1;
   const VectorXd y = all.y.head(moving), v = all.v.head(moving), mass = density.mass.head(moving);
   const auto at = [&](const VectorXd& at_y, const VectorXd& at_v) {
     VectorXd rho(at_y.size());
-    for (Eigen::Index i = 0; i < rho.size(); ++i) rho[i] = coordinates.rho(at_y[i], at_v[i]);
-    return basis.values(rho, at_v);
+    for (Eigen::Index i = 0; i < rho.size(); ++i)
+      rho[i] = coordinates.amplitude_of(at_y[i], at_v[i]);
+    return basis.basis_values(rho, at_v);
   };
   const Eigen::ArrayXd damping =
       (0.3 + 0.2 * y.array().square() + 0.1 * v.array().square()) * v.array();
@@ -84,10 +85,11 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
     expected +=
         2 * probability * density.mass[moving] * (at(here, freed) - at(here, here)).transpose();
   }
-  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
-  const VectorXd zero = VectorXd::Zero(wall.at.size());
-  const MatrixXd change = at(zero, kRestitution * wall.at) - at(zero, -wall.at);
-  expected += change.transpose() * wall.at.cwiseProduct(density.wall_mass);
+  const half_plane::QuadratureRule wall =
+      half_plane::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const VectorXd zero = VectorXd::Zero(wall.nodes.size());
+  const MatrixXd change = at(zero, kRestitution * wall.nodes) - at(zero, -wall.nodes);
+  expected += change.transpose() * wall.nodes.cwiseProduct(density.wall_mass);
 
   const VectorXd residual = equations.residual(density);
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -100,19 +102,20 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
 // The density on the wall is C exp(Q) 2/u^2, and C exp(Q(0, 0)) defines the atom.
 TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
   const auto p = pressed_mass("gaussian");
-  const Equations equations = contact_equations_of(p, 2, 24);
+  const ClosureEquations equations = contact_equations_of(p, 2, 24);
   const VectorXd a = perturbed_contact_coefficients(equations);
-  const auto density = equations.density(a);
+  const auto density = equations.evaluate_density(a);
   const double at_rest = density.mass[density.mass.size() - 1];
-  const half_plane::QuadratureRule wall = half_plane::legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const half_plane::QuadratureRule wall =
+      half_plane::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
   const auto exponent = [&](double rho, double v) {
     return equations.basis()
-        .values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
+        .basis_values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
         .row(0)
         .dot(a);
   };
   for (const int k : {0, 5, 20}) {
-    const double u = wall.at[k], p_of_u = density.wall_mass[k] / wall.weight[k];
+    const double u = wall.nodes[k], p_of_u = density.wall_mass[k] / wall.weight[k];
     // u^2 p -> lambda P0 / ln(1/r)
     EXPECT_NEAR(u * u * p_of_u * std::exp(exponent(0, 0) - exponent(u, -u)),
                 2 * at_rest / std::log(1 / kRestitution), 1e-10);
@@ -122,7 +125,8 @@ TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
 TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = pressed_mass("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
-    const Equations equations = contact_equations_of(p, 4, 24, half_plane::Confinement{level});
+    const ClosureEquations equations =
+        contact_equations_of(p, 4, 24, half_plane::Confinement{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_contact_coefficients(equations));
   }
 }

@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "closures.hpp"
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 #include "epc/form/closed_form.hpp"
 #include "epc/solve.hpp"
 #include "general_oscillators.hpp"
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
 
@@ -90,20 +90,20 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
     Result result = solve(seen, contact_options(4));
     ASSERT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     const auto form = read_closed_form(result.solution.metrics);
-    EXPECT_EQ(form.frame.variables, Variables::contact);
+    EXPECT_EQ(form.frame.variables, ExponentCoordinates::contact);
     EXPECT_TRUE(is_normalised(form));
-    const auto again = density(form, &physical);
+    const auto again = density_of_closed_form(form, &physical);
     const auto solution =
         transform::to_physical_coordinates(seen.frame, std::move(result.solution));
     const auto& cells = std::get<GridDensity>(*solution.density);
     double most = 0;
     for (std::size_t i = 60; i < cells.ny(); i += 25) {
       for (std::size_t j = 5; j < cells.nv(); j += 31) {
-        const double average = cells.average(i, j);
-        const double evaluated_average = numerics::average(
+        const double average = cells.cell_average(i, j);
+        const double evaluated_average = numerics::gauss_average(
             [&](double y) {
-              return numerics::average([&](double v) { return again.value(y, v); },
-                                       cells.v_edges[j], cells.v_edges[j + 1]);
+              return numerics::gauss_average([&](double v) { return again.value(y, v); },
+                                             cells.v_edges[j], cells.v_edges[j + 1]);
             },
             cells.y_edges[i], cells.y_edges[i + 1]);
         EXPECT_NEAR(evaluated_average, average, 1e-6 * average) << i << ' ' << j;
@@ -111,11 +111,12 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
       }
     }
     EXPECT_GT(most, 0.1);
-    EXPECT_NEAR(solution.atoms[0].y, physical.system.left() ? 0 : 0.3, 1e-15);
+    EXPECT_NEAR(solution.atoms[0].y, physical.system.left_wall() ? 0 : 0.3, 1e-15);
     // Without its constant the form is normalised again, including the atom.
     auto without = form;
     without.frame.log_constant.reset();
-    EXPECT_NEAR(density(without, &physical).value(0.2, 0.1) / again.value(0.2, 0.1), 1, 1e-5);
+    EXPECT_NEAR(density_of_closed_form(without, &physical).value(0.2, 0.1) / again.value(0.2, 0.1),
+                1, 1e-5);
   }
 }
 

@@ -24,7 +24,7 @@ TEST(Polynomial, AlongADirectionIsAPolynomialOfTheRadius) {
   for (const double rho : {0.0, 0.5, 2.0}) {
     EXPECT_NEAR(horner(ray, rho), by_hand(0.6 * rho, -0.8 * rho), 1e-13);
   }
-  EXPECT_NEAR(horner(derivative(ray), 1.5),
+  EXPECT_NEAR(horner(derivative_coefficients(ray), 1.5),
               (horner(ray, 1.5 + 1e-5) - horner(ray, 1.5 - 1e-5)) / 2e-5, 1e-8);
 }
 

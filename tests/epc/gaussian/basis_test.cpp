@@ -10,7 +10,7 @@ namespace {
 
 TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
   // All monomials of degree 1..n: (n+1)(n+2)/2 - 1; about half of them are point-symmetric.
-  const Deviations sigma{1, 1};
+  const StandardDeviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
        {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
     EXPECT_EQ(Basis(order, MonomialSet::general, sigma).size(), general);
@@ -21,10 +21,12 @@ TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
 TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
   const Basis basis(6, MonomialSet::general, {0.7, 1.6});
   const double x1 = 0.8, x2 = -1.1, h = 2e-2;
-  const BasisTable table =
-      basis.table(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
+  const BasisDerivatives table =
+      basis.basis_derivatives(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
   for (Eigen::Index s = 0; s < basis.size(); ++s) {
-    const auto at = [&](double i, double j) { return basis.value(s, x1 + i * h, x2 + j * h); };
+    const auto at = [&](double i, double j) {
+      return basis.basis_value(s, x1 + i * h, x2 + j * h);
+    };
     EXPECT_NEAR(table.value(0, s), at(0, 0), 1e-14);
     const auto lower = [&](double i, double j) {
       // Fourth-order difference of the first derivative in the direction (i, j).
@@ -45,14 +47,14 @@ TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
 TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
   const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   // x1^2: E[x1^4] = 3 sigma_1^4; x1 x2: sigma_1 sigma_2.
-  EXPECT_NEAR(basis.value(0, 1, 1), 1 / (0.25 * std::sqrt(3)), 1e-14);
-  EXPECT_NEAR(basis.value(1, 1, 1), 1.0, 1e-14);
+  EXPECT_NEAR(basis.basis_value(0, 1, 1), 1 / (0.25 * std::sqrt(3)), 1e-14);
+  EXPECT_NEAR(basis.basis_value(1, 1, 1), 1.0, 1e-14);
 }
 
 TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
   const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
-  EXPECT_LT((basis.scaled_coefficients(basis.polynomial(a).terms()) - a).norm(), 1e-14);
+  EXPECT_LT((basis.scaled_coefficients(basis.exponent_polynomial(a).terms()) - a).norm(), 1e-14);
 }
 
 }  // namespace

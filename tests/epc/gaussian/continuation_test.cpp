@@ -15,17 +15,17 @@ using numerics::NewtonResult;
 TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
   for (int number = 1; number <= 3; ++number) {
     const problem::Problem p = tests::paper_case(number);
-    const auto [s1, s2] = deviations(p);
-    const Projection projection = projection_of(p, 6);
+    const auto [s1, s2] = weight_deviations(p);
+    const ProjectedEquations projection = projection_of(p, 6);
     const ResidualCoefficients f = residual_coefficients(p, Equation::km4);
     const auto start = projection.basis().scaled_coefficients(
         {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
-    const NewtonResult plain = newton(projection, f, start, {.damped = false});
-    const NewtonResult damped = newton(projection, f, start, {});
-    const auto [branch, root] = follow_branch(projection, f, 1e-10);
+    const NewtonResult plain = solve_by_newton(projection, f, start, {.damped = false});
+    const NewtonResult damped = solve_by_newton(projection, f, start, {});
+    const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
     ASSERT_TRUE(plain.converged);
     ASSERT_TRUE(damped.converged);
-    ASSERT_EQ(branch.end, BranchEnd::full_problem);
+    ASSERT_EQ(branch.end, SolutionBranchEnd::full_problem);
     EXPECT_EQ(branch.furthest, 1);
     EXPECT_LT((plain.a - root.a).norm(), 1e-10);
     EXPECT_LT((plain.a - damped.a).norm(), 1e-10);
@@ -35,17 +35,17 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
 // At n = 8 the branch has a fold before the full problem and returns to fraction 0.
 TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
   const problem::Problem p = tests::paper_case(1);
-  const Projection projection = projection_of(p, 8);
+  const ProjectedEquations projection = projection_of(p, 8);
   const auto [branch, root] =
-      follow_branch(projection, residual_coefficients(p, Equation::km4), 1e-10);
+      follow_solution_branch(projection, residual_coefficients(p, Equation::km4), 1e-10);
   EXPECT_FALSE(root.converged);
-  EXPECT_EQ(branch.end, BranchEnd::white_noise);
+  EXPECT_EQ(branch.end, SolutionBranchEnd::white_noise);
   EXPECT_NEAR(branch.furthest, 0.65475, 1e-5);
   EXPECT_EQ(branch.points.front().fraction, 0);
   EXPECT_EQ(branch.points.back().fraction, 0);
   EXPECT_GT(std::abs(branch.points.back().norm - branch.points.front().norm), 0.01);
-  EXPECT_EQ(std::ranges::count_if(branch.points, &BranchPoint::fold), 1);
-  const auto fold = std::ranges::find_if(branch.points, &BranchPoint::fold);
+  EXPECT_EQ(std::ranges::count_if(branch.points, &SolutionBranchPoint::fold), 1);
+  const auto fold = std::ranges::find_if(branch.points, &SolutionBranchPoint::fold);
   EXPECT_EQ(fold->fraction, branch.furthest);
   EXPECT_LT(fold->smallest_singular_value, 1e-9);
   EXPECT_EQ(branch.points.front().determinant_sign, -branch.points.back().determinant_sign);
@@ -56,11 +56,11 @@ TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
 TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
   const problem::Problem p = tests::make_problem({.rate = 10});
   const ResidualCoefficients f = residual_coefficients(p, Equation::km4);
-  const Projection four = projection_of(p, 4), six = projection_of(p, 6);
-  const auto [branch, before] = follow_branch(four, f, 1e-10);
+  const ProjectedEquations four = projection_of(p, 4), six = projection_of(p, 6);
+  const auto [branch, before] = follow_solution_branch(four, f, 1e-10);
   ASSERT_TRUE(before.converged);
   const Eigen::VectorXd start =
-      six.basis().scaled_coefficients(four.basis().polynomial(before.a).terms());
+      six.basis().scaled_coefficients(four.basis().exponent_polynomial(before.a).terms());
   // The equations of n = 4 are among those of n = 6.
   EXPECT_LT(six.residual(f, start).head(8).norm(), 1e-12);
   const NewtonResult root = follow_newton_homotopy(six, f, start, 1e-10);
@@ -71,13 +71,13 @@ TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
 // The exact density under white noise is the start for springs of other powers, too.
 TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   const problem::Problem p = tests::make_problem({.restitution = 1});
-  const Projection projection = projection_of(p, 6);
+  const ProjectedEquations projection = projection_of(p, 6);
   ResidualCoefficients f = residual_coefficients(p, Equation::white);
   f.odd_force = numerics::Polynomial({0, 1, 0, 0.1, 0, 0.02});
-  const auto [branch, root] = follow_branch(projection, f, 1e-10);
-  EXPECT_EQ(branch.end, BranchEnd::full_problem);
+  const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
+  EXPECT_EQ(branch.end, SolutionBranchEnd::full_problem);
   EXPECT_TRUE(root.converged);
-  const double beta = f.damping / (f.rate_moment[2] / 2);
+  const double beta = f.damping / (f.rate_times_moment[2] / 2);
   const Eigen::VectorXd exact = projection.basis().scaled_coefficients(
       {{0, 2, -beta / 2}, {2, 0, -beta / 2}, {4, 0, -beta * 0.1 / 4}, {6, 0, -beta * 0.02 / 6}});
   EXPECT_LT((root.a - exact).norm(), 1e-10);
@@ -85,11 +85,11 @@ TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
 
 TEST(Continuation, StartsNearTheDensityOfASpringOfEvenPowers) {
   const problem::Problem p = tests::make_problem({});
-  const Projection projection = projection_of(p, 6);
+  const ProjectedEquations projection = projection_of(p, 6);
   ResidualCoefficients f = residual_coefficients(p, Equation::km4);
   f.even_force = numerics::Polynomial({0, 0, 0.2});
-  const auto [branch, root] = follow_branch(projection, f, 1e-10);
-  EXPECT_EQ(branch.end, BranchEnd::full_problem);
+  const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
+  EXPECT_EQ(branch.end, SolutionBranchEnd::full_problem);
   EXPECT_TRUE(root.converged);
   EXPECT_LT(projection.residual(f, root.a).norm(), 1e-10);
 }
@@ -100,11 +100,11 @@ TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   const ResidualCoefficients start = homotopy_coefficients(full, 0),
                              half = homotopy_coefficients(full, 0.5);
   EXPECT_EQ(start.impact_loss, 0);
-  EXPECT_EQ(start.rate_moment[1], 0);
-  EXPECT_EQ(start.rate_moment[2], full.rate_moment[2]);
-  EXPECT_EQ(start.rate_moment[3], 0);
-  EXPECT_EQ(start.rate_moment[4], 0);
-  EXPECT_DOUBLE_EQ(half.rate_moment[4], full.rate_moment[4] / 2);
+  EXPECT_EQ(start.rate_times_moment[1], 0);
+  EXPECT_EQ(start.rate_times_moment[2], full.rate_times_moment[2]);
+  EXPECT_EQ(start.rate_times_moment[3], 0);
+  EXPECT_EQ(start.rate_times_moment[4], 0);
+  EXPECT_DOUBLE_EQ(half.rate_times_moment[4], full.rate_times_moment[4] / 2);
   EXPECT_DOUBLE_EQ(half.impact_loss, 0.15);
   const ResidualCoefficients jumps = residual_coefficients(tests::paper_case(1), Equation::kf);
   EXPECT_EQ(full.jump_fraction, 0);

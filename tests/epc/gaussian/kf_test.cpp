@@ -51,7 +51,7 @@ TEST(KolmogorovFeller, TheGeneralSetGivesThePointSymmetricSolution) {
   const Result whole = solve(p, general);
   ASSERT_EQ(half.solution.status, Status::ok) << half.solution.reason;
   EXPECT_EQ(whole.solution.status, Status::ok) << whole.solution.reason;
-  const Basis all(4, MonomialSet::general, deviations(p));
+  const Basis all(4, MonomialSet::general, weight_deviations(p));
   EXPECT_LT((all.scaled_coefficients(half.summary.coefficients) -
              all.scaled_coefficients(whole.summary.coefficients))
                 .norm(),

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "closures.hpp"
-#include "epc/density.hpp"
+#include "epc/closed_form_density.hpp"
 #include "epc/gaussian/residual.hpp"
 #include "epc/solve.hpp"
 #include "exact/energy_law.hpp"
@@ -34,9 +34,10 @@ TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) 
       for (const double x2 : {-0.7, 0.4}) {
         const double side = x1 > 0 ? 1 : -1, y = std::abs(x1) + wall;
         const double force = y + 0.3 * y * y * y;
-        const Derivatives q{
+        const ExponentDerivatives q{
             .q1 = -beta * side * force, .q2 = -beta * x2, .q22 = -beta, .q222 = 0, .q2222 = 0};
-        EXPECT_NEAR(smooth_part(f, x1, x2, q) + side * signed_part(f, x1, q), 0, 1e-13);
+        EXPECT_NEAR(smooth_residual_part(f, x1, x2, q) + side * signed_residual_part(f, x1, q), 0,
+                    1e-13);
       }
     }
     EXPECT_EQ(f.impact_loss, 0);

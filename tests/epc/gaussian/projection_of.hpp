@@ -1,13 +1,13 @@
 #pragma once
 
-#include "epc/gaussian/projection.hpp"
+#include "epc/gaussian/projected_equations.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {
 
 /// The projection on the point-symmetric monomials.
-inline Projection projection_of(const problem::Problem& problem, int order) {
-  return Projection(Basis(order, MonomialSet::point_symmetric, deviations(problem)));
+inline ProjectedEquations projection_of(const problem::Problem& problem, int order) {
+  return ProjectedEquations(Basis(order, MonomialSet::point_symmetric, weight_deviations(problem)));
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -34,7 +34,7 @@ void expect_relative(double value, double expected, int power) {
 
 TEST(GaussianRules, NormalRuleGivesEveryMomentUpToItsDegree) {
   for (const int degree : {2, 6, 17, kDegree}) {
-    const QuadratureRule rule = normal_rule(degree);
+    const QuadratureRule rule = normal_quadrature_rule(degree);
     for (int power = 0; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power), power);
     }
@@ -45,7 +45,7 @@ TEST(GaussianRules, NormalRuleGivesEveryMomentUpToItsDegree) {
 
 TEST(GaussianRules, SignRuleGivesTheOddAbsoluteMoments) {
   for (const int degree : {1, 5, 6, kDegree}) {
-    const QuadratureRule rule = sign_rule(degree);
+    const QuadratureRule rule = sign_weighted_normal_rule(degree);
     for (int power = 1; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power), power);
     }
@@ -56,7 +56,7 @@ TEST(GaussianRules, SignRuleGivesTheOddAbsoluteMoments) {
 
 TEST(GaussianRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
   for (const int degree : {1, 4, 7, kDegree}) {
-    const QuadratureRule rule = absolute_rule(degree);
+    const QuadratureRule rule = absolute_weighted_normal_rule(degree);
     for (int power = 0; power <= degree; power += 2) {
       expect_relative(power_average(rule, power), absolute_moment(power + 1), power);
     }
@@ -66,9 +66,9 @@ TEST(GaussianRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
 }
 
 TEST(GaussianRules, TooLowADegreeIsNotExact) {
-  EXPECT_GT(std::abs(power_average(normal_rule(4), 6) - absolute_moment(6)), 1.0);
-  EXPECT_GT(std::abs(power_average(sign_rule(3), 5) - absolute_moment(5)), 1.0);
-  EXPECT_GT(std::abs(power_average(absolute_rule(2), 4) - absolute_moment(5)), 1.0);
+  EXPECT_GT(std::abs(power_average(normal_quadrature_rule(4), 6) - absolute_moment(6)), 1.0);
+  EXPECT_GT(std::abs(power_average(sign_weighted_normal_rule(3), 5) - absolute_moment(5)), 1.0);
+  EXPECT_GT(std::abs(power_average(absolute_weighted_normal_rule(2), 4) - absolute_moment(5)), 1.0);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "closures.hpp"
-#include "epc/gaussian/projection.hpp"
+#include "epc/gaussian/projected_equations.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
 #include "problem/energy_balance.hpp"
@@ -20,7 +20,7 @@ tests::Coefficients coefficients(const Result& result) { return tests::by_power(
 
 // Coefficients in units of the deviations, where their magnitudes are comparable.
 tests::Coefficients scaled_coefficients(const Result& result, const problem::Problem& problem) {
-  const auto [s1, s2] = deviations(problem);
+  const auto [s1, s2] = weight_deviations(problem);
   return tests::scaled_by_power(result.summary, s1, s2);
 }
 
@@ -215,7 +215,7 @@ TEST(GaussianClosure, AnOutwardMeanPushesTheResponseOutwards) {
 TEST(GaussianClosure, ReportsAPointWhereTheEquationsAreMetIndependently) {
   const problem::Problem p = tests::paper_case(4);
   const Result result = solve(p, {.order = 6});
-  const Projection projection(Basis(6, MonomialSet::general, deviations(p)));
+  const ProjectedEquations projection(Basis(6, MonomialSet::general, weight_deviations(p)));
   const Eigen::VectorXd residual =
       projection.residual(residual_coefficients(p, Equation::km4),
                           projection.basis().scaled_coefficients(result.summary.coefficients));

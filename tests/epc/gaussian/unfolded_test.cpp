@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "closures.hpp"
-#include "epc/density.hpp"
-#include "epc/gaussian/projection.hpp"
+#include "epc/closed_form_density.hpp"
+#include "epc/gaussian/projected_equations.hpp"
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
@@ -54,7 +54,7 @@ TEST(GaussianClosureWithoutWall, TheExactRingMeetsTheEquations) {
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
       intensity);
   for (const auto set : {MonomialSet::point_symmetric, MonomialSet::general}) {
-    const Projection projection(Basis(4, set, deviations(p)));
+    const ProjectedEquations projection(Basis(4, set, weight_deviations(p)));
     const auto f = residual_coefficients(p, problem::Equation::km4);
     const Eigen::VectorXd a = projection.basis().scaled_coefficients({{2, 0, 1 / intensity},
                                                                       {0, 2, 1 / intensity},
@@ -77,7 +77,7 @@ TEST(GaussianClosureWithoutWall, JacobianIsTheDerivativeOfTheResidual) {
                                        {.none = true}),
                                 tests::gaussian_impulses(1, 0.3, 0.1));
   p.noise = {0.2};
-  const Projection projection(Basis(4, MonomialSet::general, deviations(p)));
+  const ProjectedEquations projection(Basis(4, MonomialSet::general, weight_deviations(p)));
   const auto f = residual_coefficients(p, problem::Equation::km4);
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(projection.basis().size(), -0.3, 0.2);
   const Eigen::MatrixXd jacobian = projection.jacobian(f, a);
@@ -127,7 +127,7 @@ TEST(GaussianClosureWithoutWall, SurvivesARoundTripThroughItsClosedForm) {
       System({.damping = 0.2, .constant = 0.1, .stiffness = 1, .cubic = 0.5}, {.none = true}), 0.4);
   const Result result = solve_gaussian(p, 4);
   const auto& solver_density = std::get<transform::SmoothDensity>(*result.solution.density);
-  const auto again = density(read_closed_form(result.solution.metrics), &p);
+  const auto again = density_of_closed_form(read_closed_form(result.solution.metrics), &p);
   EXPECT_EQ(again.y_min, solver_density.y_min);
   for (const double y : {-1.5, -0.2, 0.9}) {
     for (const double v : {-1.0, 0.4}) {

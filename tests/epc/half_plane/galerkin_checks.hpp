@@ -24,10 +24,11 @@ inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& p
 }
 
 /// Coefficients in the basis of the exponent of C exp(-h/T).
-inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::Equations& equations,
+inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::ClosureEquations& equations,
                                               double temperature) {
   const auto& points = equations.points();
-  return equations.fit(-points.energy / temperature, boltzmann_mass(points, temperature));
+  return equations.fit_coefficients(-points.energy / temperature,
+                                    boltzmann_mass(points, temperature));
 }
 
 /// Coefficients with a random perturbation, which removes all symmetries.
@@ -39,14 +40,14 @@ inline Eigen::VectorXd perturbed(Eigen::VectorXd a) {
 }
 
 /// Compares the analytic Jacobian of Galerkin equations with central differences of the residual.
-inline void expect_jacobian_is_derivative(const epc::half_plane::Galerkin& equations,
+inline void expect_jacobian_is_derivative(const epc::half_plane::GalerkinSystem& equations,
                                           const Eigen::VectorXd& a) {
   constexpr double kStep = 1e-5;
-  const Eigen::MatrixXd jacobian = equations.jacobian(equations.density(a));
+  const Eigen::MatrixXd jacobian = equations.jacobian(equations.evaluate_density(a));
   for (Eigen::Index k = 0; k < a.size(); ++k) {
     const Eigen::VectorXd e = kStep * Eigen::VectorXd::Unit(a.size(), k);
-    const Eigen::VectorXd difference = (equations.residual(equations.density(a + e)) -
-                                        equations.residual(equations.density(a - e))) /
+    const Eigen::VectorXd difference = (equations.residual(equations.evaluate_density(a + e)) -
+                                        equations.residual(equations.evaluate_density(a - e))) /
                                        (2 * kStep);
     EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(),
               1e-7 * (1 + difference.cwiseAbs().maxCoeff()))

@@ -17,30 +17,30 @@ using Eigen::VectorXd;
 using tests::make_problem;
 
 // The equations of the formulation moment of order 4, with the confinement level at six deviations.
-Equations equations_of(const problem::Problem& p) {
+ClosureEquations equations_of(const problem::Problem& p) {
   constexpr int kOrder = 4;
-  std::vector<double> rate_moment(kOrder + 1);
-  for (int j = 1; j <= kOrder; ++j) rate_moment[j] = p.impulses.rate_moment(j);
+  std::vector<double> rate_times_moment(kOrder + 1);
+  for (int j = 1; j <= kOrder; ++j) rate_times_moment[j] = p.impulses.rate_times_moment(j);
   const double temperature = tests::temperature_of(p);
   const Confinement confinement{18 * temperature};
   const moment::EnergyDomain domain(p, confinement.level * Confinement::support_ratio());
   const QuadraturePoints points = domain.quadrature_points(50, 60);
   const Basis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
-  return moment::equations(p, rate_moment, domain, confinement, basis, points, 60);
+  return moment::closure_equations(p, rate_times_moment, domain, confinement, basis, points, 60);
 }
 
 // The homotopy leads from the density with elastic impacts to the density at r = 0.6.
 TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto p = make_problem({.restitution = 0.6});
-  const Equations equations = equations_of(p);
+  const ClosureEquations equations = equations_of(p);
   const VectorXd start = tests::boltzmann_coefficients(equations, tests::temperature_of(p));
-  const auto direct = newton(equations, start, p.system.damping(), {.max_iterations = 60});
+  const auto direct = solve_by_newton(equations, start, p.system.damping(), {.max_iterations = 60});
   ASSERT_TRUE(direct.converged);
   const auto path = follow_homotopy(equations, start);
-  ASSERT_EQ(path.end, numerics::Termination::end_reached);
+  ASSERT_EQ(path.end, numerics::TerminationReason::end_reached);
   EXPECT_GT(path.points.size(), 4u);  // the path is long
   EXPECT_EQ(path.points.back().t, 1);
-  const auto refined = newton(equations, path.points.back().a, p.system.damping(), {});
+  const auto refined = solve_by_newton(equations, path.points.back().a, p.system.damping(), {});
   ASSERT_TRUE(refined.converged);
   EXPECT_LT((refined.a - direct.a).norm(), 1e-9);
 }

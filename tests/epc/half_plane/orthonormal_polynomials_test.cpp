@@ -20,7 +20,7 @@ struct HalfGaussian {
 TEST(OrthonormalPolynomials, AreOrthonormalUnderTheirMeasure) {
   const HalfGaussian m;
   const OrthonormalPolynomials h(m.x, m.weight, 12);
-  const MatrixXd values = h.values(m.x);
+  const MatrixXd values = h.polynomial_values(m.x);
   const MatrixXd gram = values.transpose() * m.weight.asDiagonal() * values;
   // Stieltjes' procedure loses some digits with the degree.
   EXPECT_LT((gram - MatrixXd::Identity(13, 13)).cwiseAbs().maxCoeff(), 1e-11);
@@ -29,9 +29,9 @@ TEST(OrthonormalPolynomials, AreOrthonormalUnderTheirMeasure) {
 TEST(OrthonormalPolynomials, DerivativesAreThoseOfTheMonomials) {
   const HalfGaussian m;
   const OrthonormalPolynomials h(m.x, m.weight, 6);
-  const MatrixXd c = h.coefficients();
+  const MatrixXd c = h.monomial_coefficients();
   const VectorXd at = VectorXd::LinSpaced(5, -1, 3);
-  const auto tables = h.derivatives(at, 6);
+  const auto tables = h.derivative_tables(at, 6);
   for (int j = 0; j <= 6; ++j) {
     for (int k = 0; k <= 6; ++k) {
       for (int i = 0; i < at.size(); ++i) {

@@ -10,7 +10,7 @@
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "numerics/quadrature/gauss_panels.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 
@@ -41,8 +41,8 @@ struct Distance {
 // L1 distances of p(y) and p(v) over the box of the first density.
 Distance distance(const SmoothDensity& p, const std::function<double(double, double)>& q) {
   constexpr int kPanels = 16;
-  const auto ys = numerics::panel_points(p.y_min, p.y_max, kPanels);
-  const auto vs = numerics::panel_points(-p.v_max, p.v_max, kPanels);
+  const auto ys = numerics::composite_gauss_points(p.y_min, p.y_max, kPanels);
+  const auto vs = numerics::composite_gauss_points(-p.v_max, p.v_max, kPanels);
   std::vector<double> of_v(vs.size());
   Distance sum;
   for (const auto& y : ys) {

@@ -18,7 +18,7 @@ using half_plane::QuadraturePoints;
 
 double wall_integral(const half_plane::QuadratureRule& wall, auto&& f) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < wall.at.size(); ++i) sum += wall.weight[i] * f(wall.at[i]);
+  for (Eigen::Index i = 0; i < wall.nodes.size(); ++i) sum += wall.weight[i] * f(wall.nodes[i]);
   return sum;
 }
 
@@ -45,8 +45,9 @@ TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
               1e-13);
   EXPECT_NEAR(integral(quadrature_points, [](double, double v) { return v * v; }),
               pi * a * b * b * b / 8, 1e-12);
-  EXPECT_NEAR(wall_integral(domain.wall_rule(8), [](double v) { return -v * v * v; }),
-              b * b * b * b / 4, 1e-12);
+  EXPECT_NEAR(
+      wall_integral(domain.left_wall_quadrature_rule(8), [](double v) { return -v * v * v; }),
+      b * b * b * b / 4, 1e-12);
 }
 
 // Area of the domain as an integral over y, by midpoints after the substitution y = y_max sin(phi).
@@ -63,7 +64,7 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   for (int i = 0; i < kCells; ++i) {
     const double phi = (i + 0.5) / kCells * pi / 2;
     const double y = domain.y_max() * std::sin(phi);
-    area += 2 * domain.half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
+    area += 2 * domain.v_half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
   }
   EXPECT_NEAR(integral(domain.quadrature_points(40, 2), [](double, double) { return 1.0; }), area,
               1e-6);
@@ -76,7 +77,7 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   const EnergyDomain oval(held, 2);
   EXPECT_NEAR(oval.y_low(), 1, 1e-12);
   EXPECT_NEAR(oval.y_max(), 5, 1e-12);
-  EXPECT_EQ(oval.wall_rule(8).at.size(), 0);
+  EXPECT_EQ(oval.left_wall_quadrature_rule(8).nodes.size(), 0);
   EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double, double) { return 1.0; }), pi * 4,
               1e-12);
   EXPECT_NEAR(integral(oval.quadrature_points(12, 10), [](double y, double) { return y; }), pi * 12,
@@ -85,17 +86,18 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
   const EnergyDomain cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
-  EXPECT_NEAR(cut.half_width(0), 4, 1e-12);
+  EXPECT_NEAR(cut.v_half_width(0), 4, 1e-12);
   EXPECT_NEAR(integral(cut.quadrature_points(30, 10), [](double, double) { return 1.0; }),
               25 * (pi - std::acos(0.6)) + 12, 1e-8);
-  EXPECT_NEAR(wall_integral(cut.wall_rule(8), [](double) { return 1.0; }), 4, 1e-12);
+  EXPECT_NEAR(wall_integral(cut.left_wall_quadrature_rule(8), [](double) { return 1.0; }), 4,
+              1e-12);
 }
 
 TEST(EnergyDomain, OfAnOscillatorPushedToTheWallBeginsAtTheWall) {
   const auto pushed = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = -0.03});
   const EnergyDomain domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
   EXPECT_NEAR(domain.y_max(), 1, 1e-12);
-  EXPECT_NEAR(domain.half_width(0), std::sqrt(7.0), 1e-12);
+  EXPECT_NEAR(domain.v_half_width(0), std::sqrt(7.0), 1e-12);
   const QuadraturePoints quadrature_points = domain.quadrature_points(40, 10);
   for (Eigen::Index i = 0; i < quadrature_points.y.size(); ++i) {
     EXPECT_TRUE(domain.contains(quadrature_points.y[i], quadrature_points.v[i]));
@@ -130,21 +132,24 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
   EXPECT_NEAR(whole.y_min(), -2, 1e-12);
   EXPECT_NEAR(integral(whole.quadrature_points(12, 10), one), 4 * pi, 1e-12);
-  EXPECT_EQ(whole.wall_rule(8).at.size(), 0);
-  EXPECT_EQ(whole.right_wall_rule(8).at.size(), 0);
+  EXPECT_EQ(whole.left_wall_quadrature_rule(8).nodes.size(), 0);
+  EXPECT_EQ(whole.right_wall_quadrature_rule(8).nodes.size(), 0);
   EXPECT_TRUE(whole.contains(-1.9, 0.1));
 
   const EnergyDomain gap = circle({.left = -1, .left_restitution = 1});
   EXPECT_NEAR(integral(gap.quadrature_points(20, 10), one), area_from(-1), 1e-11);
-  EXPECT_NEAR(wall_integral(gap.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
+  EXPECT_NEAR(wall_integral(gap.left_wall_quadrature_rule(8), [](double v) { return v; }), -1.5,
+              1e-12);
   EXPECT_FALSE(gap.contains(-1.1, 0));
 
   const EnergyDomain strip =
       circle({.left = -1, .left_restitution = 1, .right = 0.5, .right_restitution = 1});
   EXPECT_NEAR(integral(strip.quadrature_points(20, 10), one), area_from(-1) - area_from(0.5),
               1e-11);
-  EXPECT_NEAR(wall_integral(strip.right_wall_rule(8), [](double v) { return v; }), 3.75 / 2, 1e-12);
-  EXPECT_NEAR(wall_integral(strip.wall_rule(8), [](double v) { return v; }), -1.5, 1e-12);
+  EXPECT_NEAR(wall_integral(strip.right_wall_quadrature_rule(8), [](double v) { return v; }),
+              3.75 / 2, 1e-12);
+  EXPECT_NEAR(wall_integral(strip.left_wall_quadrature_rule(8), [](double v) { return v; }), -1.5,
+              1e-12);
   EXPECT_FALSE(strip.contains(0.6, 0));
   EXPECT_EQ(strip.y_max(), 0.5);
 }
@@ -154,9 +159,9 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   const auto p = tests::with_noise(
       problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
   const EnergyDomain wells(p, 0.16);
-  ASSERT_EQ(wells.parts().size(), 2U);
+  ASSERT_EQ(wells.y_intervals().size(), 2U);
   EXPECT_NEAR(wells.y_low(), -std::sqrt(1.8), 1e-12);
-  EXPECT_NEAR(wells.parts()[0].right, -std::sqrt(0.2), 1e-12);
+  EXPECT_NEAR(wells.y_intervals()[0].right, -std::sqrt(0.2), 1e-12);
   EXPECT_NEAR(wells.y_max(), std::sqrt(1.8), 1e-12);
   const QuadraturePoints quadrature_points = wells.quadrature_points(30, 8);
   EXPECT_EQ(quadrature_points.size(), 480);
@@ -165,7 +170,7 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   // one part is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
   EXPECT_NEAR(integral(quadrature_points, [](double y, double) { return std::abs(y); }),
               2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
-  EXPECT_EQ(EnergyDomain(p, 0.26).parts().size(), 1U);
+  EXPECT_EQ(EnergyDomain(p, 0.26).y_intervals().size(), 1U);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
+using half_plane::ClosureEquations;
 using half_plane::Confinement;
-using half_plane::Equations;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
 
 std::vector<double> rate_moments(const problem::Problem& p, int order, int last) {
   std::vector<double> moments(order + 1);
-  for (int j = 1; j <= std::min(order, last); ++j) moments[j] = p.impulses.rate_moment(j);
+  for (int j = 1; j <= std::min(order, last); ++j) moments[j] = p.impulses.rate_times_moment(j);
   return moments;
 }
 
@@ -30,26 +30,27 @@ constexpr int kWallPoints = 60;
 QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
 
 // The equations on a large domain, in a basis orthonormal under the elastic white-noise density.
-Equations equations_of(const problem::Problem& p, int order, int last_moment, double deviations,
-                       bool confined = false) {
+ClosureEquations equations_of(const problem::Problem& p, int order, int last_moment,
+                              double deviations, bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
   const EnergyDomain domain(p, level * (confined ? Confinement::support_ratio() : 1));
   const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
-  return equations(p, rate_moments(p, order, last_moment), domain,
-                   confined ? Confinement{level} : Confinement{}, basis, points, kWallPoints);
+  return closure_equations(p, rate_moments(p, order, last_moment), domain,
+                           confined ? Confinement{level} : Confinement{}, basis, points,
+                           kWallPoints);
 }
 
-VectorXd white_noise_exponent(const problem::Problem& p, const Equations& equations) {
+VectorXd white_noise_exponent(const problem::Problem& p, const ClosureEquations& equations) {
   return tests::boltzmann_coefficients(equations, tests::temperature_of(p));
 }
 
 TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
   for (const int order : {4, 6, 8}) {
-    const Equations equations = equations_of(p, order, 2, 10);
-    const auto density = equations.density(white_noise_exponent(p, equations));
+    const ClosureEquations equations = equations_of(p, order, 2, 10);
+    const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
     EXPECT_LT(equations.residual(density).cwiseAbs().maxCoeff(), 1e-11) << order;
   }
 }
@@ -59,8 +60,8 @@ TEST(MomentEquations, ExactWhiteNoiseDensityMeetsThemAtAnImpactWithoutLoss) {
 // and the integral is 2 p0 / beta^2.
 TEST(MomentEquations, ImpactTakesTheEnergyOfEquationTwo) {
   const auto p = make_problem({.cubic = 0, .restitution = 0.7, .rate = 3, .intensity = 0.4});
-  const Equations equations = equations_of(p, 2, 2, 10);
-  const auto density = equations.density(white_noise_exponent(p, equations));
+  const ClosureEquations equations = equations_of(p, 2, 2, 10);
+  const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
   const VectorXd residual = equations.residual(density);
   const double beta = 2 * 0.1 / 0.4;
   // int exp(-beta (v^2 + y^2)/2) over y > 0 is pi / beta.
@@ -89,18 +90,21 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   const int order = 5;
   const Basis basis(order, points, mass);
   const auto moments = rate_moments(p, order, order);
-  const Equations with = equations(p, moments, domain, {}, basis, points, kWallPoints);
-  const Equations without =
-      equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
+  const ClosureEquations with =
+      closure_equations(p, moments, domain, {}, basis, points, kWallPoints);
+  const ClosureEquations without =
+      closure_equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
   const VectorXd a = VectorXd::Zero(basis.size());  // constant density, an arbitrary choice
-  const VectorXd change = with.residual(with.density(a)) - without.residual(without.density(a));
+  const VectorXd change =
+      with.residual(with.evaluate_density(a)) - without.residual(without.evaluate_density(a));
 
-  const auto density = with.density(a);
+  const auto density = with.evaluate_density(a);
   VectorXd expected = VectorXd::Zero(basis.size());
   for (const auto& [amplitude, probability] : p.impulses.law().atoms()) {
     const VectorXd kicked = points.v.array() + amplitude;
     expected += 2 * probability *
-                (basis.values(points.y, kicked) - basis.values(points.y, points.v)).transpose() *
+                (basis.basis_values(points.y, kicked) - basis.basis_values(points.y, points.v))
+                    .transpose() *
                 density.mass;
   }
   for (Eigen::Index s = 0; s < basis.size(); ++s) {
@@ -111,20 +115,20 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
 // The fit reproduces an exponent up to a constant, which the normalisation removes.
 TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
-  const Equations equations = equations_of(p, 4, 2, 6);
+  const ClosureEquations equations = equations_of(p, 4, 2, 6);
   const VectorXd a = VectorXd::LinSpaced(14, -0.3, 0.4);
   const VectorXd &y = equations.points().y, &v = equations.points().v;
-  const VectorXd exponent = (equations.basis().values(y, v) * a).array() + 5.0;
+  const VectorXd exponent = (equations.basis().basis_values(y, v) * a).array() + 5.0;
   const VectorXd mass = VectorXd::Constant(y.size(), 1.0 / static_cast<double>(y.size()));
-  EXPECT_LT((equations.fit(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
-  const Polynomial q = equations.basis().polynomial(a);
+  EXPECT_LT((equations.fit_coefficients(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
+  const Polynomial q = equations.basis().exponent_polynomial(a);
   EXPECT_NEAR(q(y[7], v[7]) - q(y[900], v[900]), exponent[7] - exponent[900], 1e-9);
 }
 
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const bool confined : {false, true}) {
-    const Equations equations = equations_of(p, 4, 4, 5, confined);
+    const ClosureEquations equations = equations_of(p, 4, 4, 5, confined);
     tests::expect_jacobian_is_derivative(equations,
                                          tests::perturbed(white_noise_exponent(p, equations)));
   }
@@ -132,8 +136,8 @@ TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidual) {
 
 TEST(MomentEquations, CovarianceIsThatOfTheMembers) {
   const auto p = make_problem({.restitution = 1, .rate = 3, .intensity = 0.4});
-  const Equations equations = equations_of(p, 4, 2, 10);
-  const auto density = equations.density(white_noise_exponent(p, equations));
+  const ClosureEquations equations = equations_of(p, 4, 2, 10);
+  const auto density = equations.evaluate_density(white_noise_exponent(p, equations));
   const MatrixXd covariance = equations.covariance(density);
   // y and v are independent: products of orthonormal polynomials are orthonormal.
   EXPECT_LT((covariance - MatrixXd::Identity(14, 14)).cwiseAbs().maxCoeff(), 1e-10);
@@ -147,11 +151,12 @@ problem::Problem between_walls(double r_left, double r_right) {
       0.4);
 }
 
-Equations equations_between(const problem::Problem& p, int order, double temperature) {
+ClosureEquations equations_between(const problem::Problem& p, int order, double temperature) {
   const EnergyDomain domain(p, temperature * 50);
   const QuadraturePoints points = points_of(domain);
   const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
-  return equations(p, std::vector<double>(order + 1), domain, {}, basis, points, kWallPoints);
+  return closure_equations(p, std::vector<double>(order + 1), domain, {}, basis, points,
+                           kWallPoints);
 }
 
 // exp(-h/T), T = D/c = 2, between walls: stationary if both walls are elastic. At an inelastic wall
@@ -159,8 +164,10 @@ Equations equations_between(const problem::Problem& p, int order, double tempera
 TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
   const double temperature = 2;
   const auto energy_lost = [&](double r_left, double r_right) {
-    const Equations equations = equations_between(between_walls(r_left, r_right), 2, temperature);
-    const auto density = equations.density(tests::boltzmann_coefficients(equations, temperature));
+    const ClosureEquations equations =
+        equations_between(between_walls(r_left, r_right), 2, temperature);
+    const auto density =
+        equations.evaluate_density(tests::boltzmann_coefficients(equations, temperature));
     const VectorXd residual = equations.residual(density);
     const bool lossless = r_left == 1 && r_right == 1;
     EXPECT_EQ(residual.cwiseAbs().maxCoeff() < 1e-11, lossless);
@@ -176,7 +183,7 @@ TEST(MomentEquations, EachWallDissipatesItsOwnPower) {
 
 TEST(MomentEquations, JacobianIsTheDerivativeOfTheResidualBetweenWalls) {
   const auto p = between_walls(0.7, 0.9);
-  const Equations equations = equations_between(p, 4, 2);
+  const ClosureEquations equations = equations_between(p, 4, 2);
   tests::expect_jacobian_is_derivative(
       equations, tests::perturbed(tests::boltzmann_coefficients(equations, 2)));
 }

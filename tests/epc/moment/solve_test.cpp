@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Each, MomentCase, testing::Values(1, 2, 3, 4));
 
 TEST_P(MomentCase, EveryOrderConverges) {
   const auto p = paper_case(GetParam());
-  for (int order = 2; order <= greatest_order(Formulation::moment); order += 2) {
+  for (int order = 2; order <= max_closure_order(Formulation::moment); order += 2) {
     const auto [solution, summary] = solve(p, moment_options(order));
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
@@ -199,7 +199,7 @@ TEST(MomentClosure, ConvergesAtTheLeastDamping) {
 
 TEST(MomentClosure, ReasonStatesTheDensityAtTheEdgeOfACut) {
   auto options = moment_options(4);
-  options.tail = Tail::cut;
+  options.tail = TailTreatment::cut;
   const auto [solution, summary] = solve(paper_case(1), options);
   EXPECT_EQ(solution.id(), "epc-moment-cut-n4");
   EXPECT_EQ(solution.status, Status::inadmissible);

@@ -17,18 +17,22 @@ TEST(Coordinates, AreInverseToEachOther) {
     const auto p = make_problem({.stiffness = stiffness, .cubic = 0.7});
     const Coordinates coordinates(p);
     for (const double y : {0.0, 1e-8, 0.3, 5.0}) {
-      EXPECT_NEAR(coordinates.y(coordinates.w(y)), y, 1e-14 * (1 + y));
+      EXPECT_NEAR(coordinates.displacement(coordinates.potential_speed(y)), y, 1e-14 * (1 + y));
       const double h = 1e-5;
-      EXPECT_NEAR(coordinates.slope(y), (coordinates.w(y + h) - coordinates.w(y - h)) / (2 * h),
-                  1e-8);
+      EXPECT_NEAR(
+          coordinates.potential_speed_slope(y),
+          (coordinates.potential_speed(y + h) - coordinates.potential_speed(y - h)) / (2 * h),
+          1e-8);
       if (y > 0) {
-        EXPECT_NEAR(coordinates.force_over_w(y) * coordinates.w(y) / p.system.force()(y), 1, 1e-14);
+        EXPECT_NEAR(coordinates.force_over_potential_speed(y) * coordinates.potential_speed(y) /
+                        p.system.restoring_force()(y),
+                    1, 1e-14);
       }
     }
   }
   // For K = k, rho^2/2 is the energy.
   const auto p = make_problem({.cubic = 0.7});
-  EXPECT_NEAR(std::pow(Coordinates(p).rho(0.6, -0.8), 2) / 2,
+  EXPECT_NEAR(std::pow(Coordinates(p).amplitude_of(0.6, -0.8), 2) / 2,
               0.32 + 0.18 + 0.7 * std::pow(0.6, 4) / 4, 1e-15);
 }
 
@@ -49,7 +53,7 @@ TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
     const Coordinates coordinates(make_problem({.stiffness = 1.3, .cubic = cubic}));
     for (const double w : {1e-30, 1e-9, 0.4, 7.0, 1e5}) {
       const double y = w * std::sqrt(2 / (1.3 + std::sqrt(1.3 * 1.3 + 2 * cubic * w * w)));
-      EXPECT_NEAR(coordinates.y(w) / y, 1, 4e-15) << cubic << ' ' << w;
+      EXPECT_NEAR(coordinates.displacement(w) / y, 1, 4e-15) << cubic << ' ' << w;
     }
   }
 }
@@ -61,8 +65,8 @@ TEST(PolarRule, PointsCarryTheirCoordinatesAndEnergies) {
   EXPECT_EQ(points.size(), 63);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i];
-    EXPECT_NEAR(points.s[i], coordinates.rho(y, v), 1e-14);
-    EXPECT_NEAR(points.t[i], coordinates.theta(y, v), 1e-13);
+    EXPECT_NEAR(points.s[i], coordinates.amplitude_of(y, v), 1e-14);
+    EXPECT_NEAR(points.t[i], coordinates.phase_of(y, v), 1e-13);
     EXPECT_NEAR(points.energy[i], v * v / 2 + p.system.potential()(y), 1e-14);
   }
 }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::Basis;
-using half_plane::Equations;
+using half_plane::ClosureEquations;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
 
@@ -25,18 +25,18 @@ double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::tempe
 
 // The equations up to eight deviations, in a basis that is orthonormal under the density for white
 // noise with elastic impacts.
-Equations equations_of(const problem::Problem& p, int order, int points_each_way,
-                       const half_plane::Confinement& confinement = {}) {
+ClosureEquations equations_of(const problem::Problem& p, int order, int points_each_way,
+                              const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const double rho_max = rho_max_of(p);
   const QuadraturePoints points =
-      quadrature_points(coordinates, rho_max, amplitude_breaks(p.impulses.law(), rho_max),
+      quadrature_points(coordinates, rho_max, amplitude_break_points(p.impulses.law(), rho_max),
                         {points_each_way, points_each_way, kWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
-  return equations(p, coordinates, rho_max, confinement, basis, points, kWallPoints);
+  return closure_equations(p, coordinates, rho_max, confinement, basis, points, kWallPoints);
 }
 
-VectorXd perturbed_coefficients(const problem::Problem& p, const Equations& equations) {
+VectorXd perturbed_coefficients(const problem::Problem& p, const ClosureEquations& equations) {
   return tests::perturbed(tests::boltzmann_coefficients(equations, tests::temperature_of(p)));
 }
 
@@ -52,18 +52,18 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
                                  .intensity = 0.6,
                                  .mean = 0.2,
                                  .law = "two_point"});
-    const Equations equations = equations_of(p, 4, 40);
+    const ClosureEquations equations = equations_of(p, 4, 40);
     const Coordinates coordinates(p);
     const auto& basis = equations.basis();
     const auto& points = equations.points();
-    const auto density = equations.density(perturbed_coefficients(p, equations));
+    const auto density = equations.evaluate_density(perturbed_coefficients(p, equations));
     const auto at = [&](const VectorXd& y, const VectorXd& v) {
       VectorXd rho(y.size()), theta(y.size());
       for (Eigen::Index i = 0; i < y.size(); ++i) {
-        rho[i] = coordinates.rho(y[i], v[i]);
-        theta[i] = coordinates.theta(y[i], v[i]);
+        rho[i] = coordinates.amplitude_of(y[i], v[i]);
+        theta[i] = coordinates.phase_of(y[i], v[i]);
       }
-      return basis.values(rho, theta);
+      return basis.basis_values(rho, theta);
     };
     const VectorXd force =
         0.3 * points.v.array() + stiffness * points.y.array() + 0.7 * points.y.array().cube();
@@ -80,11 +80,11 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
                   density.mass;
     }
     const half_plane::QuadratureRule wall =
-        half_plane::legendre_rule(kWallPoints, 0, rho_max_of(p));
-    const VectorXd zero = VectorXd::Zero(wall.at.size());
-    const VectorXd down = VectorXd::Constant(wall.at.size(), -M_PI / 2);
-    const MatrixXd change = at(zero, 0.6 * wall.at) - basis.values(wall.at, down);
-    expected += change.transpose() * wall.at.cwiseProduct(density.wall_mass);
+        half_plane::gauss_legendre_rule(kWallPoints, 0, rho_max_of(p));
+    const VectorXd zero = VectorXd::Zero(wall.nodes.size());
+    const VectorXd down = VectorXd::Constant(wall.nodes.size(), -M_PI / 2);
+    const MatrixXd change = at(zero, 0.6 * wall.nodes) - basis.basis_values(wall.nodes, down);
+    expected += change.transpose() * wall.nodes.cwiseProduct(density.wall_mass);
 
     const VectorXd residual = equations.residual(density);
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -97,7 +97,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
 TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
-    const Equations equations = equations_of(p, 4, 24, half_plane::Confinement{level});
+    const ClosureEquations equations = equations_of(p, 4, 24, half_plane::Confinement{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }
@@ -105,12 +105,14 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
 // Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
   const auto law = problem::ImpulseLaw::from_name("two_point", 0.2, 0.5);
-  EXPECT_EQ(amplitude_breaks(law, 10).size(), 2u);
-  EXPECT_NEAR(amplitude_breaks(law, 10)[0], 0.3, 1e-15);
-  EXPECT_NEAR(amplitude_breaks(law, 10)[1], 0.7, 1e-15);
-  EXPECT_EQ(amplitude_breaks(law, 0.5).size(), 1u);
-  EXPECT_EQ(amplitude_breaks(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10).size(), 1u);
-  EXPECT_TRUE(amplitude_breaks(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10).empty());
+  EXPECT_EQ(amplitude_break_points(law, 10).size(), 2u);
+  EXPECT_NEAR(amplitude_break_points(law, 10)[0], 0.3, 1e-15);
+  EXPECT_NEAR(amplitude_break_points(law, 10)[1], 0.7, 1e-15);
+  EXPECT_EQ(amplitude_break_points(law, 0.5).size(), 1u);
+  EXPECT_EQ(amplitude_break_points(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10).size(),
+            1u);
+  EXPECT_TRUE(
+      amplitude_break_points(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10).empty());
 }
 
 }  // namespace

@@ -8,10 +8,11 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 Eigen::VectorXd monomial_averages(const Axis& axis, int power) {
-  Eigen::VectorXd averages(axis.cells());
-  for (int i = 0; i < axis.cells(); ++i) {
-    averages(i) = (std::pow(axis.face(i + 1), power + 1) - std::pow(axis.face(i), power + 1)) /
-                  ((power + 1) * axis.width(i));
+  Eigen::VectorXd averages(axis.cell_count());
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    averages(i) = (std::pow(axis.face_position(i + 1), power + 1) -
+                   std::pow(axis.face_position(i), power + 1)) /
+                  ((power + 1) * axis.cell_width(i));
   }
   return averages;
 }
@@ -22,33 +23,35 @@ const Axis kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93
                  EndCondition::boundary);
 
 // Rows whose stencil extends beyond the right end use p = 0 there and are not exact.
-int last_exact_face(int points) { return kLine.cells() - points; }
+int last_exact_face(int points) { return kLine.cell_count() - points; }
 
 TEST(AxisOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary) {
   for (int points = 2; points <= 8; ++points) {
     for (int power = 0; power < points; ++power) {
       const auto averages = monomial_averages(kLine, power);
-      for (const Bias bias : {Bias::left, Bias::right}) {
-        const Eigen::VectorXd values = face_values(kLine, points, bias) * averages;
+      for (const UpstreamSide bias : {UpstreamSide::left, UpstreamSide::right}) {
+        const Eigen::VectorXd values = face_value_operator(kLine, points, bias) * averages;
         for (int f = 1; f <= last_exact_face(points); ++f) {
-          EXPECT_NEAR(values(f), std::pow(kLine.face(f), power), 1e-11) << points << " " << power;
+          EXPECT_NEAR(values(f), std::pow(kLine.face_position(f), power), 1e-11)
+              << points << " " << power;
         }
       }
       if (points % 2 == 0) {
-        const Eigen::VectorXd slopes = face_derivatives(kLine, points) * averages;
+        const Eigen::VectorXd slopes = face_derivative_operator(kLine, points) * averages;
         for (int f = 1; f <= last_exact_face(points); ++f) {
-          EXPECT_NEAR(slopes(f), power == 0 ? 0 : power * std::pow(kLine.face(f), power - 1), 1e-9);
+          EXPECT_NEAR(slopes(f),
+                      power == 0 ? 0 : power * std::pow(kLine.face_position(f), power - 1), 1e-9);
         }
       }
-      EXPECT_NEAR((first_face_value(kLine, points) * averages)(0), std::pow(kLine.face(0), power),
-                  1e-11);
+      EXPECT_NEAR((first_face_value_operator(kLine, points) * averages)(0),
+                  std::pow(kLine.face_position(0), power), 1e-11);
     }
   }
 }
 
 TEST(AxisOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
-  const AxisOperator left = face_values(kLine, 3, Bias::left);
-  const AxisOperator right = face_values(kLine, 3, Bias::right);
+  const AxisOperator left = face_value_operator(kLine, 3, UpstreamSide::left);
+  const AxisOperator right = face_value_operator(kLine, 3, UpstreamSide::right);
   EXPECT_NE(left.coeff(6, 4), 0.0);
   EXPECT_EQ(left.coeff(6, 7), 0.0);
   EXPECT_EQ(right.coeff(6, 4), 0.0);
@@ -56,48 +59,51 @@ TEST(AxisOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
 }
 
 TEST(AxisOperators, NothingFlowsThroughTheEndFaces) {
-  const AxisOperator values = face_values(kLine, 5, Bias::left);
+  const AxisOperator values = face_value_operator(kLine, 5, UpstreamSide::left);
   EXPECT_EQ(values.row(0).norm(), 0.0);
-  EXPECT_EQ(values.row(kLine.cells()).norm(), 0.0);
+  EXPECT_EQ(values.row(kLine.cell_count()).norm(), 0.0);
 }
 
 TEST(AxisOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier) {
   const numerics::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
   const int barrier = 7;
   for (const int points : {1, 3, 5}) {
-    const AxisOperator op = weighted_averages(kLine, points, weight, barrier);
+    const AxisOperator op = weighted_average_operator(kLine, points, weight, barrier);
     for (int power = 0; power < points; ++power) {
       const Eigen::VectorXd weighted = op * monomial_averages(kLine, power);
-      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cells());
+      Eigen::VectorXd exact = Eigen::VectorXd::Zero(kLine.cell_count());
       for (int q = 0; q <= 5; ++q) {
         exact += weight.coefficient(q) * monomial_averages(kLine, power + q);
       }
-      for (int i = 0; i < kLine.cells() - points / 2; ++i) {
+      for (int i = 0; i < kLine.cell_count() - points / 2; ++i) {
         EXPECT_NEAR(weighted(i), exact(i), 1e-12) << points << " " << power << " " << i;
       }
     }
-    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cells() - barrier).norm(), 0.0);
-    EXPECT_EQ(op.block(barrier, 0, kLine.cells() - barrier, barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(0, barrier, barrier, kLine.cell_count() - barrier).norm(), 0.0);
+    EXPECT_EQ(op.block(barrier, 0, kLine.cell_count() - barrier, barrier).norm(), 0.0);
   }
 }
 
 TEST(AxisOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
   // avg(x^3 cos x) from averages of cos x with three cells: order 4.
   const auto error = [](int cells) {
-    const Axis axis = Axis::uniform(0.2, 1.0 / cells, cells, EndCondition::boundary);
+    const Axis axis = Axis::with_uniform_cells(0.2, 1.0 / cells, cells, EndCondition::boundary);
     Eigen::VectorXd averages(cells);
     for (int i = 0; i < cells; ++i) {
-      averages(i) = (std::sin(axis.face(i + 1)) - std::sin(axis.face(i))) / axis.width(i);
+      averages(i) = (std::sin(axis.face_position(i + 1)) - std::sin(axis.face_position(i))) /
+                    axis.cell_width(i);
     }
     const auto primitive = [](double x) {  // primitive of x^3 cos x
       return x * x * x * std::sin(x) + 3 * x * x * std::cos(x) - 6 * x * std::sin(x) -
              6 * std::cos(x);
     };
     const Eigen::VectorXd weighted =
-        weighted_averages(axis, 3, numerics::Polynomial({0, 0, 0, 1})) * averages;
+        weighted_average_operator(axis, 3, numerics::Polynomial({0, 0, 0, 1})) * averages;
     double largest = 0;
     for (int i = 0; i < cells - 1; ++i) {
-      const double exact = (primitive(axis.face(i + 1)) - primitive(axis.face(i))) / axis.width(i);
+      const double exact =
+          (primitive(axis.face_position(i + 1)) - primitive(axis.face_position(i))) /
+          axis.cell_width(i);
       largest = std::max(largest, std::abs(weighted(i) - exact));
     }
     return largest;
@@ -110,25 +116,26 @@ TEST(AxisOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
 }
 
 TEST(AxisOperators, DivergenceTelescopes) {
-  const AxisOperator div = divergence(kLine);
-  const Eigen::VectorXd flux = Eigen::VectorXd::LinSpaced(kLine.cells() + 1, 1, 7).array().exp();
-  EXPECT_NEAR(kLine.widths().dot(div * flux), flux(kLine.cells()) - flux(0), 1e-9);
-  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.width(3), 1e-12);
+  const AxisOperator div = divergence_operator(kLine);
+  const Eigen::VectorXd flux =
+      Eigen::VectorXd::LinSpaced(kLine.cell_count() + 1, 1, 7).array().exp();
+  EXPECT_NEAR(kLine.cell_widths().dot(div * flux), flux(kLine.cell_count()) - flux(0), 1e-9);
+  EXPECT_NEAR((div * flux)(3), (flux(4) - flux(3)) / kLine.cell_width(3), 1e-12);
 }
 
 TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
   const Axis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, EndCondition::vacuum,
                   EndCondition::boundary);
-  const int cells = axis.cells(), degree = 4;
+  const int cells = axis.cell_count(), degree = 4;
   const Eigen::VectorXd p = monomial_averages(axis, degree);
-  EXPECT_NEAR((last_face_value(axis, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
+  EXPECT_NEAR((last_face_value_operator(axis, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
   const Eigen::VectorXd times_x =
-      weighted_averages(axis, degree + 1, numerics::Polynomial({0, 1})) * p;
+      weighted_average_operator(axis, degree + 1, numerics::Polynomial({0, 1})) * p;
   const Eigen::VectorXd exact = monomial_averages(axis, degree + 1);
-  for (const Bias bias : {Bias::left, Bias::right}) {
-    const Eigen::VectorXd values = face_values(axis, degree + 1, bias) * p;
+  for (const UpstreamSide bias : {UpstreamSide::left, UpstreamSide::right}) {
+    const Eigen::VectorXd values = face_value_operator(axis, degree + 1, bias) * p;
     for (int f = 4; f < cells; ++f) {  // stencils of the other cells extend into the vacuum
-      EXPECT_NEAR(values(f), std::pow(axis.face(f), degree), 1e-10) << f;
+      EXPECT_NEAR(values(f), std::pow(axis.face_position(f), degree), 1e-10) << f;
       EXPECT_NEAR(times_x(f), exact(f), 1e-10) << f;
     }
   }

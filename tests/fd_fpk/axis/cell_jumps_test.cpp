@@ -16,14 +16,14 @@ Axis uneven() {
 }
 
 Eigen::VectorXd centres(const Axis& axis) {
-  Eigen::VectorXd c(axis.cells());
-  for (int i = 0; i < axis.cells(); ++i) c(i) = axis.centre(i);
+  Eigen::VectorXd c(axis.cell_count());
+  for (int i = 0; i < axis.cell_count(); ++i) c(i) = axis.cell_centre(i);
   return c;
 }
 
-TEST(CellJumps, KeepMassAndArePositive) {
+TEST(CellJumpMatrices, KeepMassAndArePositive) {
   for (const auto* name : {"gaussian", "laplace", "two_point", "uniform"}) {
-    const auto jumps = cell_jumps(uneven(), problem::ImpulseLaw::from_name(name, 0.3, 0.8));
+    const auto jumps = cell_jump_matrices(uneven(), problem::ImpulseLaw::from_name(name, 0.3, 0.8));
     const Eigen::VectorXd uniform = jumps.uniform.colwise().sum(),
                           slope = jumps.slope.colwise().sum();
     EXPECT_LT((uniform.array() - 1).abs().maxCoeff(), 1e-12) << name;
@@ -35,22 +35,23 @@ TEST(CellJumps, KeepMassAndArePositive) {
 // A jump shifts the mean of a cell's mass by the mean of the law; a slope shifts the mean by the
 // variance of a uniform distribution. The finite width of the target cells causes an error of
 // second order.
-TEST(CellJumps, ShiftTheMeanByTheLawAndTheSlope) {
+TEST(CellJumpMatrices, ShiftTheMeanByTheLawAndTheSlope) {
   const Axis axis = uneven();
   const Eigen::VectorXd v = centres(axis);
   for (const auto* name : {"gaussian", "laplace", "uniform"}) {
-    const auto jumps = cell_jumps(axis, problem::ImpulseLaw::from_name(name, 0.3, 0.8));
+    const auto jumps = cell_jump_matrices(axis, problem::ImpulseLaw::from_name(name, 0.3, 0.8));
     for (const int from : {35, 41, 47}) {
       EXPECT_NEAR(v.dot(jumps.uniform.col(from)), v(from) + 0.3, 5e-3) << name << " " << from;
-      const double spread = std::pow(axis.width(from), 2) / 12;
+      const double spread = std::pow(axis.cell_width(from), 2) / 12;
       EXPECT_NEAR(v.dot(jumps.slope.col(from)), spread, 0.05 * spread) << name << " " << from;
     }
   }
 }
 
-TEST(CellJumps, AtomsShiftAWholeCell) {
-  const Axis axis = Axis::uniform(-2, 0.1, 40);
-  const auto jumps = cell_jumps(axis, problem::ImpulseLaw::from_name("two_point", 0.02, 0.5));
+TEST(CellJumpMatrices, AtomsShiftAWholeCell) {
+  const Axis axis = Axis::with_uniform_cells(-2, 0.1, 40);
+  const auto jumps =
+      cell_jump_matrices(axis, problem::ImpulseLaw::from_name("two_point", 0.02, 0.5));
   // -0.48 is 4.8 cells, 0.52 is 5.2.
   EXPECT_NEAR(jumps.uniform(20 - 5, 20), 0.4, 1e-12);
   EXPECT_NEAR(jumps.uniform(20 - 4, 20), 0.1, 1e-12);
@@ -61,10 +62,10 @@ TEST(CellJumps, AtomsShiftAWholeCell) {
   EXPECT_NEAR(jumps.slope(20 + 5, 20), -0.1 * 0.04, 1e-12);
 }
 
-TEST(CellJumps, JumpsBeyondTheAxisEndInItsLastCells) {
-  const Axis axis = Axis::uniform(-1, 0.1, 20);
+TEST(CellJumpMatrices, JumpsBeyondTheAxisEndInItsLastCells) {
+  const Axis axis = Axis::with_uniform_cells(-1, 0.1, 20);
   for (const auto* name : {"gaussian", "two_point"}) {
-    const auto jumps = cell_jumps(axis, problem::ImpulseLaw::from_name(name, 0, 5));
+    const auto jumps = cell_jump_matrices(axis, problem::ImpulseLaw::from_name(name, 0, 5));
     EXPECT_NEAR(jumps.uniform(0, 10) + jumps.uniform(19, 10), 1, 0.2) << name;
     EXPECT_NEAR(jumps.uniform(0, 10), 0.5, 0.1) << name;
   }

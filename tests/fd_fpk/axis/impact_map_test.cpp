@@ -9,7 +9,7 @@ namespace {
 
 using problem::Impact;
 
-Axis speeds(int cells, double h = 1) { return Axis::uniform(0, h, cells); }
+Axis speeds(int cells, double h = 1) { return Axis::with_uniform_cells(0, h, cells); }
 
 // Outgoing flux f(u) = u exp(-u^2/2) and its primitive.
 double cumulative(double u) { return 1 - std::exp(-u * u / 2); }
@@ -67,9 +67,10 @@ TEST(ImpactMap, MeanReturnedEnergyFallsByTheSquareOfTheRestitution) {
 }
 
 Eigen::VectorXd half_normal_flux(const Axis& axis) {
-  Eigen::VectorXd averages(axis.cells());
-  for (int a = 0; a < axis.cells(); ++a) {
-    averages(a) = (cumulative(axis.face(a + 1)) - cumulative(axis.face(a))) / axis.width(a);
+  Eigen::VectorXd averages(axis.cell_count());
+  for (int a = 0; a < axis.cell_count(); ++a) {
+    averages(a) = (cumulative(axis.face_position(a + 1)) - cumulative(axis.face_position(a))) /
+                  axis.cell_width(a);
   }
   return averages;
 }
@@ -82,7 +83,7 @@ TEST(ImpactMap, DeltaIsTheFirstOrderTermAndItsErrorIsOfSecondOrder) {
     const Eigen::VectorXd d = (impact_map(axis, 1 - loss, Impact::map, 7) -
                                impact_map(axis, 1 - loss, Impact::delta, 7)) *
                               flux;
-    return axis.widths().dot(d.cwiseAbs());
+    return axis.cell_widths().dot(d.cwiseAbs());
   };
   const double large = difference(0.04), middle = difference(0.02), small = difference(0.01);
   for (const double order : {std::log2(large / middle), std::log2(middle / small)}) {
@@ -99,7 +100,9 @@ TEST(ImpactMap, DeltaIsFluxPlusLossTimesItsScaling) {
   const auto scaled = [](double w) { return w * w * std::exp(-w * w / 2); };
   for (int a = 0; a < 100; ++a) {
     const double exact = half_normal_flux(axis)(a) +
-                         loss * (scaled(axis.face(a + 1)) - scaled(axis.face(a))) / axis.width(a);
+                         loss *
+                             (scaled(axis.face_position(a + 1)) - scaled(axis.face_position(a))) /
+                             axis.cell_width(a);
     EXPECT_NEAR(in(a), exact, 2e-7) << a;
   }
 }
@@ -108,8 +111,8 @@ TEST(ImpactMap, KeepsProbabilityOnUnequalCellsInBothForms) {
   const Axis axis({0, 0.1, 0.22, 0.36, 0.5, 0.7, 0.95, 1.2, 1.5, 1.9, 2.3, 2.8});
   for (const Impact impact : {Impact::map, Impact::delta}) {
     const Eigen::MatrixXd map = impact_map(axis, 0.8, impact, 5);
-    const Eigen::RowVectorXd kept = axis.widths().transpose() * map;
-    EXPECT_LT((kept - axis.widths().transpose()).cwiseAbs().maxCoeff(), 1e-12);
+    const Eigen::RowVectorXd kept = axis.cell_widths().transpose() * map;
+    EXPECT_LT((kept - axis.cell_widths().transpose()).cwiseAbs().maxCoeff(), 1e-12);
   }
 }
 

@@ -16,17 +16,17 @@ double normal_distribution(double x, double mean, double deviation) {
 }
 
 Eigen::VectorXd normal_averages(const Axis& axis, double mean, double deviation) {
-  Eigen::VectorXd averages(axis.cells());
-  for (int i = 0; i < axis.cells(); ++i) {
-    averages(i) = (normal_distribution(axis.face(i + 1), mean, deviation) -
-                   normal_distribution(axis.face(i), mean, deviation)) /
-                  axis.width(i);
+  Eigen::VectorXd averages(axis.cell_count());
+  for (int i = 0; i < axis.cell_count(); ++i) {
+    averages(i) = (normal_distribution(axis.face_position(i + 1), mean, deviation) -
+                   normal_distribution(axis.face_position(i), mean, deviation)) /
+                  axis.cell_width(i);
   }
   return averages;
 }
 
 TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
-  const Axis axis = Axis::uniform(-6, 0.12, 100);
+  const Axis axis = Axis::with_uniform_cells(-6, 0.12, 100);
   for (const double amplitude : {0.12, -0.7, 1.234}) {
     const Eigen::VectorXd change = shift_matrix(axis, amplitude) * normal_averages(axis, 0, 0.6);
     const Eigen::VectorXd exact =
@@ -70,12 +70,12 @@ TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
       // with the sixth power of the distance of the cell.
       const double reach = law.density_breakpoints().empty() ? 2 : law.density_breakpoints().back();
       const int half = static_cast<int>(reach / 0.12) + 6;
-      const Axis axis = Axis::uniform(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
+      const Axis axis = Axis::with_uniform_cells(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
       const Eigen::VectorXd rates = jump_matrix(axis, law).col(half);
       for (int j = 0; j <= 6; ++j) {
         double moment = 0;
-        for (int to = 0; to < axis.cells(); ++to) {
-          moment += rates(to) * std::pow(axis.centre(to), j);
+        for (int to = 0; to < axis.cell_count(); ++to) {
+          moment += rates(to) * std::pow(axis.cell_centre(to), j);
         }
         const double exact = j == 0 ? 0 : law.moment(j);
         const double rounding = 1e-14 * std::pow(axis.faces().back(), j);
@@ -107,7 +107,7 @@ double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, d
 // cell width.
 TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
   constexpr double kWidth = 0.12, kDeviation = 0.6;
-  const Axis axis = Axis::uniform(-4.8, kWidth, 80);
+  const Axis axis = Axis::with_uniform_cells(-4.8, kWidth, 80);
   const Eigen::VectorXd averages = normal_averages(axis, 0, kDeviation);
   for (const auto& name : tests::law_names_without_table()) {
     for (const double cells : {0.25, 0.1, 1e-2, 1e-4, 1e-7}) {
@@ -115,10 +115,11 @@ TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
       const auto law = problem::ImpulseLaw::from_name(name, 0.2 * deviation, deviation);
       const Eigen::VectorXd change = jump_matrix(axis, law) * averages / law.moment(2);
       double largest = 0, error = 0;
-      for (int i = 0; i < axis.cells(); ++i) {
-        const double exact = (change_of_normal_distribution(law, axis.face(i + 1), kDeviation) -
-                              change_of_normal_distribution(law, axis.face(i), kDeviation)) /
-                             kWidth / law.moment(2);
+      for (int i = 0; i < axis.cell_count(); ++i) {
+        const double exact =
+            (change_of_normal_distribution(law, axis.face_position(i + 1), kDeviation) -
+             change_of_normal_distribution(law, axis.face_position(i), kDeviation)) /
+            kWidth / law.moment(2);
         largest = std::max(largest, std::abs(exact));
         error = std::max(error, std::abs(change(i) - exact));
       }
@@ -129,9 +130,9 @@ TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
 
 TEST(JumpMatrix, JumpsBeyondTheAxisDoNotTakePlace) {
   const auto law = tests::make_problem({.intensity = 4}).impulses.law();
-  const Axis axis = Axis::uniform(-1, 0.1, 20);
+  const Axis axis = Axis::with_uniform_cells(-1, 0.1, 20);
   const Eigen::MatrixXd jump = jump_matrix(axis, law);
-  EXPECT_LT((axis.widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((axis.cell_widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
   // From the middle cell jumps with |Y| < 1 take place: a fraction erf(1/(2 sqrt 2)).
   EXPECT_NEAR(-jump.diagonal()(10), std::erf(1 / (2 * std::sqrt(2.0))), 0.03);
 }

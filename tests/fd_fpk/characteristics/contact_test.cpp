@@ -141,10 +141,10 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
   for (const char* name : {"gap", "two_walls"}) {
     const auto p = problem::load_case(name);
     const auto along =
-        solve_contact(p, {.transport = Transport::characteristics, .error_estimate = false})
+        solve_contact(p, {.transport = TransportScheme::characteristics, .error_estimate = false})
             .solution;
     const auto differences =
-        solve_contact(p, {.transport = Transport::upwind, .error_estimate = false}).solution;
+        solve_contact(p, {.transport = TransportScheme::upwind, .error_estimate = false}).solution;
     EXPECT_EQ(along.status, Status::ok) << along.reason;
     EXPECT_TRUE(along.atoms.empty());
     EXPECT_NEAR(along.moments.y2 / differences.moments.y2, 1, 5e-4);
@@ -159,13 +159,14 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
   const Grid grid = contact_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
-  ASSERT_EQ(characteristics.contacts().size(), 2u);
+  ASSERT_EQ(characteristics.contact_indices().size(), 2u);
   const SlopeReconstruction slopes(grid, characteristics.rest_points());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(grid.size() + 2);
   for (int i = 0; i < grid.nx(); ++i) {
     for (int j = 0; j < grid.nv(); ++j) {
-      const double y = grid.x1.centre(i), v = grid.x2.centre(j);
-      q(i * grid.nv() + j) = std::exp(-2 * v * v) * (1 + y) * grid.x1.width(i) * grid.x2.width(j);
+      const double y = grid.x1.cell_centre(i), v = grid.x2.cell_centre(j);
+      q(i * grid.nv() + j) =
+          std::exp(-2 * v * v) * (1 + y) * grid.x1.cell_width(i) * grid.x2.cell_width(j);
     }
   }
   q *= 0.7 / q.sum();
@@ -180,10 +181,10 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
     double sum = 0;
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.nv(); ++j) {
-        const double v = grid.x2.centre(j);
-        const double of_v = v * v + grid.x2.width(j) * grid.x2.width(j) / 12;
+        const double v = grid.x2.cell_centre(j);
+        const double of_v = v * v + grid.x2.cell_width(j) * grid.x2.cell_width(j) / 12;
         sum += masses(i * grid.nv() + j) *
-               (squares_alone ? of_v : of_v / 2 + p.system.potential()(grid.x1.centre(i)));
+               (squares_alone ? of_v : of_v / 2 + p.system.potential()(grid.x1.cell_centre(i)));
       }
     }
     return sum;
@@ -200,13 +201,13 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
 
 TEST(Contact, IsRefusedForTransportsWithoutAtoms) {
   const auto p = tests::in_wall_coordinates(problem::load_case("preload"));
-  EXPECT_NE(unsupported_reason(p, {.transport = Transport::upwind}), "");
+  EXPECT_NE(unsupported_reason(p, {.transport = TransportScheme::upwind}), "");
   EXPECT_NE(unsupported_reason(p, {.order = 3}), "");
   EXPECT_NE(unsupported_reason(p, {.nx = 40}), "");
   EXPECT_EQ(unsupported_reason(p, {.equation = Equation::white}), "");
-  EXPECT_NE(
-      unsupported_reason(p, {.equation = Equation::white, .transport = Transport::characteristics}),
-      "");
+  EXPECT_NE(unsupported_reason(
+                p, {.equation = Equation::white, .transport = TransportScheme::characteristics}),
+            "");
   const auto van_der_pol =
       tests::in_wall_coordinates(tests::with_impulses(System({.damping = -0.1,
                                                               .van_der_pol = 0.1,

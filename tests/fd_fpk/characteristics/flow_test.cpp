@@ -43,7 +43,7 @@ TEST(Flow, OverdampedMotionIsAccurateOverLongTimes) {
       state = flow.advance(state, span);
       time += span;
     }
-    EXPECT_GT(longest * flow.contraction(state), 5);
+    EXPECT_GT(longest * flow.contraction_rate(state), 5);
     return state;
   };
   {
@@ -91,7 +91,7 @@ TEST(Flow, ImpactTimeGivesThePositionOfTheWall) {
   const Flow flow(tests::paper_case(2).system);
   const State from{0.05, -0.7};
   ASSERT_LT(flow.advance(from, 0.1).y, 0);
-  const double time = flow.impact_time(from, 0.1, Side::left);
+  const double time = flow.impact_time(from, 0.1, WallSide::left);
   EXPECT_NEAR(flow.advance(from, time).y, 0, 1e-14);
 }
 
@@ -109,11 +109,11 @@ TEST(Flow, MeetsTheWallOnTheRightToo) {
   const Flow flow(
       problem::System({.damping = 0.1, .stiffness = 1}, {.right = 0.5, .right_restitution = 0.7}));
   const State from{0.45, 0.7};
-  ASSERT_EQ(flow.beyond(flow.advance(from, 0.1).y), Side::right);
-  const double time = flow.impact_time(from, 0.1, Side::right);
+  ASSERT_EQ(flow.wall_passed_at(flow.advance(from, 0.1).y), WallSide::right);
+  const double time = flow.impact_time(from, 0.1, WallSide::right);
   EXPECT_NEAR(flow.advance(from, time).y, 0.5, 1e-14);
-  EXPECT_FALSE(flow.beyond(0.5));
-  EXPECT_FALSE(flow.beyond(-10));
+  EXPECT_FALSE(flow.wall_passed_at(0.5));
+  EXPECT_FALSE(flow.wall_passed_at(-10));
 }
 
 // U = -y^2/2 + y^4/4: wells of depth 1/4 at +-1, g' = 2 there.
@@ -141,7 +141,7 @@ TEST(Flow, ContractionIsMinusTheDivergence) {
   const double h = 1e-5;
   const double slope =
       (flow.acceleration({at.y, at.v + h}) - flow.acceleration({at.y, at.v - h})) / (2 * h);
-  EXPECT_NEAR(flow.contraction(at), -slope, 1e-8);
+  EXPECT_NEAR(flow.contraction_rate(at), -slope, 1e-8);
 }
 
 // y'' + c(y) y' + k y = 0 far above critical damping: long steps against short steps.

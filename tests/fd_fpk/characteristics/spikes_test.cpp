@@ -20,7 +20,7 @@ using transform::Status;
 using transform::Variable;
 
 Options along(double refinement = 1) {
-  return {.transport = Transport::characteristics, .refinement = refinement};
+  return {.transport = TransportScheme::characteristics, .refinement = refinement};
 }
 
 Options on_one_grid() {
@@ -93,12 +93,13 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
 TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   const double c = 1e-3, r = 0.9, rate = 1e-4;
   const auto p = tests::make_problem({.damping = c, .cubic = 0, .restitution = r, .rate = rate});
-  const auto [solution, summary] = solve(p, {.stepper = Stepper::direct});
+  const auto [solution, summary] = solve(p, {.stepper = StationarySolver::direct});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
-  ASSERT_EQ(summary.transport, Transport::characteristics);
+  ASSERT_EQ(summary.transport, TransportScheme::characteristics);
   const double half_cycle = std::numbers::pi / std::sqrt(1 - c * c / 4);
   const double exponent = rate / (c / 2 - std::log(r) / half_cycle);
-  // The bins of compare/axes.cpp: 0.05 standard deviations, divided at 1/4, 1/16 and 1/64.
+  // The bins of compare/comparison_axes.cpp: 0.05 standard deviations, divided at 1/4, 1/16 and
+  // 1/64.
   const double bin = 0.05 * 0.86;
   const auto y =
       transform::marginal(*solution.density, Variable::y,
@@ -134,7 +135,8 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   for (const double restitution : {0.6, 0.98}) {
     for (const double cubic : {0.0, 2.0}) {
       const auto p = tests::make_problem({.cubic = cubic, .restitution = restitution});
-      const auto upwind = solve(p, {.stepper = Stepper::direct, .transport = Transport::upwind});
+      const auto upwind =
+          solve(p, {.stepper = StationarySolver::direct, .transport = TransportScheme::upwind});
       const auto other = solve(p, along());
       ASSERT_EQ(upwind.solution.status, Status::ok) << upwind.solution.reason;
       ASSERT_EQ(other.solution.status, Status::ok) << other.solution.reason;
@@ -173,20 +175,21 @@ TEST(AlongCharacteristics, BoxHoldsTheTailOfImpulsesWithAMean) {
 
 TEST(Solve, ChoosesTheTransportByTheProblem) {
   const auto transport = [](const tests::Parameters& parameters) {
-    return solve(tests::make_problem(parameters), {.stepper = Stepper::direct}).summary.transport;
+    return solve(tests::make_problem(parameters), {.stepper = StationarySolver::direct})
+        .summary.transport;
   };
-  EXPECT_EQ(transport({}), Transport::upwind);
-  EXPECT_EQ(transport({.rate = 0.03}), Transport::characteristics);
-  EXPECT_EQ(transport({.restitution = 0.2}), Transport::characteristics);
+  EXPECT_EQ(transport({}), TransportScheme::upwind);
+  EXPECT_EQ(transport({.rate = 0.03}), TransportScheme::characteristics);
+  EXPECT_EQ(transport({.restitution = 0.2}), TransportScheme::characteristics);
 }
 
 TEST(Options, CharacteristicsRequireKfAndImpactMap) {
   const auto refused = [](const Options& options) {
     EXPECT_THROW(validate(options), std::exception);
   };
-  refused({.equation = Equation::km4, .transport = Transport::characteristics});
-  refused({.impact = Impact::delta, .transport = Transport::characteristics});
-  refused({.transport = Transport::characteristics, .nx = 40});
+  refused({.equation = Equation::km4, .transport = TransportScheme::characteristics});
+  refused({.impact = Impact::delta, .transport = TransportScheme::characteristics});
+  refused({.transport = TransportScheme::characteristics, .nx = 40});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct TransportSetup {
 
   // A smooth density of mass 1 inside the box.
   Eigen::VectorXd masses() const {
-    return folded_gaussian(grid, 0.4, 0.5).cwiseProduct(grid.areas());
+    return folded_gaussian(grid, 0.4, 0.5).cwiseProduct(grid.cell_areas());
   }
   Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
     return TransportOperator(characteristics, problem.impulses.law())(q, slopes(q), impacts);
@@ -37,7 +37,7 @@ struct TransportSetup {
     double sum = 0;
     for (int i = 0; i < grid.nx(); ++i) {
       for (int j = 0; j < grid.nv(); ++j) {
-        sum += m(i * grid.nv() + j) * of(grid.x1.centre(i), grid.x2.centre(j));
+        sum += m(i * grid.nv() + j) * of(grid.x1.cell_centre(i), grid.x2.cell_centre(j));
       }
     }
     return sum;
@@ -64,7 +64,7 @@ TEST(Characteristics, CoverEveryCellWithFractionsThatSumToOne) {
     const TransportSetup s(p);
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(s.grid.size());
     Eigen::VectorXd y = shares, v = shares;
-    for (const Visit& visit : s.characteristics.visits()) {
+    for (const CellVisit& visit : s.characteristics.visits()) {
       shares(visit.cell) += visit.share;
       y(visit.cell) += visit.share * visit.y;
       v(visit.cell) += visit.share * visit.v;

@@ -1,4 +1,4 @@
-#include "fd_fpk/linear/captured_exception.hpp"
+#include "fd_fpk/linear/callback_exception.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,17 +7,17 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-TEST(CapturedException, ReturnsFlagsOfCallbacks) {
-  CapturedException thrown;
+TEST(CallbackException, ReturnsFlagsOfCallbacks) {
+  CallbackException thrown;
   EXPECT_EQ(thrown.invoke([] { return 3; }), 3);
   EXPECT_NO_THROW(thrown.rethrow());
 }
 
-TEST(CapturedException, RethrowsTheFirstExceptionOnce) {
-  CapturedException thrown;
+TEST(CallbackException, RethrowsTheFirstExceptionOnce) {
+  CallbackException thrown;
   const auto callback = [](int number) { return [number]() -> int { throw number; }; };
-  EXPECT_EQ(thrown.invoke(callback(1)), CapturedException::kUnrecoverable);
-  EXPECT_EQ(thrown.invoke(callback(2)), CapturedException::kUnrecoverable);
+  EXPECT_EQ(thrown.invoke(callback(1)), CallbackException::kUnrecoverable);
+  EXPECT_EQ(thrown.invoke(callback(2)), CallbackException::kUnrecoverable);
   try {
     thrown.rethrow();
     FAIL() << "nothing was thrown";
@@ -27,8 +27,8 @@ TEST(CapturedException, RethrowsTheFirstExceptionOnce) {
   EXPECT_NO_THROW(thrown.rethrow());
 }
 
-TEST(CapturedException, RethrowsTheSameObject) {
-  CapturedException thrown;
+TEST(CallbackException, RethrowsTheSameObject) {
+  CallbackException thrown;
   const std::exception* inside = nullptr;
   thrown.invoke([&]() -> int {
     try {

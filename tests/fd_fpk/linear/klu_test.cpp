@@ -10,9 +10,9 @@ namespace {
 
 // A five-point operator with advection on a square, large enough that its dissection uses many
 // random numbers.
-SparseColumns square(int n) {
-  std::vector<Eigen::Triplet<double, SparseColumns::StorageIndex>> entries;
-  const auto at = [n](int i, int j) { return SparseColumns::StorageIndex{i} * n + j; };
+SparseColumnMatrix square(int n) {
+  std::vector<Eigen::Triplet<double, SparseColumnMatrix::StorageIndex>> entries;
+  const auto at = [n](int i, int j) { return SparseColumnMatrix::StorageIndex{i} * n + j; };
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       entries.emplace_back(at(i, j), at(i, j), 4.1);
@@ -22,7 +22,7 @@ SparseColumns square(int n) {
       if (j + 1 < n) entries.emplace_back(at(i, j), at(i, j + 1), -0.9);
     }
   }
-  SparseColumns matrix(n * n, n * n);
+  SparseColumnMatrix matrix(n * n, n * n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -33,10 +33,10 @@ struct Solved {
 };
 
 Solved solved(int n) {
-  const SparseColumns matrix = square(n);
+  const SparseColumnMatrix matrix = square(n);
   KluFactorisation klu;
-  EXPECT_TRUE(klu.factor(matrix)) << klu.failure();
-  Solved result{Eigen::VectorXd::LinSpaced(matrix.cols(), 1, 2), klu.entries()};
+  EXPECT_TRUE(klu.factorise(matrix)) << klu.failure_reason();
+  Solved result{Eigen::VectorXd::LinSpaced(matrix.cols(), 1, 2), klu.factor_entry_count()};
   klu.solve_in_place(result.x);
   return result;
 }

@@ -10,7 +10,7 @@ namespace {
 // dP/dt = -rates P, with exact solves with I + gamma rates.
 const Eigen::VectorXd kRates = Eigen::VectorXd::LinSpaced(6, 0.5, 3);
 
-LinearSystem decay() {
+LinearOdeSystem decay() {
   const auto gamma = std::make_shared<double>(0);
   return {
       .times = [](const Eigen::VectorXd& p) -> Eigen::VectorXd { return -kRates.cwiseProduct(p); },
@@ -36,14 +36,14 @@ TEST(LinearCvode, FollowsTheExactSolution) {
   LinearCvode cvode(decay(), kStart, kControl);
   for (const double time : {0.5, 2.0}) {
     const auto [flag, reached] = cvode.advance(time);
-    ASSERT_GE(flag, 0) << cvode.message();
+    ASSERT_GE(flag, 0) << cvode.error_message();
     EXPECT_EQ(reached, time);
     const Eigen::VectorXd exact = (-kRates.array() * time).exp();
     EXPECT_LT((cvode.averages() - exact).cwiseAbs().maxCoeff(), 1e-5);
   }
-  EXPECT_GT(cvode.steps(), 10);
-  EXPECT_GT(cvode.rhs_evaluations(), cvode.steps());
-  EXPECT_GT(cvode.factorisations(), 0);
+  EXPECT_GT(cvode.step_count(), 10);
+  EXPECT_GT(cvode.rhs_evaluation_count(), cvode.step_count());
+  EXPECT_GT(cvode.factorisation_count(), 0);
 }
 
 TEST(LinearCvode, StopsWithAMessageAtTheMaximumNumberOfSteps) {
@@ -51,14 +51,14 @@ TEST(LinearCvode, StopsWithAMessageAtTheMaximumNumberOfSteps) {
   control.max_steps = 5;
   LinearCvode cvode(decay(), kStart, control);
   EXPECT_LT(cvode.advance(2).flag, 0);
-  EXPECT_NE(cvode.message().find("mxstep"), std::string::npos) << cvode.message();
+  EXPECT_NE(cvode.error_message().find("mxstep"), std::string::npos) << cvode.error_message();
 }
 
 TEST(LinearCvode, AFailedFactorisationReturnsAFlag) {
-  LinearSystem system = decay();
+  LinearOdeSystem system = decay();
   system.factor = [](double) { return false; };
   LinearCvode cvode(system, kStart, kControl);
-  EXPECT_LT(cvode.step().flag, 0);
+  EXPECT_LT(cvode.take_step().flag, 0);
 }
 
 struct ThrownByTheSystem {
@@ -67,7 +67,7 @@ struct ThrownByTheSystem {
 
 // SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
 TEST(LinearCvode, ExceptionsOfCallbacksPropagate) {
-  const auto number_of = [](const LinearSystem& system) {
+  const auto number_of = [](const LinearOdeSystem& system) {
     LinearCvode cvode(system, kStart, kControl);
     try {
       cvode.advance(2);
@@ -77,7 +77,7 @@ TEST(LinearCvode, ExceptionsOfCallbacksPropagate) {
     return 0;
   };
   EXPECT_EQ(number_of(decay()), 0);
-  LinearSystem system = decay();
+  LinearOdeSystem system = decay();
   system.factor = [](double) -> bool { throw ThrownByTheSystem{1}; };
   EXPECT_EQ(number_of(system), 1);
   system = decay();

@@ -1,4 +1,4 @@
-#include "fd_fpk/linear/orderings.hpp"
+#include "fd_fpk/linear/fill_reducing_ordering.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // The five-point operator on n x n cells, times a factor.
-SparseColumns five_points(int n, double factor = 1, bool with_corner = false) {
+SparseColumnMatrix five_points(int n, double factor = 1, bool with_corner = false) {
   std::vector<Eigen::Triplet<double, std::int64_t>> entries;
   const auto cell = [n](int i, int j) { return i * n + j; };
   for (int i = 0; i < n; ++i) {
@@ -24,13 +24,13 @@ SparseColumns five_points(int n, double factor = 1, bool with_corner = false) {
     }
   }
   if (with_corner) entries.emplace_back(0, n * n - 1, factor);
-  SparseColumns matrix(n * n, n * n);
+  SparseColumnMatrix matrix(n * n, n * n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
 TEST(Ordering, IsAPermutation) {
-  auto order = ordering(five_points(31));
+  auto order = fill_reducing_ordering(five_points(31));
   ASSERT_EQ(order.size(), 31 * 31);
   std::ranges::sort(order);
   std::vector<std::int64_t> all(order.size());
@@ -40,14 +40,15 @@ TEST(Ordering, IsAPermutation) {
 
 // The ordering depends on the pattern alone, for repeated calls and for several threads.
 TEST(Ordering, DependsOnThePatternAlone) {
-  const auto order = ordering(five_points(30));
-  EXPECT_EQ(ordering(five_points(30, 7)), order);
-  EXPECT_NE(ordering(five_points(30, 1, true)), order);
-  EXPECT_NE(ordering(five_points(29)).size(), order.size());
+  const auto order = fill_reducing_ordering(five_points(30));
+  EXPECT_EQ(fill_reducing_ordering(five_points(30, 7)), order);
+  EXPECT_NE(fill_reducing_ordering(five_points(30, 1, true)), order);
+  EXPECT_NE(fill_reducing_ordering(five_points(29)).size(), order.size());
   std::vector<std::vector<std::int64_t>> found(4);
   {
     std::vector<std::jthread> threads;
-    for (auto& one : found) threads.emplace_back([&one] { one = ordering(five_points(30, 2)); });
+    for (auto& one : found)
+      threads.emplace_back([&one] { one = fill_reducing_ordering(five_points(30, 2)); });
   }
   for (const auto& one : found) EXPECT_EQ(one, order);
 }

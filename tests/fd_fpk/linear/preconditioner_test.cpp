@@ -13,7 +13,8 @@ namespace {
 class Preconditioners : public testing::Test {
  protected:
   Preconditioner made() const {
-    return {problem_.system, loss_, on_.excitation, options_.impact, on_.grid, order_of(options_)};
+    return {problem_.system, loss_,    on_.excitation,
+            options_.impact, on_.grid, transport_order(options_)};
   }
   Eigen::VectorXd solved(const Preconditioner& preconditioner) const {
     Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(on_.grid.size(), -1, 2);
@@ -33,9 +34,9 @@ TEST_F(Preconditioners, KeepTheStationaryFactorsForStepsOfManyDecayTimes) {
   constexpr double kDecayTimes = 200;
   Preconditioner kept = made(), fresh = made();
   ASSERT_TRUE(kept.factor_stationary());
-  ASSERT_TRUE(kept.factor(kDecayTimes / loss_));
-  ASSERT_TRUE(fresh.factor(kDecayTimes / loss_));
-  EXPECT_EQ(kept.factorisations(), 1);
+  ASSERT_TRUE(kept.factorise(kDecayTimes / loss_));
+  ASSERT_TRUE(fresh.factorise(kDecayTimes / loss_));
+  EXPECT_EQ(kept.factorisation_count(), 1);
   const Eigen::VectorXd exact = solved(fresh), near = solved(kept);
   EXPECT_LT((near - exact).norm(), 3 / kDecayTimes * exact.norm());
   EXPECT_GT((near - exact).norm(), 0);
@@ -45,14 +46,14 @@ TEST_F(Preconditioners, FactorAgainForShortStepsAndAfterThem) {
   Preconditioner used = made(), fresh = made();
   ASSERT_TRUE(used.factor_stationary());
   const Eigen::VectorXd stationary = solved(used);
-  ASSERT_TRUE(used.factor(100 / loss_));
-  ASSERT_TRUE(used.factor(0.1 / loss_));
-  ASSERT_TRUE(fresh.factor(0.1 / loss_));
-  EXPECT_EQ(used.factorisations(), 2);
+  ASSERT_TRUE(used.factorise(100 / loss_));
+  ASSERT_TRUE(used.factorise(0.1 / loss_));
+  ASSERT_TRUE(fresh.factorise(0.1 / loss_));
+  EXPECT_EQ(used.factorisation_count(), 2);
   EXPECT_LT((solved(used) - solved(fresh)).norm(), 1e-10 * solved(fresh).norm());
   // The stationary factors have been replaced.
-  ASSERT_TRUE(used.factor(100 / loss_));
-  EXPECT_EQ(used.factorisations(), 3);
+  ASSERT_TRUE(used.factorise(100 / loss_));
+  EXPECT_EQ(used.factorisation_count(), 3);
   ASSERT_TRUE(used.factor_stationary());
   EXPECT_LT((solved(used) - stationary).norm(), 1e-10 * stationary.norm());
 }

@@ -31,9 +31,9 @@ Rates rates(const Problem& given, Impact impact, double origin_refinement,
   const Discretisation on = discretise(p, options, initial_box(p, scales, options));
   const auto op = fokker_planck_operator(p, options, on);
   Preconditioner preconditioner(p, on.excitation, impact, on.grid);
-  const auto found = null_vector(op, preconditioner, gaussian_start(on.grid, p, scales)).averages;
+  const auto found = null_vector(op, preconditioner, initial_gaussian(on.grid, p, scales)).averages;
   if (!found) return {NAN, NAN};
-  const int order = order_of(options);
+  const int order = transport_order(options);
   return {
       .stated = impact_rate(p.system, on.excitation, impact, on.grid, *found, op * *found, order),
       .flux = flux_into_walls(p.system, on.grid, *found, order)};
@@ -83,13 +83,13 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
     const auto scales = problem::scales(p);
     const Discretisation on = discretise(p, options, initial_box(p, scales, options));
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(on.grid.size(), 0, 1).array().sin() + 0.3;
-    Eigen::VectorXd averages = gaussian_start(on.grid, p, scales).cwiseProduct(x);
+    Eigen::VectorXd averages = initial_gaussian(on.grid, p, scales).cwiseProduct(x);
     if (mirrored) {
-      averages = gaussian_start(on.grid, p, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
+      averages = initial_gaussian(on.grid, p, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
     }
     const auto op = fokker_planck_operator(p, options, on);
     return impact_rate(p.system, on.excitation, Impact::map, on.grid, averages, op * averages,
-                       order_of(options));
+                       transport_order(options));
   };
   const double one = rate(both, false);
   EXPECT_GT(one, 0);

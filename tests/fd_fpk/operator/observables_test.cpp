@@ -58,7 +58,8 @@ TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const auto of = [&](double velocity_deviation) {
     const auto averages = folded_gaussian(grid, s, velocity_deviation);
-    return balance_residuals(p, grid, averages, 5, momentum_at_walls(p.system, grid, averages, 5));
+    return balance_residuals(p, grid, averages, 5,
+                             wall_momentum_transfer(p.system, grid, averages, 5));
   };
   EXPECT_NEAR(*of(w).virial, 0, 1e-6);
   EXPECT_NEAR(*of(w).momentum, 0, 1e-5);

@@ -45,19 +45,19 @@ Problem with_every_term(const problem::WallParameters& walls) {
 }
 
 Grid grid_of(const System& system, double left, double right, double v_max, int nx, int nv) {
-  if (system.left()) left = system.left()->position;
-  if (system.right()) right = system.right()->position;
+  if (system.left_wall()) left = system.left_wall()->position;
+  if (system.right_wall()) right = system.right_wall()->position;
   std::vector<double> x1, x2;
   for (int f = 0; f <= nx; ++f) x1.push_back(left + f * (right - left) / nx);
   for (int f = 0; f <= nv / 2; ++f) x2.push_back(f * v_max / (nv / 2));
-  return symmetric_grid(x1, x2, system.left() ? EndCondition::boundary : EndCondition::vacuum,
-                        system.right() ? EndCondition::boundary : EndCondition::vacuum);
+  return symmetric_grid(x1, x2, system.left_wall() ? EndCondition::boundary : EndCondition::vacuum,
+                        system.right_wall() ? EndCondition::boundary : EndCondition::vacuum);
 }
 
 std::vector<Excitation> excitations(const Problem& p, const Grid& grid) {
-  std::vector<Excitation> all{white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
-                              kramers_moyal_pade(p.impulses, grid.x2, 6),
-                              jumps(p.impulses, grid.x2)};
+  std::vector<Excitation> all{
+      white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
+      kramers_moyal_pade_excitation(p.impulses, grid.x2, 6), jump_excitation(p.impulses, grid.x2)};
   for (Excitation& e : all) e.diffusion += p.noise.diffusion();
   return all;
 }
@@ -76,7 +76,7 @@ TEST(OperatorOfGeneralOscillator, KeepsTheMassOnEveryDomain) {
     for (const int order : {3, 4, 5, 7}) {
       for (const Excitation& e : excitations(p, grid)) {
         const auto op = fokker_planck_operator(p.system, e, Impact::map, grid, order);
-        EXPECT_LT(op.leak(), 1e-10) << name << " " << order;
+        EXPECT_LT(op.max_mass_loss_rate(), 1e-10) << name << " " << order;
       }
     }
   }
@@ -87,13 +87,13 @@ TEST(OperatorOfGeneralOscillator, KeepsTheMassOnEveryDomain) {
 TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
-    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right() ? 24 : 80, 120);
+    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
     Eigen::VectorXd averages = three_point_averages(grid, bump);
-    averages /= grid.areas().dot(averages);
+    averages /= grid.cell_areas().dot(averages);
     for (const Excitation& e : excitations(p, grid)) {
       const auto op = fokker_planck_operator(p.system, e, Impact::map, grid, 5);
       const double rate = mean_energy(p.system, grid, op * averages, 5);
-      const auto [input, dissipated] = problem::power(
+      const auto [input, dissipated] = problem::power_balance(
           p, Impact::map, energy_terms(p.system, moments(grid, averages, 5), grid, averages, 5));
       EXPECT_GT(std::abs(dissipated), 0.05);
       EXPECT_NEAR(rate, input - dissipated, 5e-4) << name;
@@ -106,20 +106,21 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
 TEST(OperatorOfGeneralOscillator, MovesTheMeanVelocityByForcesImpulsesAndImpacts) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
-    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right() ? 24 : 80, 120);
+    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
     Eigen::VectorXd averages = three_point_averages(grid, bump);
-    averages /= grid.areas().dot(averages);
+    averages /= grid.cell_areas().dot(averages);
     const auto mean = [&](const auto& g) {
-      return grid.areas().dot(three_point_averages(grid, [&](double x, double v) {
+      return grid.cell_areas().dot(three_point_averages(grid, [&](double x, double v) {
         return g(x, v) * bump(x, v);
-      })) / grid.areas().dot(three_point_averages(grid, bump));
+      })) / grid.cell_areas().dot(three_point_averages(grid, bump));
     };
     const auto& system = p.system;
     double expected = -mean([&](double x, double v) {
-      return system.force()(x) + system.damping_polynomial()(x) * v + system.rayleigh() * v * v * v;
-    }) + p.impulses.rate_moment(1);
-    if (system.left()) expected += 1.7 * impact_flux(grid, averages, 5, 2);
-    if (system.right()) expected -= 1.85 * impact_flux(grid, averages, 5, 2, End::right);
+      return system.restoring_force()(x) + system.damping_polynomial()(x) * v +
+             system.rayleigh_coefficient() * v * v * v;
+    }) + p.impulses.rate_times_moment(1);
+    if (system.left_wall()) expected += 1.7 * impact_flux(grid, averages, 5, 2);
+    if (system.right_wall()) expected -= 1.85 * impact_flux(grid, averages, 5, 2, AxisEnd::right);
     const auto op =
         fokker_planck_operator(system, excitations(p, grid).back(), Impact::map, grid, 5);
     EXPECT_NEAR(moments(grid, op * averages, 5).v1, expected, 3e-4) << name;
@@ -129,7 +130,7 @@ TEST(OperatorOfGeneralOscillator, MovesTheMeanVelocityByForcesImpulsesAndImpacts
 TEST(OperatorOfGeneralOscillator, FluxIntoTheRightWallUsesPositiveVelocitiesAlone) {
   const System system({.stiffness = 1}, kDomains[2].walls);
   const Grid grid = grid_of(system, 0, 2, 3, 20, 30);
-  const AxisOperator flux(wall_flux(grid, 5, End::right));
+  const AxisOperator flux(wall_flux_matrix(grid, 5, AxisEnd::right));
   for (int speed = 0; speed < flux.rows(); ++speed) {
     for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
       EXPECT_GE(entry.col() % grid.nv(), grid.nv() / 2);
@@ -171,7 +172,7 @@ TEST(OperatorOfGeneralOscillator, AnnihilatesExactDensitiesToItsOrder) {
           grid_of(p.system, one.left, one.right, one.v_max, cells, 2 * (7 * cells / 8));
       Excitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
       const auto op = fokker_planck_operator(p.system, noise, Impact::map, grid, order);
-      return grid.areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
+      return grid.cell_areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
     };
     for (const int order : {3, 5}) {
       const double coarse = residual(40, order), middle = residual(56, order),

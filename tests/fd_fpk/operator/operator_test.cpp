@@ -20,14 +20,15 @@ TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
     const Grid grid = make_grid(20, 30, 3.0, 3.0, {0.5, 0.2}, {0.5, 0.3});
     for (const int order : {3, 4, 5, 6}) {
       for (const Excitation& e :
-           {white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
-            kramers_moyal_pade(p.impulses, grid.x2, 6), jumps(p.impulses, grid.x2)}) {
+           {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
+            kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
+            jump_excitation(p.impulses, grid.x2)}) {
         for (const Impact impact : {Impact::map, Impact::delta}) {
           const auto op = fokker_planck_operator(p.system, e, impact, grid, order);
-          EXPECT_LT(op.leak(), 1e-10) << r << " " << order;
-          // leak() against the assembled matrix.
-          const Eigen::RowVectorXd sums = grid.areas().transpose() * op.assembled();
-          EXPECT_LT(sums.cwiseAbs().maxCoeff(), 1e-10 * grid.areas().maxCoeff());
+          EXPECT_LT(op.max_mass_loss_rate(), 1e-10) << r << " " << order;
+          // max_mass_loss_rate() against the assembled matrix.
+          const Eigen::RowVectorXd sums = grid.cell_areas().transpose() * op.assembled_matrix();
+          EXPECT_LT(sums.cwiseAbs().maxCoeff(), 1e-10 * grid.cell_areas().maxCoeff());
         }
       }
     }
@@ -39,11 +40,11 @@ TEST(Operator, AnnihilatesTheExactWhiteNoiseDensityToItsOrder) {
   const exact::WhiteNoiseDensity exact(p);
   const auto residual = [&](int cells, int order) {
     const Grid grid = make_grid(cells, 2 * cells, 4.5, 5.0);
-    const auto op =
-        fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, order);
+    const auto op = fokker_planck_operator(p.system, white_noise_excitation(p.impulses),
+                                           Impact::map, grid, order);
     const auto averages =
         three_point_averages(grid, [&](double x, double v) { return 2 * exact(x, v); });
-    return grid.areas().dot((op * averages).cwiseAbs());
+    return grid.cell_areas().dot((op * averages).cwiseAbs());
   };
   for (const int order : {3, 4, 5}) {
     const double coarse = residual(36, order), middle = residual(54, order),
@@ -70,17 +71,18 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
       return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
     };
     Eigen::VectorXd averages = three_point_averages(grid, density);
-    averages /= grid.areas().dot(averages);
+    averages /= grid.cell_areas().dot(averages);
     const int order = 5;
     for (const Excitation& e :
-         {white_noise(p.impulses), kramers_moyal(p.impulses, grid.x2, 0.4),
-          kramers_moyal_pade(p.impulses, grid.x2, 6), jumps(p.impulses, grid.x2)}) {
+         {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
+          kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
+          jump_excitation(p.impulses, grid.x2)}) {
       const auto op = fokker_planck_operator(p.system, e, Impact::map, grid, order);
       const Eigen::VectorXd rate = op * averages;
       const double d_energy = mean_energy(p.system, grid, rate, order);
       const transform::Moments m = moments(grid, averages, order);
-      const double power = p.impulses.rate_moment(2) / 2 + p.impulses.rate_moment(1) * m.v1 -
-                           p.system.damping() * m.v2 -
+      const double power = p.impulses.rate_times_moment(2) / 2 +
+                           p.impulses.rate_times_moment(1) * m.v1 - p.system.damping() * m.v2 -
                            (1 - r * r) / 2 * impact_flux(grid, averages, order, 3);
       EXPECT_NEAR(d_energy, power, 4e-4) << "r = " << r;
     }
@@ -91,7 +93,7 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
 // after the impact.
 TEST(Operator, FluxIntoTheWallUsesVelocitiesTowardsItAlone) {
   const Grid grid = make_grid(20, 30, 3.0, 3.0);
-  const AxisOperator flux(wall_flux(grid, 5));
+  const AxisOperator flux(wall_flux_matrix(grid, 5));
   for (int speed = 0; speed < flux.rows(); ++speed) {
     for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
       EXPECT_LT(entry.col() % grid.nv(), grid.nv() / 2);
@@ -121,12 +123,13 @@ TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
     return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
   Eigen::VectorXd averages = three_point_averages(grid, density);
-  averages /= grid.areas().dot(averages);
+  averages /= grid.cell_areas().dot(averages);
   const auto op =
-      fokker_planck_operator(p.system, jumps(p.impulses, grid.x2), Impact::map, grid, 5);
-  const double force = mean(grid, density, [&](double x, double) { return p.system.force()(x); });
+      fokker_planck_operator(p.system, jump_excitation(p.impulses, grid.x2), Impact::map, grid, 5);
+  const double force =
+      mean(grid, density, [&](double x, double) { return p.system.restoring_force()(x); });
   EXPECT_NEAR(moments(grid, op * averages, 5).v1,
-              -0.1 * moments(grid, averages, 5).v1 - force + p.impulses.rate_moment(1) +
+              -0.1 * moments(grid, averages, 5).v1 - force + p.impulses.rate_times_moment(1) +
                   1.7 * impact_flux(grid, averages, 5, 2),
               1e-4);
 }
@@ -139,8 +142,9 @@ TEST(Operator, MovesTheDisplacementByTheVelocity) {
     return x * x * std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
   Eigen::VectorXd averages = three_point_averages(grid, density);
-  averages /= grid.areas().dot(averages);
-  const auto op = fokker_planck_operator(p.system, white_noise(p.impulses), Impact::map, grid, 5);
+  averages /= grid.cell_areas().dot(averages);
+  const auto op =
+      fokker_planck_operator(p.system, white_noise_excitation(p.impulses), Impact::map, grid, 5);
   EXPECT_NEAR(moments(grid, op * averages, 5).y2,
               2 * mean(grid, density, [](double x, double v) { return x * v; }), 1e-5);
 }

@@ -1,4 +1,4 @@
-#include "fd_fpk/operator/resolution.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,11 +20,13 @@ TEST(Resolution, AcceptsValuesUpToTheLimitsOfEitherSign) {
   EXPECT_TRUE(kStationaryLimits.is_density_accepted(0.99 * kStationaryLimits.min_density));
   EXPECT_FALSE(kStationaryLimits.is_density_accepted(1.01 * kStationaryLimits.min_density));
   for (const double sign : {-1, 1}) {
-    EXPECT_TRUE(kStationaryLimits.is_imbalance_accepted(sign * 0.99 * kStationaryLimits.power));
-    EXPECT_FALSE(kStationaryLimits.is_imbalance_accepted(sign * 1.01 * kStationaryLimits.power));
+    EXPECT_TRUE(
+        kStationaryLimits.is_power_residual_accepted(sign * 0.99 * kStationaryLimits.power));
+    EXPECT_FALSE(
+        kStationaryLimits.is_power_residual_accepted(sign * 1.01 * kStationaryLimits.power));
   }
   EXPECT_FALSE(kStationaryLimits.is_density_accepted(kNotANumber));
-  EXPECT_FALSE(kStationaryLimits.is_imbalance_accepted(kNotANumber));
+  EXPECT_FALSE(kStationaryLimits.is_power_residual_accepted(kNotANumber));
 }
 
 TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {

@@ -16,9 +16,10 @@ Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
     for (int j = 0; j < grid.nv(); ++j) {
       for (int a = -1; a <= 1; ++a) {
         for (int b = -1; b <= 1; ++b) {
-          averages(i * grid.nv() + j) += weight[a + 1] * weight[b + 1] *
-                                         f(grid.x1.centre(i) + a * node * grid.x1.width(i),
-                                           grid.x2.centre(j) + b * node * grid.x2.width(j));
+          averages(i * grid.nv() + j) +=
+              weight[a + 1] * weight[b + 1] *
+              f(grid.x1.cell_centre(i) + a * node * grid.x1.cell_width(i),
+                grid.x2.cell_centre(j) + b * node * grid.x2.cell_width(j));
         }
       }
     }

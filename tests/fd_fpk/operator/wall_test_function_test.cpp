@@ -22,7 +22,7 @@ TEST(WallTestFunction, HasTheSlopeOfItsIntegral) {
       return (s + x) / 3 * std::exp(-x * (3 * s * s + 3 * s * x + x * x) / 9);
     };
     const double slope = Quadrature::integrate(integrand, 0.0, 60.0, 15, 1e-13);
-    EXPECT_NEAR(f.slope(1 / kDiffusion, s), slope, 1e-9) << s;
+    EXPECT_NEAR(f.velocity_derivative(1 / kDiffusion, s), slope, 1e-9) << s;
   }
 }
 
@@ -32,13 +32,17 @@ TEST(WallTestFunction, SolvesItsEquation) {
   constexpr double kStep = 1e-3;
   for (const double y : {0.3, 2.0}) {
     for (const double v : {-20.0, -3.0, -0.4, 0.0, 0.7, 4.0, 20.0}) {
-      const double h_vv = (h.slope(y, v + kStep) - h.slope(y, v - kStep)) / (2 * kStep);
+      const double h_vv =
+          (h.velocity_derivative(y, v + kStep) - h.velocity_derivative(y, v - kStep)) / (2 * kStep);
       const double h_y = (h(y + kStep * y, v) - h(y - kStep * y, v)) / (2 * kStep * y);
-      EXPECT_NEAR(kDiffusion * h_vv + v * h_y, kForce * f.slope(y, v), 2e-6) << y << " " << v;
+      EXPECT_NEAR(kDiffusion * h_vv + v * h_y, kForce * f.velocity_derivative(y, v), 2e-6)
+          << y << " " << v;
       const double h_v = (h(y, v + kStep) - h(y, v - kStep)) / (2 * kStep);
-      EXPECT_NEAR(h_v, h.slope(y, v), 1e-6) << y << " " << v;
+      EXPECT_NEAR(h_v, h.velocity_derivative(y, v), 1e-6) << y << " " << v;
       const double force = 2.1;
-      EXPECT_NEAR(h.remainder(y, v, force), force * h.slope(y, v) - kForce * f.slope(y, v), 1e-12);
+      EXPECT_NEAR(h.backward_remainder(y, v, force),
+                  force * h.velocity_derivative(y, v) - kForce * f.velocity_derivative(y, v),
+                  1e-12);
     }
   }
 }

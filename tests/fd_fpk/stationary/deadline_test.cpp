@@ -6,8 +6,8 @@
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
-#include "fd_fpk/stationary/one_grid.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
+#include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -25,7 +25,7 @@ TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
 TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
   const auto p = tests::paper_case(1);
   const ScalesAndBox scales_and_box{.scales = problem::scales(p)};
-  const Options direct{.stepper = Stepper::direct};
+  const Options direct{.stepper = StationarySolver::direct};
   const Deadline over(0);
   for (const auto& late : {solve_on_one_grid(p, scales_and_box, direct, over).solution,
                            solve_along_characteristics(p, scales_and_box.scales, {}, over).solution,
@@ -43,13 +43,13 @@ TEST(SolveDeadline, AStepIsAborted) {
   const auto op = fokker_planck_operator(p, options, on);
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);
-    return march_to_stationarity(op, preconditioner, gaussian_start(on.grid, p), 1e-10, 20,
+    return march_to_stationarity(op, preconditioner, initial_gaussian(on.grid, p), 1e-10, 20,
                                  Deadline(seconds));
   };
-  const March late = march(0);
+  const PseudoTransientResult late = march(0);
   EXPECT_TRUE(late.out_of_time);
   EXPECT_EQ(late.steps, 0);
-  const March in_time = march(HUGE_VAL);
+  const PseudoTransientResult in_time = march(HUGE_VAL);
   EXPECT_FALSE(in_time.out_of_time);
   EXPECT_GT(in_time.steps, 1);
   EXPECT_LE(in_time.residual, 1e-10);

@@ -69,12 +69,12 @@ TEST(ErrorEstimate, IgnoresAnImplausibleObservedOrder) {
   EXPECT_GT(error.observed_order, 13);
   EXPECT_GE(error.y_l1, 8 * 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
   EXPECT_GE(error.moments.y2, 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
-  EXPECT_FALSE(error.has_limit);
+  EXPECT_FALSE(error.has_richardson_limit);
   // Cancellation of errors may raise the observed order slightly above that of the scheme.
   const auto cancelling = estimate_error(on_grid(0.001 * std::pow(2, 6.5)),
                                          on_grid(0.001 * std::pow(2, 3.25)), on_grid(0.001), 5);
   EXPECT_NEAR(cancelling.observed_order, 6.5, 0.5);
-  EXPECT_TRUE(cancelling.has_limit);
+  EXPECT_TRUE(cancelling.has_richardson_limit);
 }
 
 // A rate whose differences decrease with the order 1.4 of a singularity, beside marginals of order
@@ -91,8 +91,8 @@ TEST(ErrorEstimate, HasTheSizeOfTheTrueError) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const exact::LinearDensity exact(p);
   for (const double refinement : {0.8, 1.2}) {
-    const auto [solution, summary] =
-        solve(p, {.stepper = Stepper::direct, .refinement = refinement, .error_estimate = true});
+    const auto [solution, summary] = solve(
+        p, {.stepper = StationarySolver::direct, .refinement = refinement, .error_estimate = true});
     ASSERT_TRUE(summary.error.has_value());
     const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
@@ -111,7 +111,8 @@ TEST(ErrorEstimate, AToleranceSelectsASufficientGridAndNotAMuchFinerOne) {
   const exact::LinearDensity exact(p);
   int cells_before = 0;
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
-    const auto [solution, summary] = solve(p, {.stepper = Stepper::direct, .tolerance = tolerance});
+    const auto [solution, summary] =
+        solve(p, {.stepper = StationarySolver::direct, .tolerance = tolerance});
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
@@ -132,7 +133,7 @@ TEST(ErrorEstimate, IncludesTheTruncationOfMomentsByTheBox) {
   for (const tests::Parameters& parameters :
        {tests::Parameters{.restitution = 0.9, .rate = 0.3}, tests::Parameters{.law = "laplace"}}) {
     const auto p = tests::make_problem(parameters);
-    Options options{.stepper = Stepper::direct, .transport = Transport::upwind};
+    Options options{.stepper = StationarySolver::direct, .transport = TransportScheme::upwind};
     const auto solution = solve(p, options).solution;
     ASSERT_TRUE(solution.error) << solution.reason;
     options.wall_density = 1e-10;
@@ -152,7 +153,7 @@ TEST(ErrorEstimate, AToleranceWidensTheBoxForTheSecondMoments) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .rate = 0.3, .law = "laplace"});
   const double tolerance = 1e-4;
   const auto [solution, summary] =
-      solve(p, {.stepper = Stepper::direct, .max_seconds = 600, .tolerance = tolerance});
+      solve(p, {.stepper = StationarySolver::direct, .max_seconds = 600, .tolerance = tolerance});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
   EXPECT_LT(std::abs(solution.moments.y2 - y2), tolerance * y2);
@@ -183,7 +184,7 @@ TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
     std::vector<Options> requests;
     const auto result =
         solve_to_tolerance(solver_of_order(order, requests),
-                           {.stepper = Stepper::direct, .tolerance = 5e-3}, kNoDeadline);
+                           {.stepper = StationarySolver::direct, .tolerance = 5e-3}, kNoDeadline);
     EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     EXPECT_EQ(result.summary.origin_refinement > 1, order < 2) << order;
     EXPECT_LE(result.summary.error->y_l1, 5e-3);
@@ -196,21 +197,22 @@ TEST(ErrorEstimate, ExtrapolationGivesTheLimitOfAManufacturedSequence) {
   const std::vector<double> edges{0, 1, 2, 3, 4};
   std::vector<Options> requests;
   for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(3e-3)}) {
-    for (const auto stepper : {Stepper::direct, Stepper::cvode}) {
+    for (const auto stepper : {StationarySolver::direct, StationarySolver::cvode}) {
       const Options options{
           .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
       const auto solve_one = solver_of_order(4, requests);
       const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoDeadline).solution
                                       : solve_with_error_estimate(solve_one, options).solution;
       const auto fine = transform::marginal(solution, Variable::y, edges);
-      const auto limit = transform::limit_marginal(solution, Variable::y, edges);
+      const auto limit = transform::richardson_limit_marginal(solution, Variable::y, edges);
       for (std::size_t k = 0; k < limit.size(); ++k) {
         EXPECT_GT(std::abs(fine.density[k] - 0.25), 1e-5);
         EXPECT_NEAR(limit.density[k], 0.25, 1e-12);
       }
     }
   }
-  EXPECT_THROW(transform::limit_marginal(wave(0.1), Variable::y, edges), std::logic_error);
+  EXPECT_THROW(transform::richardson_limit_marginal(wave(0.1), Variable::y, edges),
+               std::logic_error);
 }
 
 // Slowly decreasing differences determine the size of the error, but no limit.
@@ -219,7 +221,7 @@ TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
     std::vector<Options> requests;
     const auto solution =
         solve_with_error_estimate(solver_of_order(order, requests),
-                                  {.stepper = Stepper::direct, .error_estimate = true})
+                                  {.stepper = StationarySolver::direct, .error_estimate = true})
             .solution;
     EXPECT_EQ(solution.extrapolation.has_value(), order > transform::kMinOrderForLimit) << order;
   }
@@ -233,9 +235,9 @@ TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
       result.solution.status = Status::ok;
       return result;
     };
-    const auto solution =
-        solve_with_error_estimate(solve_one, {.stepper = Stepper::direct, .error_estimate = true})
-            .solution;
+    const auto solution = solve_with_error_estimate(solve_one, {.stepper = StationarySolver::direct,
+                                                                .error_estimate = true})
+                              .solution;
     EXPECT_EQ(solution.status, amplitude < 0.001 ? Status::ok : Status::inaccurate);
   }
 }
@@ -244,7 +246,7 @@ TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
 // this test take no time.
 TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   constexpr double kSeconds = 10;
-  const auto levels_from = [&](int cells, Transport transport) {
+  const auto levels_from = [&](int cells, TransportScheme transport) {
     std::vector<double> refinements;
     const auto solve_one = [&](const Options& options) {
       refinements.push_back(options.refinement);
@@ -262,9 +264,9 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
     EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
     return std::lround(2 * std::log2(result.summary.refinement));
   };
-  EXPECT_EQ(levels_from(3000, Transport::upwind), 2);
-  EXPECT_EQ(levels_from(5000, Transport::upwind), 0);
-  EXPECT_EQ(levels_from(5000, Transport::characteristics), 2);
+  EXPECT_EQ(levels_from(3000, TransportScheme::upwind), 2);
+  EXPECT_EQ(levels_from(5000, TransportScheme::upwind), 0);
+  EXPECT_EQ(levels_from(5000, TransportScheme::characteristics), 2);
 }
 
 // The first graded grid gives no density: the result of the uniform grids is returned.
@@ -281,8 +283,8 @@ TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
     }
     return result;
   };
-  const auto result =
-      solve_to_tolerance(solve_one, {.stepper = Stepper::direct, .tolerance = 1e-4}, kNoDeadline);
+  const auto result = solve_to_tolerance(
+      solve_one, {.stepper = StationarySolver::direct, .tolerance = 1e-4}, kNoDeadline);
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
   EXPECT_NE(result.solution.reason.find("error estimate 8"), std::string::npos)
@@ -291,8 +293,9 @@ TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
 
 TEST(ErrorEstimate, TheDeadlineEndsTheSearchForATolerance) {
   std::vector<Options> requests;
-  const auto result = solve_to_tolerance(
-      solver_of_order(4, requests), {.stepper = Stepper::direct, .tolerance = 1e-9}, Deadline(0));
+  const auto result =
+      solve_to_tolerance(solver_of_order(4, requests),
+                         {.stepper = StationarySolver::direct, .tolerance = 1e-9}, Deadline(0));
   EXPECT_EQ(requests.size(), 1u);  // one solution at any time limit
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
@@ -310,8 +313,9 @@ TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
 
 TEST(ErrorEstimate, AnUnattainableToleranceIsNotConvergedAndStatesItsEstimate) {
   std::vector<Options> requests;
-  const auto [solution, summary] = solve_to_tolerance(
-      solver_of_order(5, requests), {.stepper = Stepper::direct, .tolerance = 1e-12}, kNoDeadline);
+  const auto [solution, summary] =
+      solve_to_tolerance(solver_of_order(5, requests),
+                         {.stepper = StationarySolver::direct, .tolerance = 1e-12}, kNoDeadline);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("requested 1.0e-12"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("too many cells"), std::string::npos) << solution.reason;
@@ -326,11 +330,11 @@ TEST(ErrorEstimate, AToleranceExcludesCellNumbers) {
 // Grids with the same cells have equal solutions, whose difference would not measure the error.
 TEST(ErrorEstimate, IsAbsentForLevelsWithTheSameCells) {
   const auto p = tests::paper_case(1);
-  const auto coarsest = solve(p, {.stepper = Stepper::direct, .refinement = 0.01});
+  const auto coarsest = solve(p, {.stepper = StationarySolver::direct, .refinement = 0.01});
   EXPECT_NE(coarsest.solution.status, transform::Status::ok);
-  const auto coarse = solve(p, {.stepper = Stepper::direct, .refinement = 0.3});
+  const auto coarse = solve(p, {.stepper = StationarySolver::direct, .refinement = 0.3});
   ASSERT_TRUE(coarse.solution.error);
-  const auto fine = solve(p, {.stepper = Stepper::direct});
+  const auto fine = solve(p, {.stepper = StationarySolver::direct});
   EXPECT_GT(coarse.solution.error->moments.y2,
             0.5 * std::abs(coarse.solution.moments.y2 - fine.solution.moments.y2));
 }

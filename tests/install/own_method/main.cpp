@@ -26,13 +26,13 @@ struct Options {
 const base::Description<Options>& description() {
   static const auto description = base::Description<Options>("linear ").add(
       "widths", &Options::widths, {"N", "half-width of the box in standard deviations"},
-      base::between(5, 20));
+      base::closed_interval(5, 20));
   return description;
 }
 
 void validate(const Options& options) { description().validate(options); }
 
-transform::Identity identity(const Options&) {
+transform::SolutionIdentity identity(const Options&) {
   return {.id = "linear",
           .method = "linear",
           .equation = problem::Equation::white,
@@ -65,11 +65,11 @@ methods::Solver linear_solver() {
                         .summary = "the Gaussian density of equivalent linearisation",
                         .usage = "usage: own_method linear CASE ... [options]\n",
                         .families = {{.name = "linear",
-                                      .role = transform::Role::closure,
+                                      .role = transform::SolutionRole::closure,
                                       .meaning = "Gaussian density of equivalent linearisation.",
                                       .default_ids = {"linear"},
                                       .plot_style =
-                                          [](const transform::Identity&) {
+                                          [](const transform::SolutionIdentity&) {
                                             return transform::PlotStyle{.colour = "#808000"};
                                           }}},
                         .option_descriptions = nullptr,

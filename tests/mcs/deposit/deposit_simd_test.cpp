@@ -27,7 +27,7 @@ TEST(DepositLanes, AcceptsNonfiniteAndDistantStates) {
                           .y_bins = {.first = -0.2, .spacing = 0.2, .count = 24},
                           .v_bins = {.first = -6, .spacing = 0.4, .count = 31}},
                          3, 0.25);
-  Deposit deposit(plan.grid);
+  DepositedSums deposit(plan.grid);
   for (const double x : {kNan, -kNan, kInfinity, -kInfinity, 1e300, -1e300}) {
     EXPECT_EQ(evaluate_splines(plan.y, x).first, x > 0 ? 15 : 0) << x;
     deposit_sample(plan, deposit, 1, x, 1, 1);

@@ -60,7 +60,7 @@ std::vector<double> power_coefficients(const std::vector<double>& knots, int pow
 }
 
 /// sum c_i c_j of the flow, and of the lattice with the values (K v^q)(v) on it.
-double applied(const DepositGrid& g, const Deposit& d, int p, int q,
+double applied(const DepositGrid& g, const DepositedSums& d, int p, int q,
                const std::function<double(double)>& after_impulse) {
   const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
   double sum = 0;
@@ -82,9 +82,9 @@ struct Tally {
   int p, q;
   double variance;
   double until_sample = kInterval / 2, sum = 0, v_before = 0, restitution;
-  void flight(const Flight& flight, double duration) {
+  void on_flight(const Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
-      const auto [y, v] = flight.at(until_sample);
+      const auto [y, v] = flight.state_at_time(until_sample);
       const double a = flight.polynomial_acceleration(until_sample);
       if (p > 0) sum += v * p * std::pow(y, p - 1) * std::pow(v, q);
       if (q > 0) sum += a * std::pow(y, p) * q * std::pow(v, q - 1);
@@ -94,10 +94,10 @@ struct Tally {
     }
     until_sample -= duration;
   }
-  void impact(double v) {
+  void on_impact(double v) {
     if (p == 0) sum += (std::pow(-restitution * v, q) - std::pow(v, q)) / kInterval;
   }
-  void impulse(double, double) {}
+  void on_impulse(double, double) {}
 };
 
 struct Setting {
@@ -108,7 +108,7 @@ struct Setting {
 
   Stream advanced(std::uint32_t s, const simd::CodeVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
-    const Impulse first = source.next();
+    const Impulse first = source.next_impulse();
     Stream stream{.branch = {.y = 0.3,
                              .v = 1 - 0.2 * s,
                              .until_impulse = first.waiting,
@@ -117,7 +117,7 @@ struct Setting {
                              .remaining = 0},
                   .source = source,
                   .record = StreamRecord(y, v)};
-    stream.record.deposit = Deposit(plan.grid);
+    stream.record.deposit = DepositedSums(plan.grid);
     std::vector<Stream> copies(static_cast<std::size_t>(lanes.width), stream);
     std::vector<Stream*> all;
     for (Stream& copy : copies) all.push_back(&copy);
@@ -132,11 +132,11 @@ struct Setting {
   }
 };
 
-TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
+TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, simd::available_variants().back());
+    const Stream stream = setting.advanced(s, simd::available_code_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
@@ -153,13 +153,15 @@ TEST(Deposit, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   }
 }
 
-TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
+TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
   // The two-point law has the same moments of the generator on all polynomials up to degree 3.
   Setting setting;
   const double variance = setting.problem.impulses.law().moment(2), d = std::sqrt(variance);
-  const Deposit lattice = setting.advanced(0, simd::available_variants().back()).record.deposit;
+  const DepositedSums lattice =
+      setting.advanced(0, simd::available_code_variants().back()).record.deposit;
   setting.plan.grid.shifts = {{-d, 0.5}, {d, 0.5}};
-  const Deposit shifted = setting.advanced(0, simd::available_variants().back()).record.deposit;
+  const DepositedSums shifted =
+      setting.advanced(0, simd::available_code_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
     const auto after = [&, power = q](double v) {
@@ -170,12 +172,13 @@ TEST(Deposit, TakesShiftsInPlaceOfTheLattice) {
   }
 }
 
-TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
+TEST(DepositedSums, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
-  const Deposit reference = setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
-  for (const simd::CodeVariant& lanes : simd::available_variants()) {
+  const DepositedSums reference =
+      setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
+  for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
     SCOPED_TRACE(lanes.width);
-    const Deposit deposit = setting.advanced(1, lanes).record.deposit;
+    const DepositedSums deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
     EXPECT_EQ(deposit.lattice, reference.lattice);
     EXPECT_EQ(deposit.y_bins, reference.y_bins);
@@ -186,10 +189,10 @@ TEST(Deposit, HasTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-TEST(Deposit, CountsEverySampleInTheSmoothBins) {
+TEST(DepositedSums, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_variants().back());
-  const Deposit& deposit = stream.record.deposit;
+  const Stream stream = setting.advanced(0, simd::available_code_variants().back());
+  const DepositedSums& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
   };
@@ -198,14 +201,15 @@ TEST(Deposit, CountsEverySampleInTheSmoothBins) {
   // The first moment of M(t) is its centre.
   double first = 0;
   for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
-    first += deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - Deposit::kBinOffset));
+    first +=
+        deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - DepositedSums::kBinOffset));
   }
   EXPECT_NEAR(first, stream.record.powers[0], 1e-9);
 }
 
-TEST(Deposit, RecordsImpactsAndImpulses) {
+TEST(DepositedSums, RecordsImpactsAndImpulses) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_variants().back());
+  const Stream stream = setting.advanced(0, simd::available_code_variants().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);
@@ -213,7 +217,7 @@ TEST(Deposit, RecordsImpactsAndImpulses) {
   EXPECT_EQ(stream.record.deposit.impulses[0], static_cast<double>(stream.record.impulses));
 }
 
-TEST(Deposit, DoesNotChangeOtherResults) {
+TEST(DepositedSums, DoesNotChangeOtherResults) {
   const auto problem = tests::paper_case(1);
   const Options plain{.time = 2e4, .streams = 10};
   Options depositing = plain;
@@ -227,7 +231,7 @@ TEST(Deposit, DoesNotChangeOtherResults) {
   EXPECT_EQ(a.summary.joint_standard_errors, b.summary.joint_standard_errors);
 }
 
-TEST(Deposit, RefusesGridsThatItCannotUse) {
+TEST(DepositedSums, RefusesGridsThatItCannotUse) {
   const auto refused = [](const std::function<void(Options&)>& change) {
     Options options{.deposit = grid()};
     change(options);

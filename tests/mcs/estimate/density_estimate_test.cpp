@@ -15,19 +15,19 @@ const double kMeanOfAbsolute = std::sqrt(2 / std::numbers::pi);
 
 // With one bin, or with fully correlated bins, the distance is the absolute value of one normal
 // variable.
-TEST(SamplingL1, OfCorrelatedErrorsScattersMost) {
+TEST(L1SamplingError, OfCorrelatedErrorsScattersMost) {
   const std::vector<std::vector<double>> together(50, std::vector<double>(16, 0.01));
   const double deviation = 50 * 0.01 * 4;
-  const SamplingL1 distance = sampling_l1(together);
+  const L1SamplingError distance = l1_sampling_error(together);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * deviation, 1e-12);
   EXPECT_NEAR(distance.quantile_99, 2.576 * deviation, 0.35 * deviation);
 }
 
 // With independent bins the distance is a sum of many terms and close to its mean.
-TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
+TEST(L1SamplingError, OfIndependentErrorsIsNearItsMean) {
   std::vector<std::vector<double>> apart(400, std::vector<double>(400, 0.0));
   for (std::size_t b = 0; b < apart.size(); ++b) apart[b][b] = 0.01;
-  const SamplingL1 distance = sampling_l1(apart);
+  const L1SamplingError distance = l1_sampling_error(apart);
   EXPECT_NEAR(distance.expected, kMeanOfAbsolute * 4, 1e-12);
   // The deviation of |x| is 0.603 of that of x; the 99 % quantile is 2.33 deviations above the
   // mean.
@@ -36,7 +36,7 @@ TEST(SamplingL1, OfIndependentErrorsIsNearItsMean) {
 
 // Compares the stated quantile with 20 runs: at most two of the 40 distances from the mean of all
 // runs exceed the 99 % quantile.
-TEST(SamplingL1, PredictsTheErrorsOfIndependentRuns) {
+TEST(L1SamplingError, PredictsTheErrorsOfIndependentRuns) {
   std::vector<Result> runs;
   constexpr int kRuns = 20;
   for (int k = 0; k < kRuns; ++k) {
@@ -59,8 +59,8 @@ TEST(SamplingL1, PredictsTheErrorsOfIndependentRuns) {
         distance += std::abs(marginal.density[b] - mean[b]) * marginal.width(b);
       }
       const auto which = run.solution.estimated_marginals[variable].first;
-      ratio += distance / *expected(*run.solution.sampling, which) / (2 * kRuns);
-      beyond += distance > *quantile_99(*run.solution.sampling, which);
+      ratio += distance / *expected_l1_error(*run.solution.sampling, which) / (2 * kRuns);
+      beyond += distance > *l1_error_quantile_99(*run.solution.sampling, which);
     }
   }
   EXPECT_LE(beyond, 2);

@@ -15,10 +15,10 @@ TEST(ImpulseBlock, HasTheSameBitsForAnyInstructions) {
   for (const std::string& law : tests::law_names_without_table()) {
     const auto problem = tests::make_problem({.mean = 0.1, .law = law});
     for (const auto& excitation :
-         {poisson_excitation(problem.impulses), white_excitation(problem.impulses, 0.05)}) {
-      const Uniforms u = uniforms(1, 2, Purpose::impulses, 32);
+         {poisson_excitation(problem.impulses), white_noise_excitation(problem.impulses, 0.05)}) {
+      const UniformNumbers u = uniform_numbers(1, 2, RandomNumberPurpose::impulses, 32);
       const ImpulseBlock expected = baseline::make_impulse_block(excitation, u);
-      for (const simd::CodeVariant& lanes : simd::available_variants()) {
+      for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
         const auto make =
             simd::select_variant(lanes.instructions, baseline::make_impulse_block,
                                  avx2::make_impulse_block, avx512::make_impulse_block);

@@ -38,11 +38,12 @@ TEST(ImpulseSource, DrawsWaitingTimesOfThePoissonProcess) {
   const auto problem = tests::make_problem({.rate = 2.5});
   ImpulseSource source(problem.impulses, 1, 0);
   const auto moment = [&](int order) {
-    return [&source, order] { return std::pow(source.next().waiting, order); };
+    return [&source, order] { return std::pow(source.next_impulse().waiting, order); };
   };
   expect_mean(moment(1), 1 / 2.5, "E[t]");
   expect_mean(moment(2), 2 / (2.5 * 2.5), "E[t^2]");
-  expect_mean([&] { return source.next().waiting > 1 ? 1.0 : 0.0; }, std::exp(-2.5), "P(t > 1)");
+  expect_mean([&] { return source.next_impulse().waiting > 1 ? 1.0 : 0.0; }, std::exp(-2.5),
+              "P(t > 1)");
 }
 
 TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
@@ -52,7 +53,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheMomentsOfTheLaw) {
       const auto problem = tests::make_problem({.mean = mean, .law = law});
       ImpulseSource source(problem.impulses, 2, 0);
       for (const int order : {1, 2, 3, 4, 6}) {
-        expect_mean([&] { return std::pow(source.next().amplitude, order); },
+        expect_mean([&] { return std::pow(source.next_impulse().amplitude, order); },
                     problem.impulses.law().moment(order), "moment of Y");
       }
     }
@@ -70,9 +71,9 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
     for (const double wave : {1.0, 4.0, 20.0}) {
       const double u = wave / law.deviation();
       const std::complex<double> exact = law.characteristic_function(u);
-      expect_mean([&] { return std::cos(u * source.next().amplitude); }, exact.real(),
+      expect_mean([&] { return std::cos(u * source.next_impulse().amplitude); }, exact.real(),
                   "E[cos(u Y)]");
-      expect_mean([&] { return std::sin(u * source.next().amplitude); }, exact.imag(),
+      expect_mean([&] { return std::sin(u * source.next_impulse().amplitude); }, exact.imag(),
                   "E[sin(u Y)]");
     }
   }
@@ -85,14 +86,14 @@ TEST(ImpulseSource, DrawsTheAtomsOfATable) {
                                      .intensity = 0.3,
                                      .mean = 0.1,
                                      .table = tests::kAtoms});
-  ImpulseSource source(train, 6, 0), mirrored(train.mirrored(), 6, 0);
+  ImpulseSource source(train, 6, 0), mirrored(train.mirror_image(), 6, 0);
   const auto atoms = train.law().atoms();
   std::vector<int> count(atoms.size());
   for (int n = 0; n < kDraws; ++n) {
-    const double y = source.next().amplitude;
-    ASSERT_EQ(mirrored.next().amplitude, -y);
+    const double y = source.next_impulse().amplitude;
+    ASSERT_EQ(mirrored.next_impulse().amplitude, -y);
     const auto atom = std::ranges::find_if(
-        atoms, [&](const problem::Atom& a) { return std::abs(a.amplitude - y) < 1e-14; });
+        atoms, [&](const problem::AmplitudeAtom& a) { return std::abs(a.amplitude - y) < 1e-14; });
     ASSERT_NE(atom, atoms.end()) << y;
     ++count[static_cast<std::size_t>(atom - atoms.begin())];
   }
@@ -116,15 +117,15 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
   for (const auto& train :
        {train_of("exponential", 2), train_of("exponential", -2), train_of("gamma", 0.01),
         train_of("gamma", -0.5), train_of("gamma", 1.6), train_of("gamma", -2),
-        train_of("tabulated", {}), train_of("tabulated", {}).mirrored()}) {
+        train_of("tabulated", {}), train_of("tabulated", {}).mirror_image()}) {
     SCOPED_TRACE(fmt::format("{} {}", train.law().name(), train.law().skewness()));
     ImpulseSource source(train, 5, 0);
     std::vector<double> drawn(kDraws);
-    for (double& y : drawn) y = source.next().amplitude;
+    for (double& y : drawn) y = source.next_impulse().amplitude;
     std::ranges::sort(drawn);
     double largest = 0;
     for (int n = 0; n < kDraws; ++n) {
-      const double exact = train.law().cumulative(drawn[static_cast<std::size_t>(n)]);
+      const double exact = train.law().cumulative_probability(drawn[static_cast<std::size_t>(n)]);
       largest = std::max({largest, exact - n / double{kDraws}, (n + 1) / double{kDraws} - exact});
     }
     EXPECT_LT(largest * std::sqrt(kDraws), 1.95);
@@ -135,8 +136,8 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCumulativeOfLawsOfAnySkewness) {
 TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
   for (const double skewness : {0.01, 0.7, 1.9, 2.0}) {
     const problem::GammaLaw law{0, 1, skewness};
-    const AmplitudePieces pieces =
-        pieces_from_quantile([&](double p, double q) { return law.standardised_quantile(p, q); });
+    const PiecewiseQuantileFunction pieces = interpolate_quantile_function(
+        [&](double p, double q) { return law.standardised_quantile(p, q); });
     for (const double p :
          {0x1p-44, 1e-12, 1e-5, 0.03, 0.24, 0.5, 0.8, 0.97, 1 - 1e-6, 1 - 0x1p-43, 1 - 0x1p-44}) {
       const double exact = law.standardised_quantile(p, 1 - p);
@@ -148,7 +149,7 @@ TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
 TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
   const auto problem = tests::make_problem();
   const auto first = [&](std::uint64_t seed, std::uint32_t stream) {
-    return ImpulseSource(problem.impulses, seed, stream).next().waiting;
+    return ImpulseSource(problem.impulses, seed, stream).next_impulse().waiting;
   };
   EXPECT_EQ(first(1, 0), first(1, 0));
   EXPECT_NE(first(1, 0), first(1, 1));
@@ -160,10 +161,10 @@ TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
 TEST(ImpulseSource, StreamsAndTheNumbersOfOneImpulseAreUncorrelated) {
   const auto problem = tests::make_problem();
   ImpulseSource a(problem.impulses, 1, 0), b(problem.impulses, 1, 1);
-  expect_mean([&] { return a.next().amplitude * b.next().amplitude; }, 0, "E[a b]");
+  expect_mean([&] { return a.next_impulse().amplitude * b.next_impulse().amplitude; }, 0, "E[a b]");
   expect_mean(
       [&] {
-        const Impulse impulse = a.next();
+        const Impulse impulse = a.next_impulse();
         return (impulse.waiting - 1) * impulse.amplitude * impulse.amplitude;
       },
       0, "E[(t - 1) Y^2]");
@@ -176,7 +177,7 @@ TEST(ImpulseSource, GoesOnFromAnyNumber) {
     ImpulseSource resumed(problem.impulses, 9, 4);
     resumed.continue_from(whole.number());
     EXPECT_EQ(resumed.number(), whole.number());
-    const Impulse expected = whole.next(), found = resumed.next();
+    const Impulse expected = whole.next_impulse(), found = resumed.next_impulse();
     EXPECT_EQ(found.waiting, expected.waiting) << n;
     EXPECT_EQ(found.amplitude, expected.amplitude) << n;
   }
@@ -201,15 +202,16 @@ TEST(ImpulseSource, StartsAreStandardNormal) {
 TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity) {
   const auto problem = tests::make_problem({.rate = 2, .intensity = 0.3, .mean = 0.1});
   const double h = 0.05;
-  ImpulseSource source(white_excitation(problem.impulses, h), 1, 0);
-  const double first = source.next().waiting;
+  ImpulseSource source(white_noise_excitation(problem.impulses, h), 1, 0);
+  const double first = source.next_impulse().waiting;
   EXPECT_GT(first, 0);
   EXPECT_LT(first, h);
-  EXPECT_EQ(source.next().waiting, h);
+  EXPECT_EQ(source.next_impulse().waiting, h);
   const double mean = 2 * 0.1 * h;
-  expect_mean([&] { return source.next().amplitude; }, mean, "E[Y]");
-  expect_mean([&] { return std::pow(source.next().amplitude - mean, 2); }, 0.3 * h, "Var Y");
-  expect_mean([&] { return std::pow(source.next().amplitude - mean, 4); }, 3 * 0.09 * h * h,
+  expect_mean([&] { return source.next_impulse().amplitude; }, mean, "E[Y]");
+  expect_mean([&] { return std::pow(source.next_impulse().amplitude - mean, 2); }, 0.3 * h,
+              "Var Y");
+  expect_mean([&] { return std::pow(source.next_impulse().amplitude - mean, 4); }, 3 * 0.09 * h * h,
               "fourth");
 }
 

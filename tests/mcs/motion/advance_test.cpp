@@ -24,7 +24,7 @@ struct Group {
   explicit Group(const problem::Problem& problem, int count = 11) : oscillator(problem.system) {
     for (int s = 0; s < count; ++s) {
       ImpulseSource source(problem.impulses, 21, static_cast<std::uint32_t>(s));
-      const Impulse first = source.next();
+      const Impulse first = source.next_impulse();
       streams.push_back({.branch = {.y = 0.1 * s,
                                     .v = 1 - 0.2 * s,
                                     .until_impulse = first.waiting,
@@ -66,7 +66,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   for (const Group& start : groups_of_all_kinds()) {
     Group reference(start);
     reference.advance(300, {simd::InstructionSet::baseline, 1});
-    for (const simd::CodeVariant& lanes : simd::available_variants()) {
+    for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
       SCOPED_TRACE(lanes.width);
       Group group(start);
       group.advance(300, lanes);
@@ -92,20 +92,20 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
 struct Tally {
   double until_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
-  void flight(const Flight& flight, double duration) {
+  void on_flight(const Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
-      const State at = flight.at(until_sample);
+      const State at = flight.state_at_time(until_sample);
       yyv += at.y * at.y * at.v;
       ++samples;
     }
     until_sample -= duration;
   }
-  void impact(double v) {
+  void on_impact(double v) {
     ++impacts;
     impact_speed += std::abs(v);
     impact_energy += v * v;
   }
-  void impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
+  void on_impulse(double v, double amplitude) { work += amplitude * (v + amplitude / 2); }
 };
 
 TEST(Advance, AgreesWithTheScalarTrajectory) {
@@ -116,7 +116,7 @@ TEST(Advance, AgreesWithTheScalarTrajectory) {
     Group group(problem);
     group.oscillator = oscillator;
     constexpr double kTime = 30;
-    group.advance(kTime, simd::available_variants().back());
+    group.advance(kTime, simd::available_code_variants().back());
     for (std::size_t s = 0; s < group.streams.size(); ++s) {
       const auto n = static_cast<double>(s);
       Trajectory trajectory(oscillator,
@@ -146,7 +146,7 @@ double total(const std::vector<double>& sums) {
 // Between two impacts there is one maximum more than minima.
 TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
-  group.advance(3000, simd::available_variants().back());
+  group.advance(3000, simd::available_code_variants().back());
   for (const Stream& stream : group.streams) {
     EXPECT_GT(total(stream.record.troughs), 10);
     EXPECT_NEAR(total(stream.record.peaks) - total(stream.record.troughs), stream.record.impacts,
@@ -166,7 +166,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
                                          .intensity = 0.1 * rate,
                                          .mean = mean * std::sqrt(0.1)}));
         const double time = tests::part_unless_thorough(40, 200) / std::min(rate, 1.0);
-        group.advance(time, simd::available_variants().back());
+        group.advance(time, simd::available_code_variants().back());
         for (const Stream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);
           EXPECT_LE(stream.record.impacts, time * 2 + impulses);

@@ -33,12 +33,12 @@ State exact_linear(const Oscillator& oscillator, const State& start, double t) {
 
 State by_short_flights(const Oscillator& oscillator, State state, double t) {
   constexpr int kFlights = 64;
-  for (int k = 0; k < kFlights; ++k) state = Flight(oscillator, state).at(t / kFlights);
+  for (int k = 0; k < kFlights; ++k) state = Flight(oscillator, state).state_at_time(t / kFlights);
   return state;
 }
 
 double impact_time(const Flight& flight, double end) {
-  return flight.impact_time(end, flight.at(end), true);
+  return flight.impact_time(end, flight.state_at_time(end), true);
 }
 
 TEST(Flight, FollowsTheExactLinearMotion) {
@@ -50,8 +50,8 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
     // times larger.
     for (const double s : {t / 3, t}) {
-      EXPECT_NEAR(flight.at(s).y, exact_linear(oscillator, start, s).y, 1e-11);
-      EXPECT_NEAR(flight.at(s).v, exact_linear(oscillator, start, s).v, 1e-10);
+      EXPECT_NEAR(flight.state_at_time(s).y, exact_linear(oscillator, start, s).y, 1e-11);
+      EXPECT_NEAR(flight.state_at_time(s).v, exact_linear(oscillator, start, s).v, 1e-10);
     }
   }
 }
@@ -62,7 +62,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
   const Flight flight(oscillator, start);
   const auto error = [&](double phase) {
     const double t = flight.max_step(phase);
-    const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
+    const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
   };
   // v is a polynomial of degree kOrder - 1: its error is proportional to t^kOrder.
@@ -82,7 +82,7 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const State start{std::abs(y), v * std::cos(angle)};
       const Flight flight(oscillator, start);
       const double t = flight.max_step(0.7);
-      const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
+      const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * std::sqrt(v)) << v << " " << angle;
     }
@@ -100,7 +100,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
     const double time = impact_time(flight, flight.max_step(0.7));
     // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
-    EXPECT_NEAR(flight.at(time).y, 0.0, 1e-15);
+    EXPECT_NEAR(flight.state_at_time(time).y, 0.0, 1e-15);
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Flight, FindsAGrazingImpact) {
   const Oscillator oscillator = paper_oscillator(4);
   const Flight flight(oscillator, {1e-12, -1e-9});
   const double end = flight.max_step(0.7);
-  ASSERT_LT(flight.at(end).y, 0.0);
+  ASSERT_LT(flight.state_at_time(end).y, 0.0);
   EXPECT_NEAR(impact_time(flight, end), 1e-3, 1e-6);
 }
 
@@ -118,9 +118,9 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
     for (const double v : {-1e-9, -1e-6, -1e-3, -0.1, -1.0, -5.0, 1e-6, 0.02}) {
       const Flight flight(oscillator, {y, v});
       const double end = flight.max_step(1.2);
-      if (flight.at(end).y >= 0) continue;
+      if (flight.state_at_time(end).y >= 0) continue;
       const double time = impact_time(flight, end);
-      EXPECT_LT(std::abs(flight.at(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
+      EXPECT_LT(std::abs(flight.state_at_time(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
     }
   }
 }
@@ -130,12 +130,12 @@ TEST(Flight, FindsTheHighestPoint) {
   // The damped motion backwards from the maximum (y, 0), which is then `before` ahead.
   for (const double before : {0.5, 0.1, 1e-3}) {
     const Flight back(oscillator, {0.8, 0});
-    const State start = back.at(-before);
+    const State start = back.state_at_time(-before);
     const Flight flight(oscillator, start);
     const double end = flight.max_step(0.9);
-    const double top = flight.peak_time(end, flight.at(end));
+    const double top = flight.peak_time(end, flight.state_at_time(end));
     EXPECT_NEAR(top, before, 1e-4);
-    EXPECT_NEAR(flight.at(top).y, 0.8, 1e-8);
+    EXPECT_NEAR(flight.state_at_time(top).y, 0.8, 1e-8);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
     const Oscillator oscillator = paper_oscillator(number);
     for (double v = 1e-300; v < 1e3; v *= 1e3) {
       const Flight flight(oscillator, {0, v});
-      EXPECT_GE(flight.at(flight.max_step(1.0)).y, 0.0) << number << " " << v;
+      EXPECT_GE(flight.state_at_time(flight.max_step(1.0)).y, 0.0) << number << " " << v;
     }
   }
 }
@@ -158,8 +158,8 @@ TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
     const Flight a(duffing, start), b(any, start);
     const double t = a.max_step(0.9);
     EXPECT_NEAR(b.max_step(0.9), t, 1e-14 * t);
-    EXPECT_NEAR(a.at(t).y, b.at(t).y, 1e-13 * std::abs(start.y + start.v));
-    EXPECT_NEAR(a.at(t).v, b.at(t).v, 1e-13 * std::abs(start.y + start.v));
+    EXPECT_NEAR(a.state_at_time(t).y, b.state_at_time(t).y, 1e-13 * std::abs(start.y + start.v));
+    EXPECT_NEAR(a.state_at_time(t).v, b.state_at_time(t).v, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.acceleration(start), b.acceleration(start), 1e-13 * std::abs(start.v + 1e4));
   }
 }
@@ -189,7 +189,7 @@ TEST(Flight, OfAnySpringIsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const State start{0.9 * y * std::sin(angle), v * std::cos(angle)};
       const Flight flight(oscillator, start);
       const double t = flight.max_step(0.7);
-      const State end = flight.at(t), exact = by_short_flights(oscillator, start, t);
+      const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << oscillator.degree << " " << v << " " << angle;
       EXPECT_NEAR(end.y, exact.y, 2e-6 * y) << oscillator.degree << " " << v << " " << angle;
     }
@@ -207,7 +207,7 @@ TEST(Flight, OfAnySpringReachesNoFurtherThanItsSteepestPartAllows) {
     EXPECT_GE(frequency, std::sqrt(steepest)) << oscillator.degree << " " << v;
     // The bound is least tight for terms of both signs.
     EXPECT_LE(frequency, 2.5 * std::sqrt(steepest)) << oscillator.degree << " " << v;
-    EXPECT_GE(flight.at(flight.max_step(1.2)).y, 0.0) << oscillator.degree << " " << v;
+    EXPECT_GE(flight.state_at_time(flight.max_step(1.2)).y, 0.0) << oscillator.degree << " " << v;
   }
 }
 
@@ -215,8 +215,8 @@ TEST(Flight, OfAnySpringFindsImpacts) {
   for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
     const Flight flight(oscillator, {0.01 * y, -v});
     const double end = flight.max_step(1.2);
-    ASSERT_LT(flight.at(end).y, 0.0) << oscillator.degree << " " << v;
-    EXPECT_LT(std::abs(flight.at(impact_time(flight, end)).y), 1e-14 * y);
+    ASSERT_LT(flight.state_at_time(end).y, 0.0) << oscillator.degree << " " << v;
+    EXPECT_LT(std::abs(flight.state_at_time(impact_time(flight, end)).y), 1e-14 * y);
   }
 }
 

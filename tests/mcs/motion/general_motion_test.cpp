@@ -21,12 +21,12 @@ using Kind = GeneralOscillator::Kind;
 
 /// Streams without impulses, from the given states.
 struct FreeStreams {
-  GeneralMotion motion;
+  GeneralMotionParameters motion;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   std::deque<Stream> streams{};
 
   FreeStreams(const GeneralOscillator& oscillator, const std::vector<State>& starts,
-              const GeneralKicks& kicks = {})
+              const NoiseKicks& kicks = {})
       : motion{.oscillator = oscillator,
                .kicks = kicks,
                .step = kicks.is_present() ? 0.3 : 0.9,
@@ -41,7 +41,7 @@ struct FreeStreams {
                                     .amplitude = 0,
                                     .until_sample = kBetweenSamples / 2,
                                     .remaining = 0},
-                         .source = ImpulseSource(standard_normal_excitation(), 1, number),
+                         .source = ImpulseSource(standard_normal_impulses(), 1, number),
                          .record = StreamRecord(y, v),
                          .noise = NoiseSource(1, number)});
       streams.back().record.general.emplace();
@@ -53,7 +53,8 @@ struct FreeStreams {
     }
   }
 
-  void advance(double time, const simd::CodeVariant& lanes = simd::available_variants().back()) {
+  void advance(double time,
+               const simd::CodeVariant& lanes = simd::available_code_variants().back()) {
     motion.y_bins = &y;
     motion.v_bins = &v;
     std::vector<Stream*> pointers;
@@ -95,7 +96,7 @@ GeneralOscillator full_oscillator() {
 }
 
 // Every coefficient contributes: a wrong index or factor changes the first digits.
-TEST(GeneralMotion, FollowsTheEquationWithAllItsTerms) {
+TEST(GeneralMotionParameters, FollowsTheEquationWithAllItsTerms) {
   GeneralOscillator cubic{
       .force = {0.1, -0.7, 0.2, 0.5, 0, 0}, .damping = {-0.1, 0.05, 0.2}, .kind = Kind::cubic};
   GeneralOscillator linear{
@@ -113,7 +114,7 @@ TEST(GeneralMotion, FollowsTheEquationWithAllItsTerms) {
 }
 
 // The drift is far below sampling errors: it changes E[v^2] over one decay time only.
-TEST(GeneralMotion, KeepsTheEnergyOfADoubleWell) {
+TEST(GeneralMotionParameters, KeepsTheEnergyOfADoubleWell) {
   const GeneralOscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
   const auto energy = [](const Branch& b) {
     const double y2 = b.y * b.y;
@@ -136,7 +137,7 @@ GeneralOscillator across_a_gap() {
 }
 
 // These impacts cannot be found from the signs of y at the ends of a flight.
-TEST(GeneralMotion, FindsImpactsWithinAFlight) {
+TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
   const double a = 1.01, u = std::sqrt(a * a - 1);
   const double period = 2 * std::acos(-1 / a);  // from impact to impact
   std::vector<State> starts;
@@ -163,7 +164,7 @@ TEST(GeneralMotion, FindsImpactsWithinAFlight) {
   }
 }
 
-TEST(GeneralMotion, MovesBetweenTwoWalls) {
+TEST(GeneralMotionParameters, MovesBetweenTwoWalls) {
   const double u = 0.8, r = 0.5, s = 0.75, b = 1.5;
   GeneralOscillator box{.left = {.exists = true, .position = 0, .restitution = r},
                         .right = {.exists = true, .position = b, .restitution = s}};
@@ -191,7 +192,7 @@ GeneralOscillator ball(double r, double rest_speed) {
 
 // The fall from the height u^2/2 takes the time u, the n-th bounce 2 r^n u: (1 + r)/(1 - r) u in
 // all.
-TEST(GeneralMotion, ComesToRestAfterInfinitelyManyBounces) {
+TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
   const double r = 0.6, u = 2, time = 40;
   for (const double rest_speed : {1e-1, 1e-4}) {
     FreeStreams free(ball(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
@@ -220,7 +221,7 @@ TEST(GeneralMotion, ComesToRestAfterInfinitelyManyBounces) {
               1.0);
 }
 
-TEST(GeneralMotion, LeavesRestByAnImpulseEitherWay) {
+TEST(GeneralMotionParameters, LeavesRestByAnImpulseEitherWay) {
   const double r = 0.6;
   for (const double amplitude : {1.0, -1.0}) {
     FreeStreams free(ball(r, 1e-4), {{0, 0}});
@@ -234,22 +235,22 @@ TEST(GeneralMotion, LeavesRestByAnImpulseEitherWay) {
   }
 }
 
-TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
+TEST(GeneralMotionParameters, GivesTheSameBitsForAnyWidthAndInstructions) {
   GeneralOscillator walls = full_oscillator();
   walls.left = {
       .exists = true, .position = 0, .restitution = 0.8, .contact_force = 0.1, .rest_speed = 1e-4};
   walls.right = {.exists = true, .position = 1.5, .restitution = 0.7, .contact_force = -1};
   std::vector<State> starts;
   for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
-  const GeneralKicks noise{.diffusion = 0.1,
-                           .damping = 0.2,
-                           .longest_interval = 0.2,
-                           .shortest_interval = 1e-5,
-                           .has_lossy_wall = true};
-  for (const auto& kicks : {GeneralKicks{}, noise}) {
+  const NoiseKicks noise{.diffusion = 0.1,
+                         .damping = 0.2,
+                         .longest_interval = 0.2,
+                         .shortest_interval = 1e-5,
+                         .has_lossy_wall = true};
+  for (const auto& kicks : {NoiseKicks{}, noise}) {
     FreeStreams reference(walls, starts, kicks);
     reference.advance(100, {simd::InstructionSet::baseline, 1});
-    for (const simd::CodeVariant& lanes : simd::available_variants()) {
+    for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
       SCOPED_TRACE(lanes.width);
       FreeStreams group(walls, starts, kicks);
       group.advance(100, lanes);
@@ -265,25 +266,25 @@ TEST(GeneralMotion, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-TEST(GeneralMotion, KicksSoonAfterOneNearAWallThatTakesEnergy) {
-  GeneralMotion motion{.oscillator = across_a_gap(),
-                       .kicks = {.diffusion = 0.5,
-                                 .damping = 0,
-                                 .longest_interval = 0.2,
-                                 .shortest_interval = 1e-6,
-                                 .has_lossy_wall = true},
-                       .step = 0.3,
-                       .sampling_interval = 1,
-                       .y_bins = nullptr,
-                       .v_bins = nullptr};
-  EXPECT_EQ(kick_interval(motion, 0.01, 0), 0.2);  // an elastic wall
+TEST(GeneralMotionParameters, KicksSoonAfterOneNearAWallThatTakesEnergy) {
+  GeneralMotionParameters motion{.oscillator = across_a_gap(),
+                                 .kicks = {.diffusion = 0.5,
+                                           .damping = 0,
+                                           .longest_interval = 0.2,
+                                           .shortest_interval = 1e-6,
+                                           .has_lossy_wall = true},
+                                 .step = 0.3,
+                                 .sampling_interval = 1,
+                                 .y_bins = nullptr,
+                                 .v_bins = nullptr};
+  EXPECT_EQ(time_to_next_kick(motion, 0.01, 0), 0.2);  // an elastic wall
   motion.oscillator.left.restitution = 0.7;
-  EXPECT_EQ(kick_interval(motion, 0, 0), 1e-6);
-  EXPECT_EQ(kick_interval(motion, 0, 2), 0.2);
-  EXPECT_EQ(kick_interval(motion, 5, 0), 0.2);
+  EXPECT_EQ(time_to_next_kick(motion, 0, 0), 1e-6);
+  EXPECT_EQ(time_to_next_kick(motion, 0, 2), 0.2);
+  EXPECT_EQ(time_to_next_kick(motion, 5, 0), 0.2);
   // Time scales of the motion under noise: v^2/D and (y^2/D)^(1/3).
-  EXPECT_NEAR(kick_interval(motion, 0, 0.2) / kick_interval(motion, 0, 0.1), 4, 1e-12);
-  EXPECT_NEAR(kick_interval(motion, 8e-3, 0) / kick_interval(motion, 1e-3, 0), 4, 1e-12);
+  EXPECT_NEAR(time_to_next_kick(motion, 0, 0.2) / time_to_next_kick(motion, 0, 0.1), 4, 1e-12);
+  EXPECT_NEAR(time_to_next_kick(motion, 8e-3, 0) / time_to_next_kick(motion, 1e-3, 0), 4, 1e-12);
 }
 
 }  // namespace

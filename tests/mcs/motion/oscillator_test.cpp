@@ -20,7 +20,7 @@ TEST(Oscillator, OfTheProblemHasItsMechanics) {
   const Oscillator oscillator(system);
   EXPECT_EQ(oscillator.damping, 0.3);
   EXPECT_EQ(oscillator.restitution, 0.7);
-  EXPECT_EQ(oscillator.force.coefficients(), system.force().coefficients());
+  EXPECT_EQ(oscillator.force.coefficients(), system.restoring_force().coefficients());
   EXPECT_EQ(oscillator.potential.coefficients(), system.potential().coefficients());
 }
 

@@ -26,13 +26,13 @@ struct Chronicle {
   long flights = 0;
   std::vector<Event> impacts, impulses;
 
-  void flight(const Flight& flight, double duration) {
-    lowest = std::min(lowest, flight.at(duration).y);
+  void on_flight(const Flight& flight, double duration) {
+    lowest = std::min(lowest, flight.state_at_time(duration).y);
     time += duration;
     ++flights;
   }
-  void impact(double velocity) { impacts.push_back({time, velocity, 0}); }
-  void impulse(double velocity, double amplitude) {
+  void on_impact(double velocity) { impacts.push_back({time, velocity, 0}); }
+  void on_impulse(double velocity, double amplitude) {
     impulses.push_back({time, velocity, amplitude});
   }
 };
@@ -90,8 +90,10 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
   struct Ledger {
     const Oscillator& oscillator;
     double balance = 0, dissipated = 0;
-    void flight(const Flight& flight, double duration) {
-      const auto v2 = [&](double s) { return flight.at(s).v * flight.at(s).v; };
+    void on_flight(const Flight& flight, double duration) {
+      const auto v2 = [&](double s) {
+        return flight.state_at_time(s).v * flight.state_at_time(s).v;
+      };
       constexpr int kPanels = 8;
       const double h = duration / kPanels;
       for (int p = 0; p < kPanels; ++p) {
@@ -101,10 +103,10 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
         dissipated += loss;
       }
     }
-    void impact(double v) {
+    void on_impact(double v) {
       balance -= (1 - oscillator.restitution * oscillator.restitution) / 2 * v * v;
     }
-    void impulse(double v, double amplitude) { balance += amplitude * (v + amplitude / 2); }
+    void on_impulse(double v, double amplitude) { balance += amplitude * (v + amplitude / 2); }
   };
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9, .intensity = 1});
   // The paper's spring, and two springs without closed formulas.
@@ -137,7 +139,7 @@ TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
   double time = 0;
   ASSERT_GT(seen.impulses.size(), 300u);
   for (const auto& impulse : seen.impulses) {
-    const Impulse expected = source.next();
+    const Impulse expected = source.next_impulse();
     time += expected.waiting;
     EXPECT_NEAR(impulse.time, time, 1e-11);
     EXPECT_EQ(impulse.amplitude, expected.amplitude);

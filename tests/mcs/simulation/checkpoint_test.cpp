@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 
@@ -56,7 +56,7 @@ class Checkpoint : public testing::Test {
 // any.
 TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
-    base::reserve_writes_for_this_thread();
+    base::stop_writes_of_other_threads();
     std::thread([&] {
       Options options = brief(false);
       options.checkpoint = file_;
@@ -224,7 +224,7 @@ TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
 TEST_F(Checkpoint, RetriesAfterAWriteError) {
   std::vector<std::string> told;
   CheckpointWriter writer(file_, [&](const std::string& warning) { told.push_back(warning); });
-  const Plan plan = make_plan(problem_, brief(false));
+  const SimulationPlan plan = make_simulation_plan(problem_, brief(false));
   Simulation simulation(problem_, plan);
   std::filesystem::create_directory(file_);
   writer.write("same", simulation);

@@ -43,8 +43,8 @@ TEST(BinFinder, CountsDistantNumbersInTheOuterBins) {
 }
 
 TEST(BinFinder, DetectsEvenEdges) {
-  EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).even());
-  EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).even());
+  EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).is_evenly_spaced());
+  EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).is_evenly_spaced());
 }
 
 TEST(Histogram, CountsEverySample) {

@@ -1,4 +1,4 @@
-#include "methods/external/argument.hpp"
+#include "methods/external/external_argument.hpp"
 
 #include <gtest/gtest.h>
 

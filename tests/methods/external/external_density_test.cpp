@@ -11,7 +11,7 @@
 #include "methods/builtin.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/external_samples.hpp"
-#include "methods/external/label.hpp"
+#include "methods/external/label_requirements.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "saved_run.hpp"
@@ -30,12 +30,12 @@ class ExternalDensities : public testing::Test {
  protected:
   Method of(const Function& p,
             const ExternalDensity& own = {.label = "own", .equation = Equation::white},
-            const DensityOptions& how = {}) {
+            const JointDensityOptions& how = {}) {
     std::vector<double> values;
-    for (const double y : points_.y()) {
-      for (const double v : points_.v()) values.push_back(p(y, v));
+    for (const double y : points_.y_points()) {
+      for (const double v : points_.v_points()) values.push_back(p(y, v));
     }
-    return make_function_method(own, how, points_, values);
+    return make_method_from_density_values(own, how, points_, values);
   }
   transform::Solution solved(const Method& method) {
     return solve_with(method, problem_, {axes_, {}});
@@ -62,9 +62,9 @@ TEST_F(ExternalDensities, ReproduceTheFunction) {
   EXPECT_NEAR(own.moments.v2, 0.5, 1e-8);
   EXPECT_NEAR(own.moments.v4, 0.75, 1e-7);
   EXPECT_NEAR(own.energy_residual, 0, 1e-8);
-  EXPECT_NEAR(transform::number(own.metrics, "normalised_by").value(), 2.5, 1e-8);
-  EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 1e-7);
-  EXPECT_NEAR(transform::number(own.metrics, "balances.momentum").value(), 0, 1e-7);
+  EXPECT_NEAR(transform::metric_number(own.metrics, "normalised_by").value(), 2.5, 1e-8);
+  EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 1e-7);
+  EXPECT_NEAR(transform::metric_number(own.metrics, "balances.momentum").value(), 0, 1e-7);
   EXPECT_EQ(transform::equation_and_impact_text(own.identity), "white/map");
   const auto y = transform::marginal(own, Variable::y, axes_.y_edges);
   // The average over a bin differs from the density at its centre.
@@ -75,14 +75,14 @@ TEST_F(ExternalDensities, ReproduceTheFunction) {
 
 TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
   const Function p = [&](double y, double v) { return exact_(y, v); };
-  auto methods = builtin_registry().select("fd-white,fd-kf", {});
+  auto methods = builtin_registry().select_methods("fd-white,fd-kf", {});
   methods.insert(methods.begin(), of(p, {.label = "nobody"}));
   methods.insert(methods.begin() + 1,
                  of(p, {.label = "own", .equation = Equation::white}, {.accuracy = 1}));
   const auto one = run_cases({problem_}, methods, 0, {}).front();
   const auto& own = *one.find("own");
-  EXPECT_EQ(own.identity.role, transform::Role::closure);
-  EXPECT_EQ(one.find("nobody")->identity.role, transform::Role::external);
+  EXPECT_EQ(own.identity.role, transform::SolutionRole::closure);
+  EXPECT_EQ(one.find("nobody")->identity.role, transform::SolutionRole::external);
   EXPECT_EQ(own.status, Status::ok);
   // The error against the full problem is that of the white-noise model.
   const double far = one.l1("own", "fd-kf", Variable::y).value();
@@ -115,12 +115,13 @@ TEST_F(ExternalDensities, AreRefusedIfInvalid) {
             0u);
   EXPECT_TRUE(contains(refusal([&] { of([](double, double) { return -1; }); }), "integral is -"));
   EXPECT_TRUE(contains(refusal([&] {
-                         make_function_method({.label = "a"}, {}, points_, {1, 2});
+                         make_method_from_density_values({.label = "a"}, {}, points_, {1, 2});
                        }),
                        "2 values (must be 601 x 600)"));
   const std::vector<double> few(99, 1), many(100, 1), behind(100, -1), other(101, 1);
   const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
-    return refusal([&] { make_samples_method({.label = "a"}, y, v, independent).check(problem_); });
+    return refusal(
+        [&] { make_method_from_samples({.label = "a"}, y, v, independent).check(problem_); });
   };
   EXPECT_EQ(samples(few, few), "samples 'a': 99 pairs (must be at least 100)");
   EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y' (must be equal)");
@@ -148,20 +149,20 @@ TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
     v.push_back(normal(engine));
   }
   const auto drawn =
-      solved(make_samples_method({.label = "drawn", .equation = Equation::white}, y, v));
+      solved(make_method_from_samples({.label = "drawn", .equation = Equation::white}, y, v));
   const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::edges(axes_, variable);
+    const auto& edges = compare::bin_edges(axes_, variable);
     const double far = l1(marginal(drawn, variable, edges), marginal(exact, variable, edges));
-    const double expected = transform::expected(*drawn.sampling, variable).value();
+    const double expected = transform::expected_l1_error(*drawn.sampling, variable).value();
     EXPECT_NEAR(far / expected, 1, 0.3);
-    EXPECT_LT(far, transform::quantile_99(*drawn.sampling, variable).value());
+    EXPECT_LT(far, transform::l1_error_quantile_99(*drawn.sampling, variable).value());
   }
   EXPECT_NEAR(drawn.mass, 1, 1e-9);
   EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
   EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
   // A quarter as many independent samples double the errors.
-  const auto fewer = solved(make_samples_method({.label = "a"}, y, v, kSamples / 4.0));
+  const auto fewer = solved(make_method_from_samples({.label = "a"}, y, v, kSamples / 4.0));
   EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
   EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);
 }

@@ -60,14 +60,14 @@ class JointDensityFiles : public testing::Test {
     return path(name);
   }
 
-  results::Case case_with(const std::vector<std::string>& arguments) const {
+  results::CaseResult case_with(const std::vector<std::string>& arguments) const {
     std::vector<transform::Solution> all;
     for (const auto& method : external_methods(arguments, builtin_registry(), problem_.name)) {
       method.check ? method.check(problem_) : void();
       all.push_back(solve_with(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
-    return results::make_case(problem_, axes_, all);
+    return results::make_case_result(problem_, axes_, all);
   }
 
   std::string refusal(const std::vector<std::string>& arguments) const {
@@ -90,7 +90,7 @@ TEST_F(JointDensityFiles, WithAnEquationHaveABudget) {
   const auto one = case_with({file + ":mine,equation=km4,impact=delta,order=6"});
   const auto& mine = one.solutions.front();
   EXPECT_EQ(mine.id(), "mine");
-  EXPECT_EQ(mine.identity.role, transform::Role::closure);
+  EXPECT_EQ(mine.identity.role, transform::SolutionRole::closure);
   EXPECT_TRUE(transform::is_external(mine.identity));
   EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "km4/delta");
   EXPECT_EQ(mine.identity.order, 6);
@@ -106,19 +106,19 @@ TEST_F(JointDensityFiles, WithAnEquationHaveABudget) {
     EXPECT_GT(row.find("truncation")->l1, 1e-5);
     EXPECT_EQ(row.find("closure")->to, "fd-km4-delta");
   }
-  EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::BudgetRow::solution), 2);
+  EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::ErrorBudgetRow::solution), 2);
 }
 
 TEST_F(JointDensityFiles, WithoutAnEquationHaveDistancesOnly) {
   const auto one = case_with({points_of("fd-kf", "mine.csv")});
   const auto& mine = one.solutions.front();
-  EXPECT_EQ(mine.identity.role, transform::Role::external);
+  EXPECT_EQ(mine.identity.role, transform::SolutionRole::external);
   EXPECT_TRUE(transform::is_external(mine.identity));
   EXPECT_EQ(transform::equation_and_impact_text(mine.identity), "given/-");
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::y), 2e-4);
   EXPECT_LT(*one.l1("mine", "fd-kf", Variable::ydot), 2e-4);
-  EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::BudgetRow::solution), 0);
-  EXPECT_EQ(transform::word(mine.metrics, "files[0].form"), "joint points");
+  EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::ErrorBudgetRow::solution), 0);
+  EXPECT_EQ(transform::metric_text(mine.metrics, "files[0].form"), "joint points");
 }
 
 // The simulation's exact reflection and the impact map of an equation are equivalent. The budget
@@ -159,12 +159,13 @@ TEST_F(JointDensityFiles, MayBeExternalNetCdf) {
       }
     }
     results::NetCdfWriter file;
-    const int y_axis = file.dimension(of_y, y.size()), v_axis = file.dimension("v", v.size());
-    file.variable(of_y, {y_axis}, "displacement", y);
-    file.variable("v", {v_axis}, "velocity", v);
-    file.variable("density", swapped ? std::vector{v_axis, y_axis} : std::vector{y_axis, v_axis},
-                  "p", p);
-    std::ofstream(path(name), std::ios::binary) << file.bytes();
+    const int y_axis = file.define_dimension(of_y, y.size()),
+              v_axis = file.define_dimension("v", v.size());
+    file.write_variable(of_y, {y_axis}, "displacement", y);
+    file.write_variable("v", {v_axis}, "velocity", v);
+    file.write_variable(
+        "density", swapped ? std::vector{v_axis, y_axis} : std::vector{y_axis, v_axis}, "p", p);
+    std::ofstream(path(name), std::ios::binary) << file.close_and_take_bytes();
     return path(name);
   };
   const auto one = case_with({write("a.nc", false, "y"), write("b.nc", true, "y")});
@@ -209,7 +210,7 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   problem.name = "case2";
   const results::Run run{
       results::this_program("fpkcheck run"),
-      {results::make_case(problem, compare::comparison_axes(problem), {solved})}};
+      {results::make_case_result(problem, compare::comparison_axes(problem), {solved})}};
   std::ofstream(path("summary.json")) << results::summary_text(run);
 
   const auto axes = compare::comparison_axes(problem);
@@ -224,7 +225,7 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   EXPECT_EQ(again.status, Status::ok) << again.reason;
   EXPECT_NEAR(again.moments.v2 / solved.moments.v2, 1, 1e-7);
   for (const auto variable : transform::kVariables) {
-    const auto& edges = compare::edges(axes, variable);
+    const auto& edges = compare::bin_edges(axes, variable);
     EXPECT_LT(l1(marginal(again, variable, edges), marginal(solved, variable, edges)), 1e-6);
   }
   EXPECT_TRUE(contains(refusal({path("summary.json") + ":a,solution=mcs"}), "no solution 'mcs'"));

@@ -79,7 +79,7 @@ TEST(ExternalMarginal, IsReadInAllFormats) {
     const ExternalMarginal marginal = read(text);
     EXPECT_EQ(marginal.variable(), Variable::ydot) << text.substr(0, 40);
     EXPECT_EQ(marginal.file().form, "points");
-    EXPECT_LT(l1_to_bell(marginal.average_over(edges)), 2e-4) << text.substr(0, 40);
+    EXPECT_LT(l1_to_bell(marginal.average_over_bins(edges)), 2e-4) << text.substr(0, 40);
     EXPECT_NEAR(marginal.moment(2), 1, 2e-3);
     EXPECT_FALSE(marginal.file().divided_by);
   }
@@ -88,8 +88,8 @@ TEST(ExternalMarginal, IsReadInAllFormats) {
         histogram(1e8, "", true), histogram(1e8, "from,to,count\n", true)}) {
     const ExternalMarginal marginal = read(text);
     EXPECT_EQ(marginal.file().form, "histogram");
-    EXPECT_LT(l1_to_bell(marginal.average_over(edges)), 2e-3) << text.substr(0, 40);
-    EXPECT_LT(l1_to_bell(marginal.average_over(uniform_edges(-5, 5, 25))), 1e-6)
+    EXPECT_LT(l1_to_bell(marginal.average_over_bins(edges)), 2e-3) << text.substr(0, 40);
+    EXPECT_LT(l1_to_bell(marginal.average_over_bins(uniform_edges(-5, 5, 25))), 1e-6)
         << "where edges coincide";
   }
 }
@@ -103,7 +103,7 @@ TEST(ExternalMarginal, ConvergesWithTheNumberOfPoints) {
                                  (bell_below(next) - bell_below(x)) / (next - x))
                    : fmt::format("{} {}\n", x, bell(x));
     }
-    return l1_to_bell(read(text).average_over(uniform_edges(-6, 6, 131)));
+    return l1_to_bell(read(text).average_over_bins(uniform_edges(-6, 6, 131)));
   };
   const double points_order = std::log2(error(40, false) / error(80, false));
   EXPECT_GT(points_order, 2) << error(40, false) << " " << error(80, false);
@@ -143,24 +143,24 @@ TEST(ExternalMarginal, IsNormalisedOnlyIfItsMassIsFarFromOne) {
   const auto edges = uniform_edges(-6, 6, 77);
   const ExternalMarginal tripled = read(points(3, "", "{} {}\n"));
   EXPECT_NEAR(tripled.file().divided_by.value(), 3, 1e-3);
-  EXPECT_LT(l1_to_bell(tripled.average_over(edges)), 2e-4);
+  EXPECT_LT(l1_to_bell(tripled.average_over_bins(edges)), 2e-4);
   EXPECT_NEAR(tripled.moment(0), 1, 1e-12);
   const ExternalMarginal nearly = read(points(0.95, "", "{} {}\n"));
   EXPECT_FALSE(nearly.file().divided_by);
-  EXPECT_NEAR(l1_to_bell(nearly.average_over(edges)), 0.05, 1e-3);
+  EXPECT_NEAR(l1_to_bell(nearly.average_over_bins(edges)), 0.05, 1e-3);
 }
 
 TEST(ExternalMarginal, CountsOfUnequalBinsAreNotDensities) {
   const std::string rows = "0,1,10\n1,2,10\n2,4,10\n4,8,10\n";
   const auto first_bin = [](const std::string& text) {
-    return read(text).average_over(std::vector<double>{0, 1, 2, 4, 8, 9}).density[0];
+    return read(text).average_over_bins(std::vector<double>{0, 1, 2, 4, 8, 9}).density[0];
   };
   EXPECT_NEAR(first_bin("lower,upper,count\n" + rows), 1.0 / 4, 1e-12);
   EXPECT_NEAR(first_bin(rows), 1.0 / 4, 1e-12);
   EXPECT_NEAR(first_bin("0,1,0.5\n" + rows.substr(7)), 0.5 / 70.5, 1e-12);  // not integers
   const auto whole = read("0,0.25,2\n0.25,0.75,1\n0.75,1,0\n1,2,0\n");      // integral 1
-  EXPECT_NEAR(whole.average_over(std::vector<double>{0, 0.25}).density[0], 2, 1e-12);
-  const auto on = read(rows).average_over(std::vector<double>{2, 4, 8, 9});
+  EXPECT_NEAR(whole.average_over_bins(std::vector<double>{0, 0.25}).density[0], 2, 1e-12);
+  const auto on = read(rows).average_over_bins(std::vector<double>{2, 4, 8, 9});
   EXPECT_NEAR(on.density[0], 0.125, 1e-12);
   EXPECT_NEAR(on.density[1], 0.0625, 1e-12);
   EXPECT_EQ(on.density[2], 0);
@@ -168,7 +168,7 @@ TEST(ExternalMarginal, CountsOfUnequalBinsAreNotDensities) {
 
 TEST(ExternalMarginal, DistinguishesProbabilitiesCountsAndDensities) {
   const auto first_bin = [](const std::string& text) {
-    return read(text).average_over(std::vector<double>{0, 0.5, 1, 2, 4}).density[0];
+    return read(text).average_over_bins(std::vector<double>{0, 0.5, 1, 2, 4}).density[0];
   };
   const auto values = [](const std::string& text) { return read(text).file().values; };
   const auto note = [](const std::string& text) { return read(text).file().notes.front(); };
@@ -208,7 +208,7 @@ TEST(ExternalMarginal, DoesNotMistakeBinsWithGapsForPoints) {
 
 TEST(ExternalMarginal, NotesACutOff) {
   const ExternalMarginal cut = read(points(1, "v p\n", "{} {}\n", -1));  // from -1 to 9
-  const auto on = cut.average_over(uniform_edges(-3, 3, 6));
+  const auto on = cut.average_over_bins(uniform_edges(-3, 3, 6));
   EXPECT_EQ(on.density[0], 0);
   EXPECT_EQ(on.density[1], 0);
   EXPECT_NEAR(on.density[2], (bell_below(0) - bell_below(-1)) / 1 / bell_below(1), 1e-3);
@@ -226,19 +226,19 @@ TEST(ExternalMarginal, IsExtrapolatedToTheWall) {
     if (k >= 3) far += fmt::format("{} {}\n", y, 2 * bell(y));
   }
   const auto edges = uniform_edges(0, 6, 60);
-  EXPECT_LT(l1_to_bell(read(centres).average_over(edges), 2), 1e-3);
-  EXPECT_EQ(read(far).average_over(edges).density[0], 0);
+  EXPECT_LT(l1_to_bell(read(centres).average_over_bins(edges), 2), 1e-3);
+  EXPECT_EQ(read(far).average_over_bins(edges).density[0], 0);
   std::string steep;
   for (int k = 0; k < 60; ++k)
     steep += fmt::format("{} {}\n", 0.1 + 0.2 * k, std::exp(-0.1 - 0.2 * k));
-  EXPECT_NEAR(read(steep).average_over(std::vector<double>{0, 0.1}).density[0],
+  EXPECT_NEAR(read(steep).average_over_bins(std::vector<double>{0, 0.1}).density[0],
               (1 - std::exp(-0.1)) / 0.1, 6e-3);
   EXPECT_TRUE(contains(read(far).file().notes.back(), "is cut off at 0.35"));
 }
 
 TEST(ExternalMarginal, HasIntervalsIfItHasStandardErrors) {
   const ExternalMarginal marginal = read(points(1, "v p error\n", "{} {} 0.01\n"));
-  const auto on = marginal.average_over(uniform_edges(-6, 6, 60));
+  const auto on = marginal.average_over_bins(uniform_edges(-6, 6, 60));
   ASSERT_EQ(on.lower.size(), 60u);
   // The bins are two intervals wide: the trapezoidal rule has the weights 1/4, 1/2, 1/4.
   const double half = 1.959964 * 0.01 * std::sqrt(6.0) / 4;
@@ -246,7 +246,8 @@ TEST(ExternalMarginal, HasIntervalsIfItHasStandardErrors) {
   EXPECT_NEAR(on.density[30] - on.lower[30], half, 1e-6);
   EXPECT_EQ(on.upper[0], 0);  // outside the file's range
   EXPECT_GE(on.lower[8], 0);
-  EXPECT_TRUE(read(points(1, "", "{} {}\n")).average_over(uniform_edges(0, 1, 2)).lower.empty());
+  EXPECT_TRUE(
+      read(points(1, "", "{} {}\n")).average_over_bins(uniform_edges(0, 1, 2)).lower.empty());
 }
 
 // L1 distances from the exact density for many files of the density 1 on 0..1 with noise at its
@@ -259,7 +260,7 @@ void expect_sampling_error(int points, int bins, bool centres) {
   std::normal_distribution<double> normal;
   double sum = 0, squares = 0;
   int above = 0;
-  BinSamplingL1 announced;
+  L1SamplingError announced;
   for (int file = 0; file < kFiles; ++file) {
     std::string text = "y p error\n";
     for (int k = 0; k < points; ++k) {
@@ -268,9 +269,9 @@ void expect_sampling_error(int points, int bins, bool centres) {
     }
     if (centres) text += "1 1 0\n";
     const ExternalMarginal marginal = read(text);
-    if (file == 0) announced = marginal.sampling_l1(edges);
+    if (file == 0) announced = marginal.l1_sampling_error(edges);
     double distance = 0;
-    const auto on = marginal.average_over(edges);
+    const auto on = marginal.average_over_bins(edges);
     for (std::size_t b = 0; b < on.size(); ++b) distance += std::abs(on.density[b] - 1) / bins;
     sum += distance;
     squares += distance * distance;
@@ -296,7 +297,7 @@ TEST(ExternalMarginal, EstimatesItsSamplingError) {
 TEST(ExternalMarginal, HasTheErrorsOfBinAverages) {
   const auto errors = [](const std::string& text, const std::vector<double>& edges) {
     std::vector<double> result;
-    const auto on = read("y p error\n" + text).average_over(edges);
+    const auto on = read("y p error\n" + text).average_over_bins(edges);
     for (std::size_t b = 0; b < on.size(); ++b) {
       result.push_back((on.upper[b] - on.density[b]) / 1.959964);
     }
@@ -317,9 +318,9 @@ TEST(ExternalMarginal, HasTheErrorsOfBinAverages) {
 
 TEST(ExternalMarginal, ComputesTheMassOutsideARange) {
   const ExternalMarginal marginal = read(points(3, "v p\n", "{} {}\n"));
-  EXPECT_NEAR(marginal.fraction_outside(-6, 6), 0, 1e-12);
-  EXPECT_NEAR(marginal.fraction_outside(-1, 2), bell_below(-1) + bell_below(-2), 1e-4);
-  EXPECT_NEAR(marginal.fraction_outside(7, 8), 1, 1e-12);
+  EXPECT_NEAR(marginal.mass_fraction_outside(-6, 6), 0, 1e-12);
+  EXPECT_NEAR(marginal.mass_fraction_outside(-1, 2), bell_below(-1) + bell_below(-2), 1e-4);
+  EXPECT_NEAR(marginal.mass_fraction_outside(7, 8), 1, 1e-12);
 }
 
 TEST(ExternalMarginal, RefusesInvalidFiles) {

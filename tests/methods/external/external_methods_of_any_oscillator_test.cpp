@@ -84,10 +84,10 @@ Method own_law(const Problem& problem, const ExternalDensity& own = {.label = "o
   const exact::EnergyLaw law(problem);
   const DensityPoints points = points_of(problem);
   std::vector<double> values;
-  for (const double y : points.y()) {
-    for (const double v : points.v()) values.push_back(law(y, v));
+  for (const double y : points.y_points()) {
+    for (const double v : points.v_points()) values.push_back(law(y, v));
   }
-  return make_function_method(own, {}, points, values);
+  return make_method_from_density_values(own, {}, points, values);
 }
 
 transform::Solution solved(const Method& method, const Problem& problem) {
@@ -109,7 +109,7 @@ double distance_from_law(const transform::Solution& solution, const Problem& pro
                          Variable variable) {
   const exact::EnergyLaw law(problem);
   const auto axes = compare::comparison_axes(problem);
-  const auto m = marginal(solution, variable, compare::edges(axes, variable));
+  const auto m = marginal(solution, variable, compare::bin_edges(axes, variable));
   const double third = std::sqrt(0.6);
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) {
@@ -128,19 +128,19 @@ TEST(ExternalMethodsOfAnyOscillator, ReproduceExactDensities) {
     const exact::EnergyLaw law(problem);
     const auto own = solved(own_law(problem), problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
-    EXPECT_NEAR(transform::number(own.metrics, "normalised_by").value(), 1, 1e-6);
+    EXPECT_NEAR(transform::metric_number(own.metrics, "normalised_by").value(), 1, 1e-6);
     EXPECT_NEAR(own.moments.y1, law.moment(1, 0), 1e-6);
     EXPECT_NEAR(own.moments.y2, law.moment(2, 0), 1e-6);
     EXPECT_NEAR(own.moments.v2, law.moment(0, 2), 1e-6);
     EXPECT_NEAR(own.energy_residual, 0, 1e-6);
-    EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 1e-6);
-    const auto momentum = transform::number(own.metrics, "balances.momentum");
+    EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 1e-6);
+    const auto momentum = transform::metric_number(own.metrics, "balances.momentum");
     EXPECT_EQ(momentum.has_value(), name != "bistable" && name != "ring");
     EXPECT_NEAR(momentum.value_or(0), 0, 1e-6);
     for (const auto variable : transform::kVariables) {
       EXPECT_LT(distance_from_law(own, problem, variable), 1e-6);
     }
-    EXPECT_FALSE(transform::word(own.metrics, "notes[0]"));
+    EXPECT_FALSE(transform::metric_text(own.metrics, "notes[0]"));
   }
 }
 
@@ -160,10 +160,11 @@ TEST(ExternalMethodsOfAnyOscillator, AreCutOffOnlyAtEndsWithoutAWall) {
   const auto status_of = [](const Problem& problem) {
     const DensityPoints points = points_of(problem);
     std::vector<double> values;
-    for (std::size_t i = 0; i < points.y().size(); ++i) {
-      for (const double v : points.v()) values.push_back(std::exp(-8 * v * v));
+    for (std::size_t i = 0; i < points.y_points().size(); ++i) {
+      for (const double v : points.v_points()) values.push_back(std::exp(-8 * v * v));
     }
-    return solved(make_function_method({.label = "own"}, {}, points, values), problem).reason;
+    return solved(make_method_from_density_values({.label = "own"}, {}, points, values), problem)
+        .reason;
   };
   EXPECT_EQ(status_of(two_walls()), "");
   EXPECT_TRUE(contains(status_of(mirrored()), "), at y = -"));
@@ -241,10 +242,10 @@ TEST_F(FilesOfAnyOscillator, OfMarginalsMayHaveAnySignOfY) {
     SCOPED_TRACE(from);
     const auto own = of(marginal_of(problem, from, to, false), problem);
     EXPECT_LT(distance_from_law(own, problem, Variable::y), 1e-3);
-    EXPECT_EQ(transform::word(own.metrics, "files[0].variable"), "y");
+    EXPECT_EQ(transform::metric_text(own.metrics, "files[0].variable"), "y");
     // Extrapolated to the walls from the centres of the cells: no note on a cut-off.
-    EXPECT_FALSE(transform::word(own.metrics, "files[0].notes[0]"))
-        << *transform::word(own.metrics, "files[0].notes[0]");
+    EXPECT_FALSE(transform::metric_text(own.metrics, "files[0].notes[0]"))
+        << *transform::metric_text(own.metrics, "files[0].notes[0]");
     EXPECT_NEAR(own.moments.y1, exact::EnergyLaw(problem).moment(1, 0), 1e-3);
     EXPECT_NEAR(own.mass, 1, 1e-3);
   }
@@ -253,7 +254,8 @@ TEST_F(FilesOfAnyOscillator, OfMarginalsMayHaveAnySignOfY) {
 TEST_F(FilesOfAnyOscillator, OfBothMarginalsHaveAVirialResidual) {
   for (const auto& problem : {bistable(), mirrored(), gap()}) {
     const exact::EnergyLaw law(problem);
-    const double to = problem.system.right() ? 0.4 : 6, from = problem.system.left() ? -0.5 : -6;
+    const double to = problem.system.right_wall() ? 0.4 : 6,
+                 from = problem.system.left_wall() ? -0.5 : -6;
     const auto y = marginal_of(problem, from, to, false);
     std::ofstream out(path("v.csv"));
     out << "v,p\n";
@@ -264,7 +266,7 @@ TEST_F(FilesOfAnyOscillator, OfBothMarginalsHaveAVirialResidual) {
     const auto methods =
         external_methods(std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin_registry());
     const auto own = solved(methods.front(), problem);
-    EXPECT_NEAR(transform::number(own.metrics, "balances.virial").value(), 0, 2e-3);
+    EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 2e-3);
   }
 }
 
@@ -277,7 +279,7 @@ TEST_F(FilesOfAnyOscillator, OfJointDensitiesReproduceTheDensity) {
     EXPECT_EQ(own.status, Status::ok) << own.reason;
     EXPECT_LT(distance_from_law(own, problem, Variable::y), 3e-3);
     EXPECT_LT(distance_from_law(own, problem, Variable::ydot), 3e-3);
-    const auto momentum = transform::number(own.metrics, "balances.momentum");
+    const auto momentum = transform::metric_number(own.metrics, "balances.momentum");
     EXPECT_NEAR(momentum.value_or(0), 0, 2e-3);
   }
 }
@@ -299,7 +301,7 @@ TEST_F(FilesOfAnyOscillator, OfARunReproduceItsDensities) {
     kept.mass = 1;
     kept.density = cells;
     const results::Run run{results::this_program("fpkcheck run"),
-                           {results::make_case(problem, axes, {kept})}};
+                           {results::make_case_result(problem, axes, {kept})}};
     std::ofstream(path("joint.nc"), std::ios::binary) << results::joint_netcdf(run);
     const auto own = of(path("joint.nc") + ",solution=fd-kf", problem);
     EXPECT_EQ(own.status, Status::ok) << own.reason;
@@ -331,7 +333,7 @@ TEST_F(FilesOfAnyOscillator, AreRefusedBehindAWall) {
   EXPECT_TRUE(contains(refusal([&] { of(joint_of(bistable(), -2.5, 2.5), two_walls()); }),
                        "(must be -0.5 <= y <= 1)"));
   const std::vector<double> y(200, -0.6), v(200, 0.1);
-  const auto samples = make_samples_method({.label = "a"}, y, v);
+  const auto samples = make_method_from_samples({.label = "a"}, y, v);
   EXPECT_EQ(refusal([&] { samples.check(gap()); }),
             "samples 'a': y = -0.6, y' = 0.1 (must be y >= -0.5)");
   EXPECT_EQ(refusal([&] { samples.check(bistable()); }), "accepted");
@@ -348,7 +350,7 @@ TEST(ExternalMethodsOfAnyOscillator, HaveTheErrorsOfTheirMirrorImages) {
   const auto right = read("-3.5 0.1 0.01\n-2.5 0.2 0.02\n-1.5 0.4 0.03\n-0.5 0.3 0.01\n",
                           {.left = {}, .right = Wall{0, 1}});
   const std::vector<double> edges{0, 0.25, 0.5, 1, 3}, turned{-3, -1, -0.5, -0.25, 0};
-  const auto a = left.average_over(edges), b = right.average_over(turned);
+  const auto a = left.average_over_bins(edges), b = right.average_over_bins(turned);
   for (std::size_t k = 0; k < a.size(); ++k) {
     const std::size_t other = a.size() - 1 - k;
     EXPECT_NEAR(a.density[k], b.density[other], 1e-12);
@@ -356,8 +358,9 @@ TEST(ExternalMethodsOfAnyOscillator, HaveTheErrorsOfTheirMirrorImages) {
     EXPECT_NEAR(a.lower[k], b.lower[other], 1e-12);
   }
   EXPECT_GT(a.density[0], 0.1);
-  EXPECT_NEAR(left.sampling_l1(edges).expected, right.sampling_l1(turned).expected, 1e-12);
-  EXPECT_GT(left.sampling_l1(edges).expected, 0);
+  EXPECT_NEAR(left.l1_sampling_error(edges).expected, right.l1_sampling_error(turned).expected,
+              1e-12);
+  EXPECT_GT(left.l1_sampling_error(edges).expected, 0);
 }
 
 TEST(ExternalMethodsOfAnyOscillator, NoteTheMissingMassAtRest) {
@@ -369,16 +372,17 @@ TEST(ExternalMethodsOfAnyOscillator, NoteTheMissingMassAtRest) {
     y[k] = k < 250 ? 0 : 0.001 * static_cast<double>(k);
     v[k] = k < 250 ? 0 : 0.3;
   }
-  const auto own = solved(make_samples_method({.label = "a"}, y, v), pressed);
+  const auto own = solved(make_method_from_samples({.label = "a"}, y, v), pressed);
   EXPECT_NEAR(own.mass, 0.75, 1e-12);
   EXPECT_EQ(own.estimated_marginals.front().second.density[0], 0);
-  EXPECT_TRUE(contains(transform::word(own.metrics, "notes[0]").value(), "at rest in contact"));
+  EXPECT_TRUE(
+      contains(transform::metric_text(own.metrics, "notes[0]").value(), "at rest in contact"));
   // Under white noise no mass is at rest.
   Problem lifted = pressed;
   lifted.noise.intensity = 0.1;
-  const auto all = solved(make_samples_method({.label = "a"}, y, v), lifted);
+  const auto all = solved(make_method_from_samples({.label = "a"}, y, v), lifted);
   EXPECT_NEAR(all.mass, 1, 1e-12);
-  EXPECT_FALSE(transform::word(all.metrics, "notes[0]"));
+  EXPECT_FALSE(transform::metric_text(all.metrics, "notes[0]"));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class ExternalMethods : public testing::Test {
     const fs::path file = directory_.path() / name;
     std::ofstream out(file);
     const auto& density = std::get<transform::SmoothDensity>(*solutions_[6].density);
-    const auto& bins = compare::edges(axes_, variable);
+    const auto& bins = compare::bin_edges(axes_, variable);
     const auto exact = transform::marginal(density, variable, bins);
     for (std::size_t b = 0; b < exact.size(); ++b) {
       out << (standard_error > 0
@@ -42,13 +42,13 @@ class ExternalMethods : public testing::Test {
     return file.string();
   }
 
-  results::Case case_with(const std::vector<std::string>& arguments) {
+  results::CaseResult case_with(const std::vector<std::string>& arguments) {
     std::vector<transform::Solution> all;
     for (const auto& method : external_methods(arguments, builtin_registry())) {
       all.push_back(solve_with(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
-    return results::make_case(problem_, axes_, all);
+    return results::make_case_result(problem_, axes_, all);
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
@@ -67,7 +67,7 @@ class ExternalMethods : public testing::Test {
 };
 
 double observed(const transform::Solution& solution, const std::string& path) {
-  return transform::number(solution.metrics, path).value_or(NAN);
+  return transform::metric_number(solution.metrics, path).value_or(NAN);
 }
 
 TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
@@ -84,7 +84,7 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
 
   EXPECT_EQ(lab.identity.method, "file");
   EXPECT_EQ(transform::equation_and_impact_text(lab.identity), "given/-");
-  EXPECT_EQ(lab.identity.role, transform::Role::external);
+  EXPECT_EQ(lab.identity.role, transform::SolutionRole::external);
   EXPECT_NEAR(lab.mass, 1, 1e-9);
   using transform::Moments;
   for (const auto moment : {&Moments::y1, &Moments::y2, &Moments::y4, &Moments::v2, &Moments::v4}) {
@@ -93,7 +93,7 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
   EXPECT_TRUE(std::isnan(alone.moments.y2));
   EXPECT_FALSE(std::isnan(alone.moments.v2));
   EXPECT_TRUE(std::isnan(alone.energy_residual));
-  EXPECT_TRUE(contains(transform::word(lab.metrics, "files[1].file").value(), "v.csv"));
+  EXPECT_TRUE(contains(transform::metric_text(lab.metrics, "files[1].file").value(), "v.csv"));
 }
 
 TEST_F(ExternalMethods, DifferencesAreComparedWithTheirErrors) {
@@ -156,14 +156,14 @@ TEST_F(ExternalMethods, NoteMassBeyondTheAxes) {
     }
     return file.string();
   };
-  const auto note = [&](const results::Case& one) {
+  const auto note = [&](const results::CaseResult& one) {
     std::string all;
     for (const auto& text : report::findings(one)) {
       if (text.starts_with("Note on far.csv")) all += text;
     }
     return all;
   };
-  const auto share = [&](const results::Case& one) {
+  const auto share = [&](const results::CaseResult& one) {
     return observed(one.solutions[0], "files[0].beyond_axes");
   };
   const auto within = case_with({file_of(end / 10)}), far = case_with({file_of(end / 2)});

@@ -51,7 +51,7 @@ class JointTables : public testing::Test {
 
   double l1_of_y(const JointTable& table) const {
     const auto values = evaluate_at(table, points_);
-    const auto averages = PointIntegrals(points_, values).averages();
+    const auto averages = DensityIntegrals(points_, values).averages();
     const auto found = transform::marginal(averages, Variable::y, axes_.y_edges);
     double sum = 0;
     for (std::size_t b = 0; b < found.size(); ++b) {
@@ -101,8 +101,9 @@ TEST_F(JointTables, AreExtrapolatedToTheWall) {
   }
   const auto values = evaluate_at(read_joint(text), points_);
   // On the straight line through the first two points: 5 at y = 0.1 and 4 at y = 0.3.
-  const std::size_t nv = points_.v().size(), middle = nv / 2;
-  EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y()[2]), 1e-6);
+  const std::size_t nv = points_.v_points().size(), middle = nv / 2;
+  EXPECT_NEAR(values[middle] / values[nv * 2 + middle], 5.5 / (5.5 - 5 * points_.y_points()[2]),
+              1e-6);
 }
 
 TEST_F(JointTables, OfCellsConserveTheirAverages) {
@@ -115,18 +116,19 @@ TEST_F(JointTables, OfCellsConserveTheirAverages) {
     }
   }
   const auto values = evaluate_at(cells, points_);
-  const PointIntegrals integrals(points_, values);
+  const DensityIntegrals integrals(points_, values);
   EXPECT_NEAR(integrals.mass(), transform::mass(cells), 1e-12);
   const auto averages = integrals.averages();
   std::size_t j0 = 0;
   while (averages.v_edges[j0] < cells.v_edges[0] - 1e-9) ++j0;
   for (const std::size_t i : {0, 7, 40}) {
     for (const std::size_t j : {5, 100, 120}) {
-      EXPECT_NEAR(averages.average(i, j0 + j), cells.average(i, j), 1e-12) << i << ' ' << j;
+      EXPECT_NEAR(averages.cell_average(i, j0 + j), cells.cell_average(i, j), 1e-12)
+          << i << ' ' << j;
     }
   }
-  const double wall = values[points_.v().size() / 2];
-  EXPECT_NEAR(wall / (2 * exact_(0, points_.v()[points_.v().size() / 2])), 1, 1e-3);
+  const double wall = values[points_.v_points().size() / 2];
+  EXPECT_NEAR(wall / (2 * exact_(0, points_.v_points()[points_.v_points().size() / 2])), 1, 1e-3);
 }
 
 TEST_F(JointTables, AreRefusedIfIncomplete) {

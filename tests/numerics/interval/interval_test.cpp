@@ -44,7 +44,7 @@ TEST(Interval, EveryOperationEnclosesTheExactResultAndNoMore) {
       struct {
         Interval sum, difference, product, quotient;
       } r{};
-      with_upward_rounding([&] {
+      call_with_upward_rounding([&] {
         const Interval x = a, y = b;
         r = {x + y, x - y, x * y, x / y};
         return 0;
@@ -63,7 +63,7 @@ TEST(Interval, ProductsOfIntervalsHoldAllProductsOfTheirEnds) {
     for (const double b : numbers) {
       for (const double c : numbers) {
         const Interval x(std::min(a, b), std::max(a, b));
-        const Interval product = with_upward_rounding([&] { return x * Interval(c) + x; });
+        const Interval product = call_with_upward_rounding([&] { return x * Interval(c) + x; });
         for (const double end : {a, b}) {
           const Exact exact = Exact(end) * Exact(c) + Exact(end);
           EXPECT_LE(Exact(product.lower()), exact);
@@ -79,7 +79,7 @@ TEST(Interval, ASumWhoseTermsCancelStillHoldsTheExactOne) {
   Exact exact = 0;
   for (const double x : numbers) exact += Exact(x) * Exact(x) - Exact(0.1) * Exact(x);
   for (const double x : numbers) exact -= Exact(x) * Exact(x);
-  const Interval sum = with_upward_rounding([&] {
+  const Interval sum = call_with_upward_rounding([&] {
     Interval s = 0;
     for (const double x : numbers) s += Interval(x) * x - Interval(0.1) * x;
     for (const double x : numbers) s -= Interval(x) * x;
@@ -91,7 +91,7 @@ TEST(Interval, ASumWhoseTermsCancelStillHoldsTheExactOne) {
 
 TEST(Interval, EnclosesRootsAndExponentials) {
   for (const double x : {1e-9, 0.1, 0.24, 0.26, 1.0, 2.0 / 3, 7.7, 40.5, 123.4}) {
-    const auto [root, decay] = with_upward_rounding(
+    const auto [root, decay] = call_with_upward_rounding(
         [&] { return std::pair(sqrt(Interval(x)), exponential(Interval(-x))); });
     const Precise e = exp(-Precise(x)), s = sqrt(Precise(x));
     EXPECT_LE(Precise(root.lower()), s) << x;
@@ -105,7 +105,7 @@ TEST(Interval, EnclosesRootsAndExponentials) {
 TEST(Interval, RootsAreEnclosedWhateverTheirLastBit) {
   for (const double a : awkward_numbers(400)) {
     const double x = std::abs(a);
-    const Interval root = with_upward_rounding([&] { return sqrt(Interval(x)); });
+    const Interval root = call_with_upward_rounding([&] { return sqrt(Interval(x)); });
     EXPECT_LE(Exact(root.lower()) * Exact(root.lower()), Exact(x));
     EXPECT_GE(Exact(root.upper()) * Exact(root.upper()), Exact(x));
     EXPECT_LE(root.upper() - root.lower(), 5e-16 * root.upper());
@@ -114,10 +114,11 @@ TEST(Interval, RootsAreEnclosedWhateverTheirLastBit) {
 
 TEST(Interval, RoundingIsUpwardInsideAndAsBeforeOutside) {
   const int before = std::fegetround();
-  EXPECT_EQ(with_upward_rounding([] { return std::fegetround(); }), FE_UPWARD);
+  EXPECT_EQ(call_with_upward_rounding([] { return std::fegetround(); }), FE_UPWARD);
   EXPECT_EQ(std::fegetround(), before);
-  EXPECT_THROW(with_upward_rounding([]() -> int { throw std::runtime_error("thrown inside"); }),
-               std::runtime_error);
+  EXPECT_THROW(
+      call_with_upward_rounding([]() -> int { throw std::runtime_error("thrown inside"); }),
+      std::runtime_error);
   EXPECT_EQ(std::fegetround(), before);
 }
 

@@ -13,12 +13,13 @@ struct Example {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(21, 21);
 
   explicit Example(double diagonal) {
-    for (int c = 0; c < banded.blocks(); ++c) {
-      for (int r = c; r <= std::min(c + 2, banded.blocks() - 1); ++r) {
+    for (int c = 0; c < banded.block_count(); ++c) {
+      for (int r = c; r <= std::min(c + 2, banded.block_count() - 1); ++r) {
         auto block = banded.block(r, c);
         for (int i = 0; i < block.rows(); ++i) {
           for (int j = 0; j < block.cols(); ++j) {
-            const Eigen::Index row = banded.offset(r) + i, column = banded.offset(c) + j;
+            const Eigen::Index row = banded.block_offset(r) + i,
+                               column = banded.block_offset(c) + j;
             const double product = static_cast<double>(row * column);
             const double value =
                 row == column ? diagonal + std::sqrt(product) : std::cos(product + 1);
@@ -43,7 +44,7 @@ TEST(BlockBandedMatrix, SolvesLikeADenseFactor) {
 TEST(BlockBandedMatrix, IsScaledAndShiftedAsAMatrix) {
   Example example(12);
   const Eigen::VectorXd scale = Eigen::VectorXd::LinSpaced(21, 0.5, 2);
-  example.banded.scale(scale);
+  example.banded.scale_symmetrically(scale);
   example.banded.add_to_diagonal(0.3);
   Eigen::MatrixXd dense = scale.asDiagonal() * example.dense * scale.asDiagonal();
   dense.diagonal().array() += 0.3;

@@ -21,8 +21,8 @@ TEST(RealRoots, OfEvenOrderChangeNoSign) {
 }
 
 TEST(RealRoots, LieWithinTheBound) {
-  EXPECT_GE(root_bound(Polynomial({-1e6, 0, 1})), 1e3);
-  EXPECT_EQ(root_bound(Polynomial({5})), 0);
+  EXPECT_GE(root_modulus_bound(Polynomial({-1e6, 0, 1})), 1e3);
+  EXPECT_EQ(root_modulus_bound(Polynomial({5})), 0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/linear_algebra/dense.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
 
 namespace fpkcheck::numerics {
 namespace {
@@ -27,11 +27,11 @@ TEST(Continuation, PassesTwoFolds) {
   const auto g = [](double a) { return 4 * a * a * a - 6 * a * a + 2.6 * a; };
   const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
   const Homotopy family = graph(g, slope);
-  const SolutionCurve curve = trace_curve(family, VectorXd::Zero(1), {});
+  const SolutionCurve curve = trace_solution_curve(family, VectorXd::Zero(1), {});
   const auto regularity_at = [&](const CurvePoint& point) {
     return singularity_indicators(family.jacobian(point.a, point.t));
   };
-  EXPECT_EQ(curve.end, Termination::end_reached);
+  EXPECT_EQ(curve.end, TerminationReason::end_reached);
   ASSERT_EQ(curve.folds.size(), 2u);
   // half the distance of the roots of g'
   const double half_gap = std::sqrt(144 - 4 * 12 * 2.6) / 24;
@@ -44,7 +44,7 @@ TEST(Continuation, PassesTwoFolds) {
   }
   EXPECT_EQ(curve.points.back().t, 1);
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
-  EXPECT_EQ(curve.furthest().t, 1);
+  EXPECT_EQ(curve.point_with_largest_t().t, 1);
   for (const CurvePoint& point : curve.points) {
     EXPECT_NEAR(g(point.a[0]), point.t, 1e-10);
     const double s = slope(point.a[0]);
@@ -57,19 +57,19 @@ TEST(Continuation, PassesTwoFolds) {
 TEST(Continuation, ReportsReturningCurve) {
   const auto g = [](double a) { return 2 * a * (1 - a); };  // at most 1/2
   const auto slope = [](double a) { return 2 - 4 * a; };
-  const SolutionCurve curve = trace_curve(graph(g, slope), VectorXd::Zero(1), {});
-  EXPECT_EQ(curve.end, Termination::fell_back);
+  const SolutionCurve curve = trace_solution_curve(graph(g, slope), VectorXd::Zero(1), {});
+  EXPECT_EQ(curve.end, TerminationReason::fell_back);
   ASSERT_EQ(curve.folds.size(), 1u);
-  EXPECT_NEAR(curve.furthest().t, 0.5, 1e-10);
+  EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-10);
   EXPECT_NEAR(curve.points.back().a[0], 1, 1e-10);
 }
 
 TEST(Continuation, ReportsDivergence) {
   const auto g = [](double a) { return a / (1 + a); };  // g = 1 is reached only at infinity
   const auto slope = [](double a) { return 1 / ((1 + a) * (1 + a)); };
-  const SolutionCurve curve =
-      trace_curve(graph(g, slope), VectorXd::Zero(1), {.max_points = 4000, .max_norm = 20});
-  EXPECT_EQ(curve.end, Termination::diverged);
+  const SolutionCurve curve = trace_solution_curve(graph(g, slope), VectorXd::Zero(1),
+                                                   {.max_points = 4000, .max_norm = 20});
+  EXPECT_EQ(curve.end, TerminationReason::diverged);
   EXPECT_TRUE(curve.folds.empty());
 }
 
@@ -77,8 +77,8 @@ TEST(Continuation, PassesFoldsWithoutLocatingThem) {
   const auto g = [](double a) { return 4 * a * a * a - 6 * a * a + 2.6 * a; };
   const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
   const SolutionCurve curve =
-      trace_curve(graph(g, slope), VectorXd::Zero(1), {.locate_folds = false});
-  EXPECT_EQ(curve.end, Termination::end_reached);
+      trace_solution_curve(graph(g, slope), VectorXd::Zero(1), {.locate_folds = false});
+  EXPECT_EQ(curve.end, TerminationReason::end_reached);
   EXPECT_TRUE(curve.folds.empty());
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
 }
@@ -88,11 +88,11 @@ TEST(Continuation, ToleratesNegativeParameters) {
   const auto g = [](double a) { return 8 * a * (a * a - a + 0.16); };
   const auto slope = [](double a) { return 8 * (3 * a * a - 2 * a + 0.16); };
   const Homotopy family = graph(g, slope);
-  const SolutionCurve back = trace_curve(family, VectorXd::Zero(1), {});
-  EXPECT_EQ(back.end, Termination::fell_back);
+  const SolutionCurve back = trace_solution_curve(family, VectorXd::Zero(1), {});
+  EXPECT_EQ(back.end, TerminationReason::fell_back);
   EXPECT_NEAR(back.points.back().a[0], 0.2, 1e-10);
-  const SolutionCurve curve = trace_curve(family, VectorXd::Zero(1), {.min_t = -1});
-  EXPECT_EQ(curve.end, Termination::end_reached);
+  const SolutionCurve curve = trace_solution_curve(family, VectorXd::Zero(1), {.min_t = -1});
+  EXPECT_EQ(curve.end, TerminationReason::end_reached);
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
   EXPECT_LT(std::ranges::min_element(curve.points, {}, &CurvePoint::t)->t, -0.38);
 }
@@ -101,17 +101,17 @@ TEST(Continuation, AcceptsShortCorrectionsForUnscaledResiduals) {
   const auto g = [](double a) { return 1e12 * a; };
   const auto slope = [](double) { return 1e12; };
   const SolutionCurve curve =
-      trace_curve(graph(g, slope), VectorXd::Zero(1),
-                  {.tolerance = 0, .correction_tolerance = 1e-6, .max_points = 40});
-  EXPECT_EQ(curve.end, Termination::end_reached);
+      trace_solution_curve(graph(g, slope), VectorXd::Zero(1),
+                           {.tolerance = 0, .correction_tolerance = 1e-6, .max_points = 40});
+  EXPECT_EQ(curve.end, TerminationReason::end_reached);
 }
 
 TEST(Continuation, ReportsStepUnderflow) {
   const auto g = [](double a) { return a < 0.5 ? a : std::numeric_limits<double>::quiet_NaN(); };
   const SolutionCurve curve =
-      trace_curve(graph(g, [](double) { return 1.0; }), VectorXd::Zero(1), {});
-  EXPECT_EQ(curve.end, Termination::step_underflow);
-  EXPECT_NEAR(curve.furthest().t, 0.5, 1e-3);
+      trace_solution_curve(graph(g, [](double) { return 1.0; }), VectorXd::Zero(1), {});
+  EXPECT_EQ(curve.end, TerminationReason::step_underflow);
+  EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-3);
 }
 
 TEST(Continuation, NewtonHomotopyReachesRootPastFolds) {
@@ -125,8 +125,8 @@ TEST(Continuation, NewtonHomotopyReachesRootPastFolds) {
   const VectorXd start = VectorXd::Constant(1, -3);
   const Homotopy family = newton_homotopy(residual, jacobian, start);
   EXPECT_EQ(family.residual(start, 0)[0], 0);
-  const SolutionCurve curve = trace_curve(family, start, {});
-  EXPECT_EQ(curve.end, Termination::end_reached);
+  const SolutionCurve curve = trace_solution_curve(family, start, {});
+  EXPECT_EQ(curve.end, TerminationReason::end_reached);
   EXPECT_EQ(curve.folds.size(), 2u);
   EXPECT_NEAR(curve.points.back().a[0], 2, 1e-10);
 }

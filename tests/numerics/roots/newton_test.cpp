@@ -32,7 +32,7 @@ struct Arctangent {
 };
 
 NewtonResult from(double start, const NewtonOptions& options) {
-  return newton(Arctangent{}, VectorXd::Constant(1, start), options);
+  return solve_by_newton(Arctangent{}, VectorXd::Constant(1, start), options);
 }
 
 TEST(Newton, DampedStepsConvergeWhereFullStepsDiverge) {

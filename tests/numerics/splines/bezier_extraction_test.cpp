@@ -22,13 +22,13 @@ double value(const Eigen::MatrixXd& rows, int l, double t) {
 
 TEST(BezierExtraction, GiveTheFunctionsOnPartsOfASpanForwardsAndBackwards) {
   const SplineBasis basis(graded_breaks(3, 7, 0.05, 1));
-  for (int span = 0; span < basis.spans(); ++span) {
+  for (int span = 0; span < basis.span_count(); ++span) {
     const double a = basis.breaks()[span], b = basis.breaks()[span + 1];
     const double from = a + 0.2 * (b - a), to = a + 0.7 * (b - a);
     const Eigen::MatrixXd forwards = bezier_extraction<double>(basis, span, from, to);
     const Eigen::MatrixXd backwards = bezier_extraction<double>(basis, span, to, from);
     for (const double t : {0.0, 0.31, 1.0}) {
-      const Eigen::MatrixXd at = basis.at(from + t * (to - from), span, 0);
+      const Eigen::MatrixXd at = basis.basis_derivatives(from + t * (to - from), span, 0);
       for (int l = 0; l <= basis.degree(); ++l) {
         EXPECT_NEAR(value(forwards, l, t), at(0, l), 1e-13);
         EXPECT_NEAR(value(backwards, l, 1 - t), at(0, l), 1e-13);

@@ -23,7 +23,7 @@ TEST(BudgetFigure, HasABarForEachPartAndALineForTheTotal) {
   // epc-gaussian-n2 has the first group; its bars divide a width of 0.8.
   EXPECT_TRUE(contains(script, "$y_l1_0 << EOD\n0.7333 0.04321 0.2667\n")) << script;
   EXPECT_TRUE(contains(script, "$y_l1_total << EOD\n0.6000 0.01234 0.8000\n")) << script;
-  EXPECT_TRUE(contains(script, part_colour("closure + impact")));
+  EXPECT_TRUE(contains(script, budget_part_colour("closure + impact")));
 }
 
 TEST(BudgetFigure, DrawsClosuresThatAreNotOkPaleAndMarked) {

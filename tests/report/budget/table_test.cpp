@@ -26,7 +26,7 @@ std::vector<std::string> cells_after(const std::string& text, const std::string&
   return {};
 }
 
-results::Case with_known_numbers() {
+results::CaseResult with_known_numbers() {
   auto case_result = made_up_case();
   case_result.limits = "Nothing limits it.";
   auto& row = case_result.budget[5];

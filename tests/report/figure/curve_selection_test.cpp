@@ -50,7 +50,7 @@ TEST(CurveSelection, SelectsByIdFamilyOrSolver) {
 }
 
 TEST(CurveSelection, RejectsAnUnknownName) {
-  std::vector<transform::Identity> available;
+  std::vector<transform::SolutionIdentity> available;
   for (const auto& solution : made_up_case().solutions) available.push_back(solution.identity);
   EXPECT_NO_THROW(validate_curves({"all", "mcs", "epc", "epc-gaussian"}, available));
   try {

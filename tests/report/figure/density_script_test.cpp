@@ -13,7 +13,7 @@ using tests::contains;
 using tests::made_up_case;
 using tests::solution_of;
 
-std::string script_of(const results::Case& case_result) {
+std::string script_of(const results::CaseResult& case_result) {
   return density_script(case_result.problem, figure_content(case_result), "stem");
 }
 

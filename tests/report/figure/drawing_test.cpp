@@ -38,7 +38,7 @@ TEST_F(Drawing, LeavesBothPicturesAndTheirScript) {
   EXPECT_TRUE(contains(contents(figures_ / "stem.png"), "format='png'"));
   EXPECT_TRUE(contains(contents(figures_ / "stem.svg"), "format='svg'"));
   std::ofstream(figures_ / "other.png") << "another's";
-  remove_pictures_of(figures_, "stem");
+  remove_script_and_pictures(figures_, "stem");
   EXPECT_TRUE(fs::exists(figures_ / "other.png"));
   fs::remove(figures_ / "other.png");
   EXPECT_TRUE(fs::is_empty(figures_));
@@ -56,7 +56,7 @@ TEST_F(Drawing, OfLatexIncludesGraphicsByFileName) {
   EXPECT_EQ(contents(figures_ / "stem.tex"), "includegraphics{stem-tex.pdf}\n");
   EXPECT_EQ(contents(figures_ / "stem-tex.pdf"), "art\n");
   EXPECT_EQ(contents(figures_ / "stem.pdf"), "the picture in another format");
-  remove_pictures_of(figures_, "stem");
+  remove_script_and_pictures(figures_, "stem");
   EXPECT_TRUE(fs::is_empty(figures_));
 }
 
@@ -91,7 +91,7 @@ TEST_F(Drawing, WithoutGnuplotIsOneWarningWithACommand) {
   EXPECT_TRUE(contains(warnings[0], "'no-such-gnuplot' was not found")) << warnings[0];
   EXPECT_TRUE(contains(warnings[0], "&& gnuplot stem.gp`")) << warnings[0];
   EXPECT_TRUE(fs::exists(figures_ / "stem.gp"));
-  EXPECT_THROW(draw("no-such-gnuplot", figures_ / "stem.gp", figures_ / "stem.png"),
+  EXPECT_THROW(draw_picture("no-such-gnuplot", figures_ / "stem.gp", figures_ / "stem.png"),
                GnuplotMissing);
 }
 

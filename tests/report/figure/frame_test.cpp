@@ -31,7 +31,7 @@ TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
 }
 
 TEST(Frame, SizesBothFormats) {
-  const std::string text = output_commands("stem", {.width = 12, .height = 34});
+  const std::string text = gnuplot_output_commands("stem", {.width = 12, .height = 34});
   EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
   EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
@@ -40,8 +40,8 @@ TEST(Frame, SizesBothFormats) {
 TEST(Frame, DrawsMinusSignsNotHyphens) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
   const tests::TemporaryDirectory directory;
-  const std::string script =
-      output_commands("stem", {.width = 400, .height = 300}) + "unset key\nplot [-2:2] [-2:2] x\n";
+  const std::string script = gnuplot_output_commands("stem", {.width = 400, .height = 300}) +
+                             "unset key\nplot [-2:2] [-2:2] x\n";
   const auto warnings =
       write_pictures(directory.path(), "stem", script, {.formats = {FigureFormat::svg}}, "gnuplot");
   ASSERT_TRUE(warnings.empty()) << warnings.front();
@@ -57,7 +57,7 @@ TEST(Frame, DrawsForPrintInItsSize) {
   EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);
   EXPECT_EQ(figure_width(FigureWidth::screen, 1500), 1500);
   const std::string text =
-      output_commands("stem", {.width = 471, .height = 200, .medium = kColumn});
+      gnuplot_output_commands("stem", {.width = 471, .height = 200, .medium = kColumn});
   EXPECT_NE(text.find("pngcairo size 1004,426 "), std::string::npos) << text;
   EXPECT_NE(text.find("pdfcairo size 3.3452,1.4205 "), std::string::npos) << text;
   EXPECT_NE(text.find("font ',7.5'"), std::string::npos) << text;

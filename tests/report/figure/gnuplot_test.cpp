@@ -81,7 +81,8 @@ TEST_F(Gnuplot, HasTruncatedOutputAndEmptyInput) {
 TEST_F(Gnuplot, RefusesAFormatThatAScriptDoesNotDraw) {
   if (!gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   const fs::path script = directory_.path() / "stem.gp", target = directory_.path() / "picture";
-  std::ofstream(script) << output_commands("stem", {.width = 300, .height = 200}) << "plot x\n";
+  std::ofstream(script) << gnuplot_output_commands("stem", {.width = 300, .height = 200})
+                        << "plot x\n";
   const auto drawn_as = [&](const std::string& format) {
     return run_gnuplot(
         "gnuplot",

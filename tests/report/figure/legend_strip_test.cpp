@@ -33,8 +33,8 @@ Legend legend_of(int entries, std::size_t letters) {
 std::size_t shown(const Legend& legend, const fs::path& directory) {
   const FigureSize size{.width = 1500, .height = 500 + legend_height(legend, 1500)};
   const fs::path script = directory / "stem.gp", svg = directory / "stem.svg";
-  std::ofstream(script) << output_commands("stem", size) << "set multiplot\n"
-                        << legend_strip(legend, size) << "unset multiplot\nunset output\n";
+  std::ofstream(script) << gnuplot_output_commands("stem", size) << "set multiplot\n"
+                        << legend_strip_commands(legend, size) << "unset multiplot\nunset output\n";
   const auto outcome =
       run_gnuplot("gnuplot", {"format='svg'", "target=" + gnuplot_string(svg.string())}, script);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.message;
@@ -63,7 +63,7 @@ TEST(LegendStrip, TakesMoreRoomForMoreAndLongerEntries) {
 
 TEST(LegendStrip, ShowsLabelsLiterally) {
   const Legend legend{{{"NaN with lines", "a_b's"}}, 2};
-  EXPECT_TRUE(contains(legend_strip(legend, {.width = 1500, .height = 900}),
+  EXPECT_TRUE(contains(legend_strip_commands(legend, {.width = 1500, .height = 900}),
                        "plot [0:1] [0:1] NaN with lines title 'a\\_b''s'\n"));
 }
 

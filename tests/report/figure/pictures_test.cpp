@@ -49,7 +49,7 @@ TEST(Pictures, AreAPngAndAnSvg) {
 }
 
 /// The synthetic case with additional closures.
-results::Case with_closures(int count) {
+results::CaseResult with_closures(int count) {
   auto problem = tests::paper_case(1);
   problem.name = "case1";
   const auto axes = compare::comparison_axes(problem);
@@ -59,7 +59,7 @@ results::Case with_closures(int count) {
     more.identity = tests::closure_identity("moment-with-a-long-name", 10 + 2 * k);
     solutions.insert(solutions.begin() + 4, more);
   }
-  return results::make_case(problem, axes, std::move(solutions));
+  return results::make_case_result(problem, axes, std::move(solutions));
 }
 
 class PictureLegend : public testing::TestWithParam<int> {};

@@ -12,7 +12,7 @@ namespace {
 
 using transform::Variable;
 
-TEST(FigureRanges, ContainAllDensitiesAboveTheFloor) {
+TEST(MarginalAxisRanges, ContainAllDensitiesAboveTheFloor) {
   const auto case_result = tests::made_up_case();
   for (const auto& marginal : figure_content(case_result).marginals) {
     for (const auto& drawn : marginal.curves) {
@@ -26,13 +26,13 @@ TEST(FigureRanges, ContainAllDensitiesAboveTheFloor) {
   }
 }
 
-TEST(FigureRanges, ContainTheVisibleDensities) {
+TEST(MarginalAxisRanges, ContainTheVisibleDensities) {
   const transform::Solution solution;
   const results::Curve curve{
       "toy", Variable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
-  const auto ranges = figure_ranges(std::vector{drawn});
+  const auto ranges = density_axis_ranges(std::vector{drawn});
   EXPECT_EQ(ranges.linear_from, -0.5);
   EXPECT_EQ(ranges.linear_to, 0.5);
   EXPECT_EQ(ranges.logarithmic_from, -1.5);
@@ -44,11 +44,12 @@ TEST(FigureRanges, ContainTheVisibleDensities) {
   EXPECT_EQ(ranges.least_difference, 0.5);
 }
 
-TEST(FigureRanges, StartTheLogarithmicAxisBelowTheData) {
+TEST(MarginalAxisRanges, StartTheLogarithmicAxisBelowTheData) {
   const transform::Solution solution;
   const auto bottom = [&](std::vector<double> density) {
     const results::Curve curve{"toy", Variable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
-    return logarithmic_bottom(figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
+    return logarithmic_axis_bottom(
+        density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
   };
   // A density between two walls: a single decade suffices.
   EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
@@ -59,14 +60,14 @@ TEST(FigureRanges, StartTheLogarithmicAxisBelowTheData) {
   EXPECT_DOUBLE_EQ(bottom({0, 1, 0.1}), kSmallestDrawnDensity);
 }
 
-TEST(FigureRanges, ExcludeNarrowBinsFromTheLinearAxis) {
+TEST(MarginalAxisRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   const transform::Solution solution;
   // Bins of width 1, the first divided at 1/4.
   const results::Curve curve{"toy", Variable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1},
                              {},    {}};
   const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
-  const auto ranges = figure_ranges(std::vector{drawn});
-  EXPECT_EQ(drawn.broad_bins(), (std::vector{false, true, true, true}));
+  const auto ranges = density_axis_ranges(std::vector{drawn});
+  EXPECT_EQ(drawn.broad_bin_flags(), (std::vector{false, true, true, true}));
   EXPECT_EQ(ranges.linear_top, 9);
   EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
   EXPECT_EQ(ranges.largest_density, 5000);
@@ -74,10 +75,10 @@ TEST(FigureRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   EXPECT_EQ(spike_note(ranges), "spike up to 5e+03");
 }
 
-TEST(FigureRanges, OfADisplacementBeginAtTheWall) {
+TEST(MarginalAxisRanges, OfADisplacementBeginAtTheWall) {
   const transform::Solution solution;
   const results::Curve curve{"toy", Variable::y, {0.5, 1.5}, {1, 1}, {}, {}};
-  const auto ranges = figure_ranges(std::vector{DrawnCurve{&solution, &curve, {}}});
+  const auto ranges = density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}});
   EXPECT_EQ(ranges.linear_from, 0);
   EXPECT_EQ(ranges.logarithmic_from, 0);
   EXPECT_EQ(ranges.largest_difference, 0);

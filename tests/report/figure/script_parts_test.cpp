@@ -35,7 +35,7 @@ TEST(ScriptParts, EveryShapeIsFilledOrOpen) {
 
 TEST(ScriptParts, PartsAreLinesOfAScript) {
   EXPECT_EQ(data_block("a", "1 2\n"), "$a << EOD\n1 2\nEOD\n");
-  EXPECT_EQ(margin_commands({0.1, 0.9, 0.8, 0.2}),
+  EXPECT_EQ(panel_position_commands({0.1, 0.9, 0.8, 0.2}),
             "set lmargin at screen 0.1\nset rmargin at screen 0.9\n"
             "set tmargin at screen 0.8\nset bmargin at screen 0.2\n");
 }

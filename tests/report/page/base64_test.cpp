@@ -7,7 +7,9 @@
 namespace fpkcheck::report {
 namespace {
 
-std::string encoded(const std::string& text) { return base64(std::as_bytes(std::span(text))); }
+std::string encoded(const std::string& text) {
+  return encode_base64(std::as_bytes(std::span(text)));
+}
 
 TEST(Base64, IsThatOfRfc4648) {
   EXPECT_EQ(encoded(""), "");

@@ -11,34 +11,34 @@
 namespace fpkcheck::report {
 namespace {
 
-using compare::Link;
+using compare::Approximation;
 
 /// A case with the budgets of two closures in both marginals; the second closure is not ok.
-results::Case budgeted() {
+results::CaseResult budgeted() {
   auto case_result = tests::whole_case();
   case_result.budget.clear();
   for (const auto variable : transform::kVariables) {
-    compare::BudgetRow row{.solution = "epc-gaussian-n6",
-                           .variable = variable,
-                           .reference = "mcs",
-                           .total = 0.0024,
-                           .total_tail = 0.23,
-                           .tail_from = 1e-5,
-                           .tail_to = 1e-3,
-                           .tail_bins = 17,
-                           .parts = {}};
-    row.parts = {{.links = {Link::closure},
+    compare::ErrorBudgetRow row{.solution = "epc-gaussian-n6",
+                                .variable = variable,
+                                .reference = "mcs",
+                                .total = 0.0024,
+                                .total_tail = 0.23,
+                                .tail_from = 1e-5,
+                                .tail_to = 1e-3,
+                                .tail_bins = 17,
+                                .parts = {}};
+    row.parts = {{.approximations = {Approximation::closure},
                   .from = "epc-gaussian-n6",
                   .to = "fd-km4-delta",
                   .l1 = 0.00231,
                   .tail = 0.21,
                   .uncertainty = 0.00004},
-                 {.links = {Link::impact},
+                 {.approximations = {Approximation::impact},
                   .from = "fd-km4-delta",
                   .to = "fd-km4",
                   .l1 = std::numeric_limits<double>::quiet_NaN(),
                   .tail = std::numeric_limits<double>::quiet_NaN()},
-                 {.links = {Link::sampling},
+                 {.approximations = {Approximation::sampling},
                   .from = "fd-kf limit",
                   .to = "mcs",
                   .l1 = 0.00047,
@@ -65,7 +65,7 @@ TEST(BudgetView, DrawsABarForEachPartThatIsKnown) {
   EXPECT_EQ(closure.at("x"), nlohmann::json({0.00231, 0.00231}));
   EXPECT_EQ(closure.at("error_x").at("array")[0], 0.00004);
   EXPECT_EQ(closure.at("customdata")[0], "epc-gaussian-n6 \u2192 fd-km4-delta");
-  EXPECT_EQ(closure.at("marker").at("color"), part_colour("closure"));
+  EXPECT_EQ(closure.at("marker").at("color"), budget_part_colour("closure"));
   EXPECT_TRUE(tests::trace_of(plots[0], "impact").at("x").empty());
 }
 

@@ -37,7 +37,8 @@ TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
   auto case_result = whole_case();
   EXPECT_EQ(bound_errors_table(case_result), "");
   const double y2 = case_result.find("fd-kf")->moments.y2;
-  case_result.bounds = compare::Bounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
+  case_result.bounds =
+      compare::GuaranteedBounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
   solution_of(case_result, "fd-white").moments.y2 = y2 + 5e-3;
   const std::string html = bound_errors_table(case_result);
   const std::string caption = "Errors of moments, from the guaranteed bounds";

@@ -10,11 +10,11 @@ const transform::GridDensity kDensity{
     {0, 1, 2}, {-2, -1, 0, 1, 2}, {0.001, 10, 4, 0.5, 0, 0.2, 0.3, 0.001}};
 
 TEST(CellWindow, HoldsAllThatExceedsThePart) {
-  const auto wide = window_above(kDensity, 0.01);
+  const auto wide = cells_above_fraction(kDensity, 0.01);
   EXPECT_EQ(wide.y_end, 2u);
   EXPECT_EQ(wide.v_begin, 1u);
   EXPECT_EQ(wide.v_end, 4u);
-  const auto narrow = window_above(kDensity, 0.1);
+  const auto narrow = cells_above_fraction(kDensity, 0.1);
   EXPECT_EQ(narrow.y_end, 1u);
   EXPECT_EQ(narrow.v_begin, 1u);
   EXPECT_EQ(narrow.v_end, 3u);

@@ -34,7 +34,8 @@ TEST(OrderPlots, HaveExternalDensitiesAtOrdersOrAsLines) {
   for (const char* id : {"fd-white", "fd-km4"}) {
     auto& who = tests::solution_of(case_result, id).identity;
     who.method = transform::kExternalFile;
-    who.role = id == std::string("fd-white") ? transform::Role::external : transform::Role::closure;
+    who.role = id == std::string("fd-white") ? transform::SolutionRole::external
+                                             : transform::SolutionRole::closure;
   }
   auto& with_order = tests::solution_of(case_result, "fd-km4");
   with_order.identity.order = 8;
@@ -86,7 +87,7 @@ TEST(OrderPlots, NeedTwoClosuresOfOneFamilyAndAReference) {
 
 TEST(OrderPlots, LeaveOutAFamilyWithoutOrders) {
   auto case_result = whole_case();
-  tests::solution_of(case_result, "fd-white").identity.role = transform::Role::closure;
+  tests::solution_of(case_result, "fd-white").identity.role = transform::SolutionRole::closure;
   tests::solution_of(case_result, "fd-white").identity.family = "toy";
   const auto plots = order_plots(case_result, "case-1");
   EXPECT_TRUE(trace_of(plots[0], "toy").is_null());

@@ -14,7 +14,7 @@ using transform::MetricBuilder;
 const std::string kCaption = "Metrics of epc-gaussian";
 
 /// A case of two closures with these metrics.
-results::Case observed(transform::Metrics first, transform::Metrics second) {
+results::CaseResult observed(transform::Metrics first, transform::Metrics second) {
   auto case_result = tests::whole_case();
   case_result.solutions.resize(2);
   case_result.solutions[0].metrics = std::move(first);
@@ -25,11 +25,11 @@ results::Case observed(transform::Metrics first, transform::Metrics second) {
 TEST(FamilyTables, ShowAllMetrics) {
   const std::string html =
       family_tables(observed(MetricBuilder()
-                                 .result("steps_taken", std::int64_t{12})
-                                 .text("far.end", std::string("a<b"))
-                                 .work("far.edge_density", 1.23456e-9)
-                                 .take(),
-                             MetricBuilder().result("steps_taken", 0.5).take()));
+                                 .add_result("steps_taken", std::int64_t{12})
+                                 .add_text("far.end", std::string("a<b"))
+                                 .add_work("far.edge_density", 1.23456e-9)
+                                 .take_metrics(),
+                             MetricBuilder().add_result("steps_taken", 0.5).take_metrics()));
   EXPECT_EQ(tests::headers_in(html, kCaption), "quantity|n2|n4");
   EXPECT_EQ(row_in(html, kCaption, "steps taken"), "12|0.5");
   EXPECT_EQ(row_in(html, kCaption, "far: end"), "a&lt;b|\u2013");
@@ -37,17 +37,21 @@ TEST(FamilyTables, ShowAllMetrics) {
 }
 
 TEST(FamilyTables, OmitListsAndMissingMetrics) {
-  const std::string html = family_tables(observed(
-      MetricBuilder().result("kept", true).result("support", {}).result("a[0].x", 1.0).take(),
-      MetricBuilder().result("support", {}).add_empty_list("a").take()));
+  const std::string html = family_tables(
+      observed(MetricBuilder()
+                   .add_result("kept", true)
+                   .add_result("support", {})
+                   .add_result("a[0].x", 1.0)
+                   .take_metrics(),
+               MetricBuilder().add_result("support", {}).add_empty_list("a").take_metrics()));
   EXPECT_EQ(row_in(html, kCaption, "kept"), "yes");
   EXPECT_EQ(tests::occurrences(html, "<th scope=\"row\">"), 1u);
 }
 
 TEST(FamilyTables, OmitRepeatedOptions) {
-  auto case_result =
-      observed(MetricBuilder().result("order", std::int64_t{2}).result("nodes", 3.0).take(),
-               MetricBuilder().result("order", std::int64_t{4}).result("nodes", 5.0).take());
+  auto case_result = observed(
+      MetricBuilder().add_result("order", std::int64_t{2}).add_result("nodes", 3.0).take_metrics(),
+      MetricBuilder().add_result("order", std::int64_t{4}).add_result("nodes", 5.0).take_metrics());
   case_result.solutions[0].options = {{"order", std::int64_t{2}}, {"nodes", {}}};
   case_result.solutions[1].options = {{"order", std::int64_t{4}}, {"nodes", 5.0}};
   const std::string html = family_tables(case_result);
@@ -57,8 +61,12 @@ TEST(FamilyTables, OmitRepeatedOptions) {
 
 TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
   const std::string html = family_tables(
-      observed(MetricBuilder().work("tail.b", 1.0).work("z", 1.0).take(),
-               MetricBuilder().work("tail.a", 1.0).work("c", 1.0).work("z", 1.0).take()));
+      observed(MetricBuilder().add_work("tail.b", 1.0).add_work("z", 1.0).take_metrics(),
+               MetricBuilder()
+                   .add_work("tail.a", 1.0)
+                   .add_work("c", 1.0)
+                   .add_work("z", 1.0)
+                   .take_metrics()));
   const auto place = [&](const std::string& name) { return html.find('>' + name + "</th>"); };
   EXPECT_LT(place("c"), place("z"));
   EXPECT_LT(place("z"), place("tail: a"));
@@ -66,8 +74,8 @@ TEST(FamilyTables, KeepTheirOrderWithGroupsBehind) {
 }
 
 TEST(FamilyTables, AreOneForEachFamily) {
-  auto case_result =
-      observed(MetricBuilder().work("a", 1.0).take(), MetricBuilder().work("b", 1.0).take());
+  auto case_result = observed(MetricBuilder().add_work("a", 1.0).take_metrics(),
+                              MetricBuilder().add_work("b", 1.0).take_metrics());
   case_result.solutions[1].identity.family = "<toy>";
   const std::string html = family_tables(case_result);
   EXPECT_TRUE(contains(html, kCaption));

@@ -11,7 +11,7 @@ using tests::contains;
 
 TEST(Html, EscapesWhatHasAMeaningThere) {
   EXPECT_EQ(escape_html("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
-  EXPECT_EQ(element("p", "1 < 2"), "<p>1 &lt; 2</p>\n");
+  EXPECT_EQ(html_element("p", "1 < 2"), "<p>1 &lt; 2</p>\n");
 }
 
 TEST(Html, ATableNamesItsRowsAndDropsColumnsWithoutAValue) {

@@ -35,7 +35,7 @@ TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
   EXPECT_LT(nv, whole.nv());
   const auto first = static_cast<std::size_t>(
       std::ranges::find(whole.v_edges, maps->v_edges.front()) - whole.v_edges.begin());
-  EXPECT_EQ(maps->reference_density[3 * ny + 2], whole.average(2, first + 3));
+  EXPECT_EQ(maps->reference_density[3 * ny + 2], whole.cell_average(2, first + 3));
   double seen = 0;
   for (std::size_t j = 0; j < nv; ++j) {
     for (std::size_t i = 0; i < ny; ++i) {

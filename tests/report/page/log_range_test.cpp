@@ -5,8 +5,8 @@
 namespace fpkcheck::report {
 namespace {
 
-TEST(LogRange, HoldsAllThatHasALogarithmWithRoomAtBothEnds) {
-  LogRange range;
+TEST(LogAxisRange, HoldsAllThatHasALogarithmWithRoomAtBothEnds) {
+  LogAxisRange range;
   for (const double value : {1e-3, 10.0, 0.0, -1.0, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()}) {
     range.include(value);
@@ -16,8 +16,8 @@ TEST(LogRange, HoldsAllThatHasALogarithmWithRoomAtBothEnds) {
   EXPECT_DOUBLE_EQ(to, 1.25);
 }
 
-TEST(LogRange, OfNothingIsSomeRange) {
-  const auto [from, to] = LogRange().exponents(0.5, 0.5);
+TEST(LogAxisRange, OfNothingIsSomeRange) {
+  const auto [from, to] = LogAxisRange().exponents(0.5, 0.5);
   EXPECT_LT(from, to);
 }
 

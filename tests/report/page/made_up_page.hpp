@@ -15,7 +15,7 @@ namespace fpkcheck::tests {
 
 /// A case in which the full equation has an error estimate and is therefore the reference. The
 /// simulation has a joint density 2 % above the reference for y' > 0.
-inline results::Case whole_case(const std::string& name = "case1") {
+inline results::CaseResult whole_case(const std::string& name = "case1") {
   auto case_result = made_up_case(name);
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
   auto simulated = case_result.joints.back();  // fd-kf

@@ -15,10 +15,10 @@ TEST(NumberText, KeepsItsDigitsTwoOfADistance) {
   EXPECT_EQ(number_text(6e-5, 2), "6.0e-5");
   EXPECT_EQ(number_text(150, 3), "150");
   EXPECT_EQ(number_text(0.0004, 1), "4e-4");
-  EXPECT_EQ(l1_cell(0.03), "0.030");
-  EXPECT_EQ(l1_cell(0.004412), "0.0044");
-  EXPECT_EQ(l1_cell(6e-6), "6.0e-6");
-  EXPECT_EQ(l1_cell({}), kNoValue);
+  EXPECT_EQ(l1_cell_text(0.03), "0.030");
+  EXPECT_EQ(l1_cell_text(0.004412), "0.0044");
+  EXPECT_EQ(l1_cell_text(6e-6), "6.0e-6");
+  EXPECT_EQ(l1_cell_text({}), kNoValue);
 }
 
 TEST(NumberText, IsShort) {
@@ -39,7 +39,7 @@ TEST(NumberText, ShowsADashForNonFiniteNumbers) {
   for (const double value : {kNotANumber, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(number_text(value, 4), kNoValue);
     EXPECT_EQ(value_text(value), kNoValue);
-    EXPECT_EQ(l1_cell(value), kNoValue);
+    EXPECT_EQ(l1_cell_text(value), kNoValue);
     EXPECT_EQ(seconds_text(value), kNoValue);
   }
 }

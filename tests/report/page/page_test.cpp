@@ -65,7 +65,7 @@ TEST(Page, ShowsNamesLiterally) {
     solution.identity.family += hostile;
     solution.identity.meaning = hostile;
     solution.reason = "because 1 < 2 " + hostile;
-    solution.metrics = transform::MetricBuilder().text(hostile, hostile).take();
+    solution.metrics = transform::MetricBuilder().add_text(hostile, hostile).take_metrics();
   }
   // Renames a solution wherever its id occurs.
   const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
@@ -132,7 +132,7 @@ TEST(Page, ShowsDashesWithoutAnyDensity) {
 TEST(Page, StatesThatThereIsNoReference) {
   auto run = made_up_run();
   for (auto& solution : run.cases[0].solutions) {
-    if (solution.identity.role == transform::Role::closure) continue;
+    if (solution.identity.role == transform::SolutionRole::closure) continue;
     solution.status = transform::Status::failed;
   }
   const std::string html = page(run);
@@ -166,10 +166,10 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   auto run = whole_run();
   for (auto& solution : run.cases[0].solutions) {
     solution.metrics = transform::MetricBuilder()
-                           .work("steps", std::int64_t{3})
-                           .result("tail.kind", std::string("confined"))
-                           .result("last", 1e7)
-                           .take();
+                           .add_work("steps", std::int64_t{3})
+                           .add_result("tail.kind", std::string("confined"))
+                           .add_result("last", 1e7)
+                           .take_metrics();
     solution.options = {{"order", std::int64_t{6}}};
   }
   // Files store this metric beside the error estimate, before all other metrics.
@@ -179,7 +179,7 @@ TEST(Page, OfASavedRunIsThatOfTheRun) {
   for (double& p : run.cases[0].joints.back().density.averages) p = static_cast<float>(p);
   const tests::TemporaryDirectory directory;
   base::PendingFiles files;
-  results::add_run(files, directory.path(), run);
+  results::add_run_files(files, directory.path(), run);
   files.commit();
   EXPECT_TRUE(page(results::load_run(directory.path())) == page(run));
 }

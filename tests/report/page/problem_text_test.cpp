@@ -58,7 +58,7 @@ TEST(Glossary, ExplainsTheNamesOfThisRunFromTheirTables) {
   for (const auto& status : transform::kStatusNames) {
     EXPECT_TRUE(contains(html, fmt::format("<b>{}</b>", status.name)));
   }
-  for (const auto& link : compare::kLinkNames) {
+  for (const auto& link : compare::kApproximationNames) {
     EXPECT_EQ(occurrences(html, fmt::format("<dt>{}</dt>", link.name)), 1u) << link.name;
   }
 }

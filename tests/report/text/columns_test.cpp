@@ -5,11 +5,11 @@
 namespace fpkcheck::report {
 namespace {
 
-std::vector<Column> table() {
-  std::vector<Column> all{{"", "name", true, kAlwaysShown},
-                          status_column(),
-                          {"L1 to mcs", "p(y)", false, 2},
-                          {"L1 to mcs", "p(y')", false, 1}};
+std::vector<TextColumn> table() {
+  std::vector<TextColumn> all{{"", "name", true, kAlwaysShown},
+                              status_column(),
+                              {"L1 to mcs", "p(y)", false, 2},
+                              {"L1 to mcs", "p(y')", false, 1}};
   const std::vector<std::vector<std::string>> cells{{"a", "ok", "0.1", "0.25"},
                                                     {"longer", "inadmissible", "12", "-"}};
   for (const auto& row : cells) {
@@ -19,7 +19,7 @@ std::vector<Column> table() {
 }
 
 TEST(Columns, AreAlignedUnderTheirHeadersAndGroups) {
-  EXPECT_EQ(rows(table(), 100),
+  EXPECT_EQ(table_rows_text(table(), 100),
             "                       L1 to mcs\n"
             "name    status        p(y)  p(y')\n"
             "a       ok             0.1   0.25\n"
@@ -27,15 +27,16 @@ TEST(Columns, AreAlignedUnderTheirHeadersAndGroups) {
 }
 
 TEST(Columns, OfLeastImportanceGoWhereTheRowsDoNotFit) {
-  const auto text = rows(table(), 28);
+  const auto text = table_rows_text(table(), 28);
   EXPECT_EQ(text.find("p(y')"), std::string::npos);
   EXPECT_NE(text.find("p(y)"), std::string::npos);
-  EXPECT_NE(rows(table(), 10).find("inadmissible"), std::string::npos);  // never omitted
+  EXPECT_NE(table_rows_text(table(), 10).find("inadmissible"), std::string::npos);  // never omitted
 }
 
 // Without escape sequences the coloured table equals the plain table: widths count letters only.
 TEST(Columns, AreColouredByStatusAndOtherwiseTheSame) {
-  const auto plain = rows(table(), 100), coloured = rows(table(), {100, true});
+  const auto plain = table_rows_text(table(), 100),
+             coloured = table_rows_text(table(), {100, true});
   EXPECT_EQ(plain.find('\x1b'), std::string::npos);
   EXPECT_NE(coloured.find("\x1b[32mok"), std::string::npos);            // green
   EXPECT_NE(coloured.find("\x1b[33minadmissible"), std::string::npos);  // yellow

@@ -43,9 +43,9 @@ TEST(Agreement, OfAnInadmissibleSolutionIsNeverReproduced) {
   set_l1(case_result, "epc-gaussian-n4", "mcs", 1e-4, 1e-4);
   EXPECT_EQ(agreement_entry(case_result, "epc-gaussian-n4").agreement, Agreement::no_density);
   EXPECT_EQ(agreement_entry(case_result, "epc-gaussian-n8").agreement, Agreement::no_density);
-  EXPECT_FALSE(agreement_entry(case_result, "epc-gaussian-n4").reproduces());
+  EXPECT_FALSE(agreement_entry(case_result, "epc-gaussian-n4").reproduces_reference());
   solution_of(case_result, "epc-gaussian-n4").status = transform::Status::inaccurate;
-  EXPECT_TRUE(agreement_entry(case_result, "epc-gaussian-n4").reproduces());
+  EXPECT_TRUE(agreement_entry(case_result, "epc-gaussian-n4").reproduces_reference());
 }
 
 TEST(Agreement, IsUnknownWithoutAReference) {

@@ -210,7 +210,7 @@ TEST(RunAgain, AgreesWithTheSavedBaseline) {
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
   const auto same = check(baseline.run, run, {});
-  for (const auto& quantity_change : same.moved())
+  for (const auto& quantity_change : same.changed_quantities())
     ADD_FAILURE() << quantity_change.solution << " " << quantity_change.name;
   EXPECT_GT(same.changes.size(), 300u);
 }
@@ -224,13 +224,14 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
     const auto run = tests::only(again, closure.id());
     auto& was = before.cases[0].solutions.at(0);
     for (auto& o : was.metrics) {
-      const auto* now = transform::find(run.cases[0].find(was.id())->metrics, o.path);
-      const auto value = transform::number(was.metrics, o.path);
-      if (now == nullptr || !value || now->kind == transform::Kind::work) continue;
+      const auto* now = transform::find_metric(run.cases[0].find(was.id())->metrics, o.path);
+      const auto value = transform::metric_number(was.metrics, o.path);
+      if (now == nullptr || !value || now->kind == transform::MetricKind::work) continue;
       const auto kept = o.value;
       const double size = std::max(std::abs(*value), now->min_scale);
       o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);
-      EXPECT_GE(check(before, run, {}).moved().size(), 1u) << was.id() << " " << o.path;
+      EXPECT_GE(check(before, run, {}).changed_quantities().size(), 1u)
+          << was.id() << " " << o.path;
       o.value = kept;
       ++tried;
     }
@@ -251,7 +252,7 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   const auto baseline = simulated_run(1);
   for (std::uint64_t seed = 2; seed <= tests::part_unless_thorough(3u, 6u); ++seed) {
     const auto other = check(baseline, simulated_run(seed), {});
-    for (const auto& quantity_change : other.moved())
+    for (const auto& quantity_change : other.changed_quantities())
       ADD_FAILURE() << seed << " " << quantity_change.name;
     // The runs differ: otherwise the agreement would prove nothing.
     EXPECT_TRUE(
@@ -266,7 +267,7 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
 TEST(SimulationCheck, FindsFivePercentStrongerImpulses) {
   constexpr double kTime = 4e4;
   const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
-  EXPECT_GE(check(one, stronger, {}).moved().size(), 2u);
+  EXPECT_GE(check(one, stronger, {}).changed_quantities().size(), 2u);
 }
 
 }  // namespace

@@ -52,11 +52,11 @@ TEST(CheckTable, ShowsTheLargestChangesAlone) {
   for (auto& pair : changed.cases[0].pairs) scale(pair.distances.l1, 0.3);
   solution(changed, "fd-kf").status = transform::Status::failed;
   const auto all = check(paper_baseline(), changed, {});
-  ASSERT_GT(all.moved().size(), 50u);
+  ASSERT_GT(all.changed_quantities().size(), 50u);
   const std::string text = check_table(all, 100);
   EXPECT_LT(std::ranges::count(text, '\n'), 65);
   EXPECT_TRUE(contains(text, "failed"));
-  EXPECT_TRUE(contains(text, fmt::format("and {} more", all.moved().size() - 40)));
+  EXPECT_TRUE(contains(text, fmt::format("and {} more", all.changed_quantities().size() - 40)));
 }
 
 }  // namespace

@@ -17,14 +17,14 @@ using tests::paper_baseline;
 using tests::scale;
 using tests::solution;
 using tests::solved_run;
-using transform::Kind;
+using transform::MetricKind;
 
 TEST(Check, ARunAgreesWithItselfAndWithItsFiles) {
   for (const results::Run* baseline : {&paper_baseline(), &solved_run()}) {
     const auto same = check(*baseline, solved_run(), {});
-    for (const auto& quantity_change : same.moved())
+    for (const auto& quantity_change : same.changed_quantities())
       ADD_FAILURE() << quantity_change.solution << quantity_change.name;
-    EXPECT_TRUE(same.agrees());
+    EXPECT_TRUE(same.agrees_with_baseline());
     EXPECT_GT(same.changes.size(), 1400u);
     EXPECT_EQ(same.solutions, baseline->cases[0].solutions.size());
   }
@@ -35,7 +35,7 @@ TEST(Check, FindsEveryCoefficientThatMovesByAMillionth) {
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
-      if (o.kind != Kind::coefficient) continue;
+      if (o.kind != MetricKind::coefficient) continue;
       for (const double relative : {1e-6, -1e-6}) {
         const auto moved = moved_by(tests::scaled(one.id(), o.path, relative), {}, runs);
         ASSERT_EQ(moved.size(), 1u) << one.id() << " " << o.path;
@@ -74,8 +74,8 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
-      const auto value = transform::number(one.metrics, o.path);
-      if (o.kind != Kind::result || !o.standard_error_path.empty() || !value) continue;
+      const auto value = transform::metric_number(one.metrics, o.path);
+      if (o.kind != MetricKind::result || !o.standard_error_path.empty() || !value) continue;
       const double step =
           std::max(std::abs(*value), o.min_scale) * (o.is_rounding_sensitive ? 3e-6 : 1e-6);
       const auto moved = moved_by(
@@ -101,7 +101,7 @@ TEST(Check, FindsEveryChangedWordAndFlag) {
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
-      if (o.kind == Kind::work || transform::number(one.metrics, o.path)) continue;
+      if (o.kind == MetricKind::work || transform::metric_number(one.metrics, o.path)) continue;
       const auto moved = moved_by(
           [&](results::Run& run) {
             observation(solution(run, one.id()), o.path).value = "another";
@@ -139,7 +139,7 @@ TEST(Check, ToleratesRounding) {
     disturb(m.y1, m.y2, m.y4, m.v1, m.v2, m.v4);
   };
   const auto moved = moved_by([&](results::Run& run) {
-    results::Case& one = run.cases[0];
+    results::CaseResult& one = run.cases[0];
     for (auto& s : one.solutions) {
       disturb_moments(s.moments);
       disturb(s.mass, s.min_density, s.energy_residual);
@@ -173,7 +173,7 @@ TEST(Check, IgnoresWorkOptionsAndTimes) {
                   one.reason = "in other words";
                   one.options = {};
                   for (auto& o : one.metrics) {
-                    if (o.kind == Kind::work) o.value = std::int64_t{7};
+                    if (o.kind == MetricKind::work) o.value = std::int64_t{7};
                   }
                 }
                 observation(solution(run, "epc-gaussian-n6"), "condition").value = {};
@@ -189,8 +189,8 @@ TEST(Check, UsesTheGivenTolerance) {
 TEST(Check, WithoutMarginalsCurvesAreNotCompared) {
   results::Run other = solved_run();
   other.cases[0].curves.clear();
-  EXPECT_FALSE(check(paper_baseline(), other, {}).agrees());
-  EXPECT_TRUE(check(paper_baseline(), other, {}, false).agrees());
+  EXPECT_FALSE(check(paper_baseline(), other, {}).agrees_with_baseline());
+  EXPECT_TRUE(check(paper_baseline(), other, {}, false).agrees_with_baseline());
 }
 
 TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {

@@ -14,15 +14,15 @@ using tests::observation;
 using tests::scale;
 using tests::scaled;
 using tests::solution;
-using transform::Kind;
 using transform::Metric;
+using transform::MetricKind;
 using transform::Metrics;
 
 /// The changes between two solutions that have these metrics alone.
 std::vector<QuantityChange> moved(const Metrics& was, const Metrics& is) {
   return check({.program = {}, .cases = {case_of(was)}}, {.program = {}, .cases = {case_of(is)}},
                {})
-      .moved();
+      .changed_quantities();
 }
 
 /// The changes of a single number with these properties.
@@ -50,10 +50,12 @@ TEST(MetricQuantities, ResultsChangeRelativeToTheLargerOfSizeAndLeastScale) {
 
 TEST(MetricQuantities, CoefficientsAreNamedByPowersAndHaveLargerTolerance) {
   const auto list = [](double a) {
-    return Metrics{
-        {.path = "coefficients[0].x1", .value = std::int64_t{4}},
-        {.path = "coefficients[0].x2", .value = std::int64_t{2}},
-        {.path = "coefficients[0].a", .value = a, .kind = Kind::coefficient, .min_scale = 1e-3}};
+    return Metrics{{.path = "coefficients[0].x1", .value = std::int64_t{4}},
+                   {.path = "coefficients[0].x2", .value = std::int64_t{2}},
+                   {.path = "coefficients[0].a",
+                    .value = a,
+                    .kind = MetricKind::coefficient,
+                    .min_scale = 1e-3}};
   };
   EXPECT_EQ(moved(list(-0.01), list(-0.01 * (1 + 4e-7))).size(), 0u);
   const auto found = moved(list(-0.01), list(-0.01 * (1 + 6e-7)));
@@ -69,7 +71,7 @@ TEST(MetricQuantities, IgnoresRoundingOfAZeroCoefficient) {
     results::Run baseline = tests::solved_run(), now = baseline;
     observation(solution(baseline, "epc-gaussian-n6"), "coefficients[1].a").value = was;
     observation(solution(now, "epc-gaussian-n6"), "coefficients[1].a").value = is;
-    return !check(baseline, now, {}).agrees();
+    return !check(baseline, now, {}).agrees_with_baseline();
   };
   EXPECT_FALSE(by(1e-16, -3e-16));
   EXPECT_FALSE(by(0, 2e-16));
@@ -77,7 +79,7 @@ TEST(MetricQuantities, IgnoresRoundingOfAZeroCoefficient) {
 }
 
 TEST(MetricQuantities, IgnoresWorkAndText) {
-  for (const Kind kind : {Kind::work, Kind::text}) {
+  for (const MetricKind kind : {MetricKind::work, MetricKind::text}) {
     const Metric o{.path = "x", .value = "new", .kind = kind};
     EXPECT_TRUE(moved({{.path = "x", .value = 3.0}}, {o}).empty());
     EXPECT_TRUE(moved({}, {o}).empty());
@@ -85,11 +87,11 @@ TEST(MetricQuantities, IgnoresWorkAndText) {
   // The kind of an entry follows from other entries of its list, or from the list where it is
   // empty.
   const Metrics two{{.path = "seen[0].at", .value = 1.0}, {.path = "seen[1].at", .value = 2.0}};
-  EXPECT_TRUE(moved(two, {{.path = "seen[0].at", .value = 7.0, .kind = Kind::work}}).empty());
-  EXPECT_TRUE(moved(two, {{.path = "seen[]", .value = {}, .kind = Kind::work}}).empty());
+  EXPECT_TRUE(moved(two, {{.path = "seen[0].at", .value = 7.0, .kind = MetricKind::work}}).empty());
+  EXPECT_TRUE(moved(two, {{.path = "seen[]", .value = {}, .kind = MetricKind::work}}).empty());
   EXPECT_EQ(moved(two, {{.path = "seen[]", .value = {}}}).size(), 1u);
   const Metrics by_entry{{.path = "seen[0].at", .value = 1.0},
-                         {.path = "seen[1].note", .value = 2.0, .kind = Kind::work},
+                         {.path = "seen[1].note", .value = 2.0, .kind = MetricKind::work},
                          {.path = "seen[2].at", .value = 1.0}};
   EXPECT_TRUE(moved({{.path = "seen[0].at", .value = 1.0},
                      {.path = "seen[0].note", .value = 5.0},
@@ -134,14 +136,14 @@ TEST(MetricQuantities, ReportsAMissingMetricOnce) {
 }
 
 TEST(MetricQuantities, ReportsNewResultsButNotNewErrorsWorkOrText) {
-  const auto by = [](Kind kind) {
+  const auto by = [](MetricKind kind) {
     return moved({}, {{.path = "part.new", .value = 1.0, .kind = kind}}).size();
   };
-  EXPECT_EQ(by(Kind::result), 1u);
-  EXPECT_EQ(by(Kind::coefficient), 1u);
-  EXPECT_EQ(by(Kind::error), 0u);
-  EXPECT_EQ(by(Kind::work), 0u);
-  EXPECT_EQ(by(Kind::text), 0u);
+  EXPECT_EQ(by(MetricKind::result), 1u);
+  EXPECT_EQ(by(MetricKind::coefficient), 1u);
+  EXPECT_EQ(by(MetricKind::error), 0u);
+  EXPECT_EQ(by(MetricKind::work), 0u);
+  EXPECT_EQ(by(MetricKind::text), 0u);
 }
 
 /// A value and its standard error, as a solver states them.
@@ -150,7 +152,7 @@ Metrics estimate(double value, double error, bool is_rounding_sensitive = false)
            .value = value,
            .standard_error_path = "rate_error",
            .is_rounding_sensitive = is_rounding_sensitive},
-          {.path = "rate_error", .value = error, .kind = Kind::error}};
+          {.path = "rate_error", .value = error, .kind = MetricKind::error}};
 }
 
 TEST(MetricQuantities, EstimatesChangeInStandardErrorsOfBothRuns) {
@@ -176,7 +178,7 @@ TEST(MetricQuantities, TheErrorOfADelicateValueIsNotJudged) {
 
 TEST(MetricQuantities, EffectiveSamplesHaveTheToleranceOfTheSquaredError) {
   const auto by = [](double was, double is) {
-    const Metric now{.path = "samples", .value = is, .kind = Kind::error};
+    const Metric now{.path = "samples", .value = is, .kind = MetricKind::error};
     return moved({{.path = "samples", .value = was}}, {now}).size();
   };
   EXPECT_EQ(by(1e5, 2.2e5), 0u);

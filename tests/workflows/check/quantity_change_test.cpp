@@ -13,11 +13,11 @@ QuantityChange quantity_change(double change, double allowed) {
 }
 
 TEST(QuantityChange, MovesWhenItsChangeIsNotAllowed) {
-  EXPECT_FALSE(quantity_change(0, 0).moved());
-  EXPECT_FALSE(quantity_change(1, 1).moved());
-  EXPECT_TRUE(quantity_change(1.1, 1).moved());
-  EXPECT_TRUE(quantity_change(INFINITY, 1).moved());
-  EXPECT_TRUE(quantity_change(NAN, 1).moved());
+  EXPECT_FALSE(quantity_change(0, 0).exceeds_tolerance());
+  EXPECT_FALSE(quantity_change(1, 1).exceeds_tolerance());
+  EXPECT_TRUE(quantity_change(1.1, 1).exceeds_tolerance());
+  EXPECT_TRUE(quantity_change(INFINITY, 1).exceeds_tolerance());
+  EXPECT_TRUE(quantity_change(NAN, 1).exceeds_tolerance());
   EXPECT_EQ(quantity_change(1, 4).change_over_tolerance(), 0.25);
   EXPECT_EQ(quantity_change(0, 0).change_over_tolerance(), 0);
 }

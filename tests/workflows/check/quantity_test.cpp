@@ -19,8 +19,8 @@ QuantityChange held(const Quantity& was, const Quantity& is) {
 
 Quantity number(double value, QuantityKind kind = QuantityKind::mass, double scale = 1) {
   Quantities quantities;
-  return PartQuantities{quantities, "solution", kWholeSolution}.number("x", kind, value, 0.1,
-                                                                       scale);
+  return PartQuantities{quantities, "solution", kWholeSolution}.append_number("x", kind, value, 0.1,
+                                                                              scale);
 }
 
 TEST(Quantity, NumbersChangeInUnitsOfTheScaleOfTheBaseline) {
@@ -77,9 +77,9 @@ TEST(Quantity, AnL1IsAllowedItsExpectationAndSomeScatter) {
 TEST(Quantity, WordsMustBeTheSame) {
   const auto moved = [](const base::Value& was, const base::Value& is) {
     Quantities one, other;
-    PartQuantities{one, "solution", kWholeSolution}.word("x", was);
-    PartQuantities{other, "solution", kWholeSolution}.word("x", is);
-    return held(one[0], other[0]).moved();
+    PartQuantities{one, "solution", kWholeSolution}.append_word("x", was);
+    PartQuantities{other, "solution", kWholeSolution}.append_word("x", is);
+    return held(one[0], other[0]).exceeds_tolerance();
   };
   EXPECT_FALSE(moved("ok", "ok"));
   EXPECT_TRUE(moved("ok", "failed"));
@@ -99,7 +99,7 @@ Quantities list(std::size_t entries) {
   for (std::size_t k = 0; k < entries; ++k) {
     const PartQuantities entry{quantities, "solution", "group.list[" + std::to_string(k) + ']'};
     entry.begin(QuantityKind::detail, "there", one.name)
-        .number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
+        .append_number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
   }
   return quantities;
 }
@@ -137,7 +137,7 @@ TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
   Quantities stated;
   PartQuantities{stated, "s", kStatedError}
       .begin(QuantityKind::status)
-      .number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
+      .append_number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
   EXPECT_TRUE(compare_quantities("case", {}, stated).empty());
   EXPECT_FALSE(compare_quantities("case", stated, {}).empty());
 }

@@ -62,8 +62,8 @@ TEST(Chance, MassHasBinomialStandardError) {
 
 TEST(Chance, ErrorsOfFewStreamsHaveLargerTolerance) {
   Solution few = simulation(), many = simulation();
-  few.metrics = transform::MetricBuilder().result(kStreams, std::int64_t{16}).take();
-  many.metrics = transform::MetricBuilder().result(kStreams, std::int64_t{1024}).take();
+  few.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{16}).take_metrics();
+  many.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{1024}).take_metrics();
   const Tolerances tolerances;
   const double of_few = allowed_error_change(few, 1, 1, tolerances);
   const double of_many = allowed_error_change(many, 1, 1, tolerances);

@@ -65,8 +65,8 @@ TEST(SolutionClaims, StatedErrorsAreDetails) {
   const tests::TwoRuns runs;
   results::Run without = runs.solved;
   solution(without, "fd-kf").error.reset();
-  EXPECT_EQ(check::check(runs.files, without, {}).moved().size(), 1u);
-  EXPECT_TRUE(check::check(without, runs.solved, {}).moved().empty());
+  EXPECT_EQ(check::check(runs.files, without, {}).changed_quantities().size(), 1u);
+  EXPECT_TRUE(check::check(without, runs.solved, {}).changed_quantities().empty());
 }
 
 TEST(SolutionClaims, AMomentOfASimulationIsJudgedByBothStandardErrors) {

@@ -38,7 +38,7 @@ inline transform::Metric& observation(transform::Solution& one, std::string_view
 
 /// Sets the kind, scale and error path of a metric as its solver does.
 inline void set_metric_kind(transform::Metric& o) {
-  using transform::Kind;
+  using transform::MetricKind;
   const std::string_view path = o.path;
   const auto is_one_of = [&](std::initializer_list<std::string_view> paths) {
     for (const auto one : paths) {
@@ -49,7 +49,7 @@ inline void set_metric_kind(transform::Metric& o) {
   const auto beside = [&](std::string_view last, const char* other) {
     return o.path.substr(0, path.size() - last.size()) + other;
   };
-  o.kind = Kind::result;  // words too
+  o.kind = MetricKind::result;  // words too
   if (is_one_of({"iterations",
                  "residual",
                  "condition",
@@ -77,11 +77,11 @@ inline void set_metric_kind(transform::Metric& o) {
                  "variance_reduction",
                  "splitting_thresholds[]"}) ||
       path.ends_with(".lower") || path.ends_with(".upper")) {
-    o.kind = Kind::work;
+    o.kind = MetricKind::work;
   } else if (path.ends_with("_error") || path.starts_with("effective_samples")) {
-    o.kind = Kind::error;
+    o.kind = MetricKind::error;
   } else if (path.starts_with("coefficients") && path.ends_with("].a")) {
-    o.kind = Kind::coefficient;
+    o.kind = MetricKind::coefficient;
     o.min_scale = 2e-8;
   } else if (is_one_of({"support.edge_density", "support.cut_off"})) {
     o.min_scale = 1e-6;
@@ -113,19 +113,20 @@ inline const results::Run& solved_run() {
         if (is_simulation && o.path == "impact_rate") o.standard_error_path = "impact_rate_error";
         // Delicate where the rate comes from a handful of events.
         if (!o.path.ends_with("].rate")) continue;
-        const double rate = *number(one.metrics, o.path);
-        o.is_rounding_sensitive = !(1.96 * *number(one.metrics, o.standard_error_path) <= rate / 2);
+        const double rate = *metric_number(one.metrics, o.path);
+        o.is_rounding_sensitive =
+            !(1.96 * *metric_number(one.metrics, o.standard_error_path) <= rate / 2);
       }
       // Older files have the interval alone: the standard error is derived from it.
       for (const char* list : {"quantiles.y", "quantiles.ydot"}) {
         for (int k = 0;; ++k) {
           const std::string entry = std::string(list) + '[' + std::to_string(k) + "].";
-          const auto lower = number(one.metrics, entry + "lower");
-          const auto upper = number(one.metrics, entry + "upper");
+          const auto lower = metric_number(one.metrics, entry + "lower");
+          const auto upper = metric_number(one.metrics, entry + "upper");
           if (!lower || !upper) break;
           one.metrics.push_back({.path = entry + "standard_error",
                                  .value = (*upper - *lower) / (2 * 1.96),
-                                 .kind = transform::Kind::error});
+                                 .kind = transform::MetricKind::error});
         }
       }
     }
@@ -144,7 +145,7 @@ struct TwoRuns {
 
 /// The run reduced to one solution, without pairs and budget.
 inline results::Run only(results::Run run, const std::string& id) {
-  results::Case& one = run.cases.at(0);
+  results::CaseResult& one = run.cases.at(0);
   std::erase_if(one.solutions, [&](const auto& other) { return other.id() != id; });
   std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
   one.pairs.clear();
@@ -161,9 +162,10 @@ inline std::vector<check::QuantityChange> moved_by(const Change& change,
                                                    const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
-  const auto forth = check::check(runs.files, changed, tolerances).moved();
+  const auto forth = check::check(runs.files, changed, tolerances).changed_quantities();
   // The result must be the same with the runs exchanged.
-  EXPECT_EQ(check::check(changed, runs.solved, tolerances).moved().size(), forth.size());
+  EXPECT_EQ(check::check(changed, runs.solved, tolerances).changed_quantities().size(),
+            forth.size());
   return forth;
 }
 
@@ -178,7 +180,7 @@ inline void scale(double& number, double relative) { number *= 1 + relative; }
 /// Scales a metric of type double or integer.
 inline void scale(transform::Metric& o, double relative) {
   const transform::Metrics alone{o};
-  o.value = transform::number(alone, o.path).value() * (1 + relative);
+  o.value = transform::metric_number(alone, o.path).value() * (1 + relative);
 }
 
 inline Change scaled(const std::string& id, const std::string& path, double relative) {
@@ -186,7 +188,7 @@ inline Change scaled(const std::string& id, const std::string& path, double rela
 }
 
 /// A case with one solution that has these metrics alone.
-inline results::Case case_of(transform::Metrics metrics) {
+inline results::CaseResult case_of(transform::Metrics metrics) {
   transform::Solution one{.identity = {.id = "solution", .method = "toy"}};
   one.status = transform::Status::ok;
   one.metrics = std::move(metrics);

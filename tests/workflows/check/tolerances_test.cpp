@@ -19,8 +19,8 @@ TEST(Tolerances, MustBePositiveNumbers) {
 
 TEST(Tolerances, CoefficientAndTailToleranceFollowTheDeterministicOne) {
   const Tolerances wide{.deterministic = 1e-6};
-  EXPECT_DOUBLE_EQ(wide.coefficient(), 5e-5);
-  EXPECT_DOUBLE_EQ(wide.tail(), 1e-4);
+  EXPECT_DOUBLE_EQ(wide.coefficient_tolerance(), 5e-5);
+  EXPECT_DOUBLE_EQ(wide.tail_tolerance(), 1e-4);
 }
 
 TEST(Tolerances, BonferroniThresholdGrowsWithTheNumber) {

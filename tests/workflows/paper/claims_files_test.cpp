@@ -23,15 +23,15 @@ std::size_t fields(const std::string& line) {
 }
 
 TEST(ClaimsFiles, CsvHasACompleteRowForEveryClaim) {
-  std::istringstream lines(claims_csv(judge(tests::run_with_distances(0.0123, 0.1))));
+  std::istringstream lines(claims_csv(judge_claims(tests::run_with_distances(0.0123, 0.1))));
   std::string line;
   std::getline(lines, line);
   const auto columns = fields(line);
   EXPECT_EQ(line.substr(0, 23), "case,figure,claim,n,den");
   std::size_t rows = 0;
   for (; std::getline(lines, line); ++rows) EXPECT_EQ(fields(line), columns) << line;
-  EXPECT_EQ(rows, claims().size());
-  EXPECT_NE(claims_csv(judge(tests::run_with_distances(0.0123, 0.1)))
+  EXPECT_EQ(rows, paper_claims().size());
+  EXPECT_NE(claims_csv(judge_claims(tests::run_with_distances(0.0123, 0.1)))
                 .find("\n1,2ab,n=6 agrees with MCS in p(y),6,y,agrees,,0.0123,<= 0.02,0.1,<= "
                       "0.2,ok,established,,"),
             std::string::npos);
@@ -39,8 +39,8 @@ TEST(ClaimsFiles, CsvHasACompleteRowForEveryClaim) {
 
 TEST(ClaimsFiles, JsonHasTheNumbersTheOutcomeAndThePapersWords) {
   const auto run = tests::run_with_distances(0.03, 0.1);
-  const auto json = nlohmann::json::parse(claims_json(judge(run), run.program));
-  ASSERT_EQ(json.at("claims").size(), claims().size());
+  const auto json = nlohmann::json::parse(claims_json(judge_claims(run), run.program));
+  ASSERT_EQ(json.at("claims").size(), paper_claims().size());
   EXPECT_EQ(json.at("criteria").at("agreement_l1"), 0.02);
   EXPECT_EQ(json.at("program").at("name"), "fpkcheck");
   const auto& differs = json.at("claims").at(5);
@@ -59,8 +59,8 @@ TEST(ClaimsFiles, JsonHasTheNumbersTheOutcomeAndThePapersWords) {
 
 TEST(ClaimsFiles, TheSummaryWithClaimsCanBeReadAsASummary) {
   const auto run = tests::run_with_distances();
-  const std::string text = summary_with_claims(judge(run), run);
-  EXPECT_EQ(nlohmann::json::parse(text).at("claims").size(), claims().size());
+  const std::string text = summary_with_claims(judge_claims(run), run);
+  EXPECT_EQ(nlohmann::json::parse(text).at("claims").size(), paper_claims().size());
   std::istringstream in(text);
   EXPECT_EQ(results::read_summary(in, "it").cases.size(), 4u);
 }

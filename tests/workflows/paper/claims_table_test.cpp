@@ -18,7 +18,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 TEST(ClaimsTable, HasARowForEveryClaimWithinTheWidth) {
-  const auto judgements = judge(tests::run_with_distances());
+  const auto judgements = judge_claims(tests::run_with_distances());
   for (const std::size_t width : {80u, 100u}) {
     const std::string text = table(judgements, width);
     std::istringstream lines(text);
@@ -29,12 +29,12 @@ TEST(ClaimsTable, HasARowForEveryClaimWithinTheWidth) {
       notes = notes || line.starts_with("  case ");
       rows += !notes && line.find_first_of("1234") == 0;
     }
-    EXPECT_EQ(rows, claims().size()) << text;
+    EXPECT_EQ(rows, paper_claims().size()) << text;
   }
 }
 
 TEST(ClaimsTable, ShowsTheNumbersAndTheirLimits) {
-  const std::string text = table(judge(tests::run_with_distances(0.0123, 0.1)), 100);
+  const std::string text = table(judge_claims(tests::run_with_distances(0.0123, 0.1)), 100);
   EXPECT_NE(text.find("1    2ab  n=6 agrees with MCS in p(y)           0.01230 <= 0.02    0.100 <= "
                       "0.2   established\n"),
             std::string::npos)
@@ -46,15 +46,15 @@ TEST(ClaimsTable, ShowsTheNumbersAndTheirLimits) {
 TEST(ClaimsTable, QuotesTheReasonOfAClosureOncePerCase) {
   auto run = tests::run_with_distances();
   tests::closure(run, 4, 4).reason = "why it is none";
-  const std::string text = table(judge(run), 100);
+  const std::string text = table(judge_claims(run), 100);
   EXPECT_EQ(count(text, "why it is none"), 1u) << text;
   EXPECT_GT(count(text, "case 4, n=4 agrees"), 2u) << text;
 }
 
 TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
   std::vector<Judgement> three(3);
-  three[0].outcome = Outcome::established;
-  three[1].outcome = Outcome::not_established;
+  three[0].outcome = ClaimOutcome::established;
+  three[1].outcome = ClaimOutcome::not_established;
   EXPECT_EQ(
       closing_sentence(three),
       "3 claims of the paper: 1 established (the run's numbers are as the claim states); 1 not "
@@ -64,12 +64,12 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
 
 // Lists each claim that is not simply established once, with the cases of its outcome.
 TEST(ClaimsTable, SummaryListsTheClaimsOfEachOtherOutcome) {
-  const auto judgements = judge(tests::run_with_distances());
-  const auto sentences = summary(judgements);
+  const auto judgements = judge_claims(tests::run_with_distances());
+  const auto sentences = outcome_summary(judgements);
   EXPECT_EQ(sentences.front(), closing_sentence(judgements));
-  std::set<Outcome> outcomes;
+  std::set<ClaimOutcome> outcomes;
   for (const auto& one : judgements) {
-    if (one.outcome == Outcome::established) continue;
+    if (one.outcome == ClaimOutcome::established) continue;
     outcomes.insert(one.outcome);
     const std::string begin = std::string(name(one.outcome)).substr(1) + ": ";
     const auto own = std::ranges::find_if(sentences, [&](const std::string& sentence) {

@@ -18,7 +18,7 @@ namespace {
 TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
   std::set<std::string> panels;
   std::set<std::pair<int, transform::Variable>> densities;
-  for (const auto& claim : claims()) {
+  for (const auto& claim : paper_claims()) {
     if (claim.cases.size() > 1) continue;
     for (const char panel : claim.panels) {
       panels.insert(std::to_string(Claim::figure(claim.cases.front())) + panel);
@@ -34,7 +34,7 @@ TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
 TEST(Claims, CoverEachOrderInEachCase) {
   for (int number = 1; number <= 4; ++number) {
     for (const int order : {2, 4, 6, 8}) {
-      EXPECT_TRUE(std::ranges::any_of(claims(),
+      EXPECT_TRUE(std::ranges::any_of(paper_claims(),
                                       [&](const Claim& claim) {
                                         return claim.cases == std::vector<int>{number} &&
                                                claim.order == order;
@@ -46,7 +46,7 @@ TEST(Claims, CoverEachOrderInEachCase) {
 
 TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
   std::set<std::pair<std::vector<int>, std::string>> seen;
-  for (const auto& claim : claims()) {
+  for (const auto& claim : paper_claims()) {
     EXPECT_TRUE(seen.insert({claim.cases, claim_text(claim)}).second) << claim_text(claim);
     EXPECT_FALSE(claim.quote.empty());
     EXPECT_EQ(claim.panels.find_first_not_of("abcd"), std::string::npos);
@@ -57,23 +57,24 @@ TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
       EXPECT_NE(claim.panels.find_first_of(is_y ? "ab" : "cd"), std::string::npos)
           << claim_text(claim);
     }
-    const bool compares = claim.relation == Relation::closer ||
-                          claim.relation == Relation::closer_in_l1 ||
-                          claim.relation == Relation::closer_in_tail;
+    const bool compares = claim.relation == ClaimedRelation::closer ||
+                          claim.relation == ClaimedRelation::closer_in_l1 ||
+                          claim.relation == ClaimedRelation::closer_in_tail;
     EXPECT_EQ(compares, claim.rival != 0) << claim_text(claim);
   }
 }
 
 TEST(Claims, ReferToExistingMethodsAndCases) {
-  const auto methods = methods::builtin_registry().select(kRequiredMethods, {});
-  for (const auto& claim : claims()) {
+  const auto methods = methods::builtin_registry().select_methods(kRequiredMethods, {});
+  for (const auto& claim : paper_claims()) {
     EXPECT_TRUE(std::ranges::any_of(methods, [&](const methods::Method& method) {
-      return method.identity.id == closure_id(claim.order);
+      return method.identity.id == paper_closure_id(claim.order);
     })) << claim_text(claim);
   }
   ASSERT_EQ(problem::paper_cases().size(), 4u);
   for (int number = 1; number <= 4; ++number) {
-    EXPECT_EQ(problem::paper_cases()[static_cast<std::size_t>(number) - 1].name, case_name(number));
+    EXPECT_EQ(problem::paper_cases()[static_cast<std::size_t>(number) - 1].name,
+              paper_case_name(number));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "workflows/paper/distance.hpp"
+#include "workflows/paper/closure_distance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(DistanceToTheSimulation, ComesFromTheErrorBudget) {
   auto& row = budget_row(run, 2, 6, Variable::ydot);
   row.total = 0.013;
   row.total_tail = 0.17;
-  row.parts.back().links = {compare::Link::discretisation};
+  row.parts.back().approximations = {compare::Approximation::discretisation};
   row.parts.back().tail = 0.004;
   std::string missing;
   const auto distance = distance_to_simulation(case_in(run, 2), 6, Variable::ydot, missing);
@@ -62,12 +62,12 @@ TEST(DistanceToTheSimulation, IsEmptyWithoutADensityOrAnAccurateReference) {
 TEST(DistanceToTheSimulation, MaximumIsTakenOfEachNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Distance both =
-      maximum_of_each({.l1 = 1, .tail = 4}, {.l1 = 2, .tail = 3, .l1_error = 0.1});
+      larger_distances({.l1 = 1, .tail = 4}, {.l1 = 2, .tail = 3, .l1_error = 0.1});
   EXPECT_EQ(both.l1, 2);
   EXPECT_EQ(both.tail, 4);
   EXPECT_EQ(both.l1_error, 0.1);
-  EXPECT_TRUE(std::isnan(maximum_of_each({.tail = nan}, {.tail = 1}).tail));
-  EXPECT_TRUE(std::isnan(maximum_of_each({.tail = 1}, {.tail = nan}).tail));
+  EXPECT_TRUE(std::isnan(larger_distances({.tail = nan}, {.tail = 1}).tail));
+  EXPECT_TRUE(std::isnan(larger_distances({.tail = 1}, {.tail = nan}).tail));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ results::Curve gaussian_curve(const problem::Problem& problem, Variable variable
   const bool is_y = variable == Variable::y;
   const double sigma = factor * (is_y ? linear.displacement_deviation : linear.velocity_deviation);
   const auto axes = compare::comparison_axes(problem);
-  const auto& edges = compare::edges(axes, variable);
+  const auto& edges = compare::bin_edges(axes, variable);
   results::Curve curve{.solution = "epc-gaussian-n2",
                        .variable = variable,
                        .abscissa = {},

@@ -34,42 +34,43 @@ const std::vector<Judgement>& judgements() {
     results::Run run{results::this_program("fpkcheck paper"), {}};
     for (int number = 1; number <= 4; ++number) {
       auto problem = tests::paper_case(number);
-      problem.name = case_name(number);
+      problem.name = paper_case_name(number);
       const auto axes = compare::comparison_axes(problem);
       std::vector<transform::Solution> solutions;
       for (const int order : {2, 4, 6, 8}) {
         // Without `accuracy` no error estimate is computed: the claims do not need it.
-        const auto method = methods::builtin_registry().method_by_id(closure_id(order),
+        const auto method = methods::builtin_registry().method_by_id(paper_closure_id(order),
                                                                      {{"accuracy", base::Value()}});
         solutions.push_back(methods::solve_with(*method, problem, {axes, {}}));
       }
       std::ranges::move(quick_references(problem), std::back_inserter(solutions));
-      run.cases.push_back(results::make_case(problem, axes, std::move(solutions)));
+      run.cases.push_back(results::make_case_result(problem, axes, std::move(solutions)));
     }
-    return judge(run);
+    return judge_claims(run);
   }();
   return all;
 }
 
-std::map<Outcome, int> counts() {
-  std::map<Outcome, int> found;
+std::map<ClaimOutcome, int> counts() {
+  std::map<ClaimOutcome, int> found;
   for (const auto& one : judgements()) ++found[one.outcome];
   return found;
 }
 
 TEST(ThePaper, IsJudgedInEveryClaim) {
   const auto found = counts();
-  EXPECT_FALSE(found.contains(Outcome::unjudged));
-  EXPECT_EQ(found.at(Outcome::established), 35);
-  EXPECT_EQ(found.at(Outcome::qualified), 3);
-  EXPECT_EQ(found.at(Outcome::not_established), 6);
+  EXPECT_FALSE(found.contains(ClaimOutcome::unjudged));
+  EXPECT_EQ(found.at(ClaimOutcome::established), 35);
+  EXPECT_EQ(found.at(ClaimOutcome::qualified), 3);
+  EXPECT_EQ(found.at(ClaimOutcome::not_established), 6);
 }
 
 TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
   for (const auto& one : judgements()) {
-    if (one.outcome != Outcome::not_established) continue;
-    const bool less_gaussian_velocity = one.claim.relation == Relation::further_than_in_case_1 &&
-                                        one.claim.variables.front() == transform::Variable::ydot;
+    if (one.outcome != ClaimOutcome::not_established) continue;
+    const bool less_gaussian_velocity =
+        one.claim.relation == ClaimedRelation::further_than_in_case_1 &&
+        one.claim.variables.front() == transform::Variable::ydot;
     const bool of_case_4 =
         one.claim.cases == std::vector<int>{4} && (one.claim.order == 4 || one.claim.order == 8);
     EXPECT_TRUE(less_gaussian_velocity || of_case_4) << claim_text(one.claim);
@@ -79,7 +80,7 @@ TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
 TEST(ThePaper, ClaimsThatOrderSixAgreesAreEstablished) {
   for (const auto& one : judgements()) {
     if (one.claim.order != 6) continue;
-    EXPECT_EQ(one.outcome, Outcome::established) << claim_text(one.claim) << ": " << one.note;
+    EXPECT_EQ(one.outcome, ClaimOutcome::established) << claim_text(one.claim) << ": " << one.note;
   }
 }
 

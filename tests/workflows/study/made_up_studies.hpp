@@ -5,19 +5,20 @@
 #include <utility>
 
 #include "made_up_solutions.hpp"
+#include "workflows/study/closure_order.hpp"
 #include "workflows/study/grid.hpp"
-#include "workflows/study/order.hpp"
 #include "workflows/study/regularisation.hpp"
 
 /// Studies with invented solutions and distinguishable numbers.
 namespace fpkcheck::tests {
 
-inline transform::Solution ok(const transform::Identity& who, double seconds) {
+inline transform::Solution ok(const transform::SolutionIdentity& who, double seconds) {
   return {
       .identity = who, .status = transform::Status::ok, .seconds = seconds, .had_density = true};
 }
 
-inline transform::Solution not_ok(const transform::Identity& who, transform::Status status) {
+inline transform::Solution not_ok(const transform::SolutionIdentity& who,
+                                  transform::Status status) {
   return {.identity = who, .status = status, .reason = "it is made up", .seconds = 0.002};
 }
 
@@ -35,16 +36,17 @@ inline study::GridStudy made_up_grid_study() {
                          .nv = 20 * level,
                          .solution = ok(fd, 0.1 * level * order)};
       row.density = transform::GridLevel{{}, {}, {.y2 = 0.4, .v2 = 0.5}};
-      row.l1 = study::MarginalL1{0.1 / level / order / order, 0.2 / level / order / order};
+      row.l1 = study::MarginalL1Distances{0.1 / level / order / order, 0.2 / level / order / order};
       if (level == 1) row.solution = not_ok(fd, transform::Status::inadmissible);
-      if (level == 3) row.observed = transform::ObservedOrders{order - 0.25, 7, HUGE_VAL};
+      if (level == 3)
+        row.observed = transform::ObservedConvergenceOrders{order - 0.25, 7, HUGE_VAL};
       study.rows.push_back(row);
     }
     study.limits.push_back(
         {.order = order,
          .density = transform::GridLevel{{}, {}, {.y2 = 0.39451776, .v2 = 0.4415}},
          .error = {.y2 = 1e-6, .v2 = 2e-6},
-         .l1 = study::MarginalL1{order == 5 ? 0 : 1.2e-4, 1.4e-4}});
+         .l1 = study::MarginalL1Distances{order == 5 ? 0 : 1.2e-4, 1.4e-4}});
   }
   study.limit_accuracy = study.limits.front().l1;
   study.others.push_back({ok(closure_identity("gaussian", 2), 0.0067), {{4.4e-3, 3e-2}}});
@@ -59,25 +61,25 @@ inline study::GridStudy made_up_grid_study() {
 }
 
 /// gaussian at n = 2, 4, 8 and moment at n = 4, 6; gaussian-n8 followed a branch.
-inline study::OrderStudy made_up_order_study() {
+inline study::ClosureOrderStudy made_up_order_study() {
   const auto fd = identity("fd-kf", "fd", problem::Equation::kf, problem::Impact::map);
-  study::OrderStudy study{paper_case(1), ok(fd, 0.6), {}};
+  study::ClosureOrderStudy study{paper_case(1), ok(fd, 0.6), {}};
   study.problem.name = "case1";
   const auto add = [&](const std::string& formulation, int order, double l1) {
-    study::OrderRow row{formulation,
-                        order,
-                        formulation == "moment",
-                        ok(closure_identity(formulation, order), 0.001 * order),
-                        study::MarginalL1{l1, 2 * l1},
-                        0.02 * order};
+    study::ClosureOrderRow row{formulation,
+                               order,
+                               formulation == "moment",
+                               ok(closure_identity(formulation, order), 0.001 * order),
+                               study::MarginalL1Distances{l1, 2 * l1},
+                               0.02 * order};
     row.solution.metrics = transform::MetricBuilder()
-                               .result("order", transform::count_value(order))
-                               .result("formulation", formulation.substr(0, 6))
-                               .work("iterations", transform::count_value(7 * order))
-                               .work("residual", 1e-15)
-                               .result("support.edge_density", 1e-14)
-                               .result("leading_form", std::string("negative"))
-                               .take();
+                               .add_result("order", transform::value_from_count(order))
+                               .add_result("formulation", formulation.substr(0, 6))
+                               .add_work("iterations", transform::value_from_count(7 * order))
+                               .add_work("residual", 1e-15)
+                               .add_result("support.edge_density", 1e-14)
+                               .add_result("leading_form", std::string("negative"))
+                               .take_metrics();
     study.rows.push_back(row);
   };
   add("gaussian", 2, 0.004);
@@ -90,15 +92,15 @@ inline study::OrderStudy made_up_order_study() {
   lost.l1.reset();
   lost.tail_y.reset();
   lost.solution.metrics = transform::MetricBuilder()
-                              .result("branch.end", std::string("white_noise"))
-                              .result("branch.furthest", 0.655)
-                              .work("branch.points[0].fraction", 0.0)
-                              .work("branch.points[0].norm", 1.0)
-                              .work("branch.points[0].fold", false)
-                              .work("branch.points[1].fraction", 0.655)
-                              .work("branch.points[1].norm", 2.5)
-                              .work("branch.points[1].fold", true)
-                              .take();
+                              .add_result("branch.end", std::string("white_noise"))
+                              .add_result("branch.furthest", 0.655)
+                              .add_work("branch.points[0].fraction", 0.0)
+                              .add_work("branch.points[0].norm", 1.0)
+                              .add_work("branch.points[0].fold", false)
+                              .add_work("branch.points[1].fraction", 0.655)
+                              .add_work("branch.points[1].norm", 2.5)
+                              .add_work("branch.points[1].fold", true)
+                              .take_metrics();
   add("moment", 4, 0.008);
   add("moment", 6, 0.002);
   study.rows.back().solution.metrics.push_back(
@@ -115,7 +117,7 @@ inline study::RegularisationStudy made_up_regularisation_study() {
                .length = length,
                .nx = 16,
                .nv = 60,
-               .symbol = fd_fpk::Growth{-1e-6, 0.01},
+               .symbol = fd_fpk::FastestGrowingWave{-1e-6, 0.01},
                .rightmost = -1e-15,
                .next = std::complex(-0.119, 2.1),
                .l1_y = 0.0003,
@@ -128,7 +130,7 @@ inline study::RegularisationStudy made_up_regularisation_study() {
                .length = length,
                .nx = 16,
                .nv = 60,
-               .symbol = fd_fpk::Growth{1.1 * rate, 3 / step},
+               .symbol = fd_fpk::FastestGrowingWave{1.1 * rate, 3 / step},
                .rightmost = rate,
                .l1_y = 4.1,
                .l1_ydot = 2.3,

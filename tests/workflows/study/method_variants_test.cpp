@@ -13,10 +13,10 @@ namespace {
 
 using problem::Equation;
 using problem::Impact;
-using transform::Role;
+using transform::SolutionRole;
 using Names = std::vector<std::string>;
 
-Names names(const methods::Registry& registry, Role role) {
+Names names(const methods::Registry& registry, SolutionRole role) {
   Names names;
   for (const auto& variant : method_variants(registry, role)) names.push_back(variant.name);
   return names;
@@ -30,7 +30,7 @@ Names ids_beside(const methods::Registry& registry, Equation equation, Impact im
 }
 
 TEST(Kinds, OfClosuresAreFormulationsAndTheirVariants) {
-  EXPECT_EQ(names(methods::builtin_registry(), Role::closure),
+  EXPECT_EQ(names(methods::builtin_registry(), SolutionRole::closure),
             (Names{"gaussian", "gaussian-white", "gaussian-kf", "moment", "moment-white",
                    "moment-cut", "polar"}));
 }
@@ -38,12 +38,12 @@ TEST(Kinds, OfClosuresAreFormulationsAndTheirVariants) {
 TEST(Kinds, IncludeExternallyRegisteredMethods) {
   // Names of the first solver's variants lack the solver's name.
   EXPECT_EQ(
-      names(tests::toy_registry(), Role::closure),
+      names(tests::toy_registry(), SolutionRole::closure),
       (Names{"flat", "flat-white", "other-flat", "other-flat-white", "plain", "plain-white"}));
 }
 
 TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
-  for (const auto& variant : method_variants(methods::builtin_registry(), Role::closure)) {
+  for (const auto& variant : method_variants(methods::builtin_registry(), SolutionRole::closure)) {
     EXPECT_EQ(variant.usual,
               variant.name == "gaussian" || variant.name == "moment" || variant.name == "polar");
     EXPECT_EQ(variant.solves_full_problem(),
@@ -88,7 +88,7 @@ TEST(OtherMethods, TheSimulationHasTheGivenOptions) {
   const auto methods = comparison_methods(methods::builtin_registry(), Equation::white, Impact::map,
                                           {{"time", 3e3}});
   const auto& options = methods.back().options;
-  EXPECT_NE(std::ranges::find(options, base::NamedValue{"time", 3e3}), options.end());
+  EXPECT_NE(std::ranges::find(options, base::NamedParameterValue{"time", 3e3}), options.end());
   EXPECT_THROW(comparison_methods(methods::builtin_registry(), Equation::white, Impact::map,
                                   {{"time", -1.0}}),
                InputError);

@@ -1,4 +1,4 @@
-#include "workflows/study/order.hpp"
+#include "workflows/study/closure_order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 namespace fpkcheck::study {
 namespace {
 
-TEST(OrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
-  const auto study = study_orders(tests::paper_case(1), {{"moment", "gaussian"}, {4, 2, 4}},
-                                  methods::builtin_registry(), {});
+TEST(ClosureOrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
+  const auto study = study_closure_orders(tests::paper_case(1), {{"moment", "gaussian"}, {4, 2, 4}},
+                                          methods::builtin_registry(), {});
   EXPECT_EQ(study.reference.id(), "fd-kf");
   EXPECT_TRUE(study.reference.is_ok());
   ASSERT_EQ(study.rows.size(), 4u);
@@ -28,11 +28,11 @@ TEST(OrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
   EXPECT_TRUE(has_converged(study));
 }
 
-TEST(OrderStudy, AcceptsAnExternallyRegisteredClosure) {
+TEST(ClosureOrderStudy, AcceptsAnExternallyRegisteredClosure) {
   const auto registry = tests::toy_registry();
-  EXPECT_EQ(formulations(registry),
+  EXPECT_EQ(closure_formulations(registry),
             (std::vector<std::string>{"flat", "flat-white", "other-flat", "other-flat-white"}));
-  const auto study = study_orders(tests::paper_case(1), {{"flat"}, {2, 6}}, registry, {});
+  const auto study = study_closure_orders(tests::paper_case(1), {{"flat"}, {2, 6}}, registry, {});
   EXPECT_EQ(study.reference.id(), "cells");
   ASSERT_EQ(study.rows.size(), 2u);
   EXPECT_EQ(study.rows[1].solution.id(), "toy-flat-n6");
@@ -40,16 +40,16 @@ TEST(OrderStudy, AcceptsAnExternallyRegisteredClosure) {
   EXPECT_LT(study.rows[1].l1->y, study.rows[0].l1->y / 2);
 }
 
-std::string refusal(const OrderStudyOptions& options, const methods::Registry& registry) {
+std::string refusal(const ClosureOrderStudyOptions& options, const methods::Registry& registry) {
   try {
-    study_orders(tests::paper_case(1), options, registry, {});
+    study_closure_orders(tests::paper_case(1), options, registry, {});
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(OrderStudy, RefusesUnknownFormulationsAndOrders) {
+TEST(ClosureOrderStudy, RefusesUnknownFormulationsAndOrders) {
   const auto registry = tests::toy_registry();
   EXPECT_EQ(refusal({{"round"}, {2}}, registry),
             "--formulations: 'round' is no formulation; use some of flat, flat-white, other-flat, "
@@ -59,13 +59,13 @@ TEST(OrderStudy, RefusesUnknownFormulationsAndOrders) {
             "--orders 40: there is no toy-flat-n40; leave this order out");
 }
 
-TEST(OrderStudy, RefusesARegistryWithoutAReference) {
+TEST(ClosureOrderStudy, RefusesARegistryWithoutAReference) {
   methods::Registry registry;
-  registry.add(tests::toy_solver({"toy", "toy-flat", transform::Role::closure, true}));
+  registry.add(tests::toy_solver({"toy", "toy-flat", transform::SolutionRole::closure, true}));
   EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("no reference for the closures:"));
 }
 
-TEST(OrderStudy, HasConvergedIfRequiredClosuresAreOk) {
+TEST(ClosureOrderStudy, HasConvergedIfRequiredClosuresAreOk) {
   auto study = tests::made_up_order_study();
   EXPECT_TRUE(has_converged(study));  // gaussian need not converge
   study.rows.back().solution.status = transform::Status::inadmissible;
@@ -75,10 +75,10 @@ TEST(OrderStudy, HasConvergedIfRequiredClosuresAreOk) {
   EXPECT_FALSE(has_converged(study));
 }
 
-TEST(OrderStudy, FindsTheBranchInTheMetrics) {
+TEST(ClosureOrderStudy, FindsTheBranchInTheMetrics) {
   const auto study = tests::made_up_order_study();
-  EXPECT_FALSE(branch(study.rows[0].solution.metrics));
-  const auto followed = branch(study.rows[2].solution.metrics);
+  EXPECT_FALSE(solution_branch(study.rows[0].solution.metrics));
+  const auto followed = solution_branch(study.rows[2].solution.metrics);
   ASSERT_TRUE(followed);
   EXPECT_EQ(followed->end, "white_noise");
   EXPECT_EQ(followed->largest_fraction, 0.655);

@@ -10,8 +10,8 @@ namespace {
 TEST(Picture, NeighboursWithALabelFormASeriesWithTheStyleOfTheMiddle) {
   const auto study = tests::made_up_order_study();
   const auto all = make_series(
-      study.rows, "block_", [](const OrderRow& row) { return row.formulation; },
-      [](const OrderRow& row) { return std::to_string(row.order) + '\n'; });
+      study.rows, "block_", [](const ClosureOrderRow& row) { return row.formulation; },
+      [](const ClosureOrderRow& row) { return std::to_string(row.order) + '\n'; });
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].block, "block_0");
   EXPECT_EQ(all[0].points, "2\n4\n8\n");

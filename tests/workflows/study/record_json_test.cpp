@@ -12,7 +12,7 @@ namespace {
 TEST(RecordJson, HasProgramCaseAndRowsByPath) {
   const auto found = nlohmann::json::parse(study_json(
       "test", tests::make_problem({.restitution = 0.9}), "fpkcheck study test",
-      {{"truth.order", transform::count_value(5)}, {"truth.reason", std::string()}},
+      {{"truth.order", transform::value_from_count(5)}, {"truth.reason", std::string()}},
       {{"rows", {{{"at.x", 0.125}, {"at.y", HUGE_VAL}}, {{"at", {}}}}}, {"others", {}}}));
   EXPECT_EQ(found.at("schema"), 1);
   EXPECT_EQ(found.at("program").at("command"), "fpkcheck study test");

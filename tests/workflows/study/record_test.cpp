@@ -9,9 +9,11 @@
 namespace fpkcheck::study {
 namespace {
 
-const std::vector<Record> kRows{
-    {{"name", std::string("one")}, {"n", transform::count_value(7)}, {"at.x", 0.125}, {"none", {}}},
-    {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
+const std::vector<Record> kRows{{{"name", std::string("one")},
+                                 {"n", transform::value_from_count(7)},
+                                 {"at.x", 0.125},
+                                 {"none", {}}},
+                                {{"name", std::string("two")}, {"at.x", HUGE_VAL}}};
 
 TEST(Record, IsALineOfCsvWithEmptyCellsForMissingValues) {
   EXPECT_EQ(csv_text(kRows, "name n x=at.x none missing"),

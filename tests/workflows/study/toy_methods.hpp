@@ -19,7 +19,7 @@ struct ToyOptions {
 inline const base::Description<ToyOptions>& toy_description() {
   static const auto description =
       base::Description<ToyOptions>("toy ")
-          .add("order", &ToyOptions::order, {"N", "degree"}, base::even_between(2, 6))
+          .add("order", &ToyOptions::order, {"N", "degree"}, base::even_integers_between(2, 6))
           .add("equation", &ToyOptions::equation, {"E", "white or kf"})
           .with_choices({"white", "kf"});
   return description;
@@ -28,18 +28,19 @@ inline const base::Description<ToyOptions>& toy_description() {
 /// Properties of a toy solver. Its ids are FAMILY and FAMILY-white, with -nN where it has an order.
 struct Toy {
   std::string solver, family;
-  transform::Role role;
+  transform::SolutionRole role;
   bool with_order = false;
   problem::Impact impact = problem::Impact::map;
 
-  transform::Identity identity(const ToyOptions& options) const {
+  transform::SolutionIdentity identity(const ToyOptions& options) const {
     const bool white = options.equation == problem::Equation::white;
     const std::string stem = family + (white ? "-white" : "");
-    transform::Identity who{.id = with_order ? fmt::format("{}-n{}", stem, options.order) : stem,
-                            .method = solver,
-                            .equation = options.equation,
-                            .impact = impact,
-                            .role = role};
+    transform::SolutionIdentity who{
+        .id = with_order ? fmt::format("{}-n{}", stem, options.order) : stem,
+        .method = solver,
+        .equation = options.equation,
+        .impact = impact,
+        .role = role};
     if (with_order) who.order = options.order;
     return who;
   }
@@ -56,9 +57,11 @@ inline methods::Solver toy_solver(const Toy& toy) {
                          .options_of = {},
                          .method = {}};
   solver.families.push_back(
-      {toy.family, toy.role, "A toy.", {toy.identity({}).id}, [](const transform::Identity&) {
-         return transform::PlotStyle{};
-       }});
+      {toy.family,
+       toy.role,
+       "A toy.",
+       {toy.identity({}).id},
+       [](const transform::SolutionIdentity&) { return transform::PlotStyle{}; }});
   solver.options_of = [toy](std::string_view id) -> std::optional<base::Values> {
     for (const auto equation : {problem::Equation::kf, problem::Equation::white}) {
       for (int order = 2; order < 20; ++order) {
@@ -74,7 +77,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
     return methods::Method{
         toy.identity(options), values, false,
         [=](const problem::Problem&, const methods::SolveContext& context) {
-          const double off = toy.role == transform::Role::closure ? 0.5 / options.order : 0;
+          const double off = toy.role == transform::SolutionRole::closure ? 0.5 / options.order : 0;
           return solution(toy.identity(options),
                           smooth_density({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
                                          context.axes.v_edges.back()));
@@ -84,13 +87,15 @@ inline methods::Solver toy_solver(const Toy& toy) {
 }
 
 inline methods::Registry toy_registry() {
-  using transform::Role;
+  using transform::SolutionRole;
   methods::Registry registry;
-  registry.add(toy_solver({"toy", "toy-flat", Role::closure, true}));
-  registry.add(toy_solver({"other", "other-flat", Role::closure, true, problem::Impact::delta}));
-  registry.add(toy_solver({"plain", "plain", Role::closure}));
-  registry.add(toy_solver({"cells", "cells", Role::equation}));
-  registry.add(toy_solver({"dice", "dice", Role::simulation, false, problem::Impact::exact}));
+  registry.add(toy_solver({"toy", "toy-flat", SolutionRole::closure, true}));
+  registry.add(
+      toy_solver({"other", "other-flat", SolutionRole::closure, true, problem::Impact::delta}));
+  registry.add(toy_solver({"plain", "plain", SolutionRole::closure}));
+  registry.add(toy_solver({"cells", "cells", SolutionRole::equation}));
+  registry.add(
+      toy_solver({"dice", "dice", SolutionRole::simulation, false, problem::Impact::exact}));
   return registry;
 }
 

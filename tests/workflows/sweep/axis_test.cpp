@@ -36,7 +36,7 @@ TEST(Axis, ListsKeepTheirOrderAndMayHaveWords) {
 TEST(Axis, WithoutACountIsARangeWithoutValues) {
   const Axis axis = parse_axis("impulse.rate", "log:0.1:10", "x");
   EXPECT_TRUE(axis.values.empty());
-  EXPECT_NEAR(axis.value_at(0.5), 1, 1e-12);
+  EXPECT_NEAR(axis.value_at_fraction(0.5), 1, 1e-12);
   EXPECT_EQ(axis.text(), "impulse.rate = log:0.1:10");
 }
 

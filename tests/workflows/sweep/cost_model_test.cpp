@@ -24,40 +24,40 @@ TEST(CostModel, FindsPowersAndWords) {
   std::vector<std::size_t> all(plan.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::vector<CostModel::Measurement> measured;
-  for (const auto point : spread_sample(all, 24))
+  for (const auto point : evenly_spread_sample(all, 24))
     measured.push_back({point, seconds_at(plan, point)});
   const CostModel model(plan, measured);
   double sum = 0, expected = 0;
   for (const auto point : all) {
-    EXPECT_NEAR(std::log(model.expected(point) / seconds_at(plan, point)), 0, 0.1) << point;
+    EXPECT_NEAR(std::log(model.expected_seconds(point) / seconds_at(plan, point)), 0, 0.1) << point;
     sum += seconds_at(plan, point);
-    expected += model.expected(point);
+    expected += model.expected_seconds(point);
   }
   EXPECT_NEAR(expected / sum, 1, 0.03);
 }
 
 TEST(CostModel, WithoutMeasurementsAllTimesAreEqual) {
   const Plan plan = tests::small_plan();
-  EXPECT_EQ(CostModel(plan, {}).all(), std::vector<double>(6, 1.0));
+  EXPECT_EQ(CostModel(plan, {}).all_expected_seconds(), std::vector<double>(6, 1.0));
 }
 
 TEST(CostModel, MeasuredPointsKeepTheirTimes) {
   const Plan plan = tests::small_plan();
   const std::vector<CostModel::Measurement> measured{{3, 7.0}, {0, 1.0}};
-  EXPECT_EQ(CostModel(plan, measured).expected(3), 7);
+  EXPECT_EQ(CostModel(plan, measured).expected_seconds(3), 7);
 }
 
 TEST(Spread, GivesEachPointOnceFromAllRegions) {
   std::vector<std::size_t> all(1000);
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto chosen = spread_sample(all, 20);
+  const auto chosen = evenly_spread_sample(all, 20);
   ASSERT_EQ(chosen.size(), 20);
   std::set<std::size_t> tenths;
   for (const auto point : chosen) tenths.insert(point / 100);
   EXPECT_EQ(tenths.size(), 10);
   EXPECT_EQ(std::set<std::size_t>(chosen.begin(), chosen.end()).size(), 20);
-  EXPECT_EQ(spread_sample({5, 7}, 20).size(), 2);
-  EXPECT_TRUE(spread_sample({}, 20).empty());
+  EXPECT_EQ(evenly_spread_sample({5, 7}, 20).size(), 2);
+  EXPECT_TRUE(evenly_spread_sample({}, 20).empty());
 }
 
 }  // namespace

@@ -12,11 +12,11 @@ namespace {
 
 TEST(Makespan, IsThatOfTheDispatch) {
   const std::vector<double> seconds{1, 1, 1, 1, 4};
-  EXPECT_EQ(makespan(seconds, 1, Dispatch::shards), 8);
-  EXPECT_EQ(makespan(seconds, 2, Dispatch::longest_first), 4);
-  EXPECT_EQ(makespan(seconds, 2, Dispatch::in_order), 6);
-  EXPECT_EQ(makespan(seconds, 2, Dispatch::shards), 6);  // 1 + 1 + 4 and 1 + 1
-  EXPECT_EQ(makespan(seconds, 100, Dispatch::in_order), 4);
+  EXPECT_EQ(makespan(seconds, 1, DispatchRule::shards), 8);
+  EXPECT_EQ(makespan(seconds, 2, DispatchRule::longest_first), 4);
+  EXPECT_EQ(makespan(seconds, 2, DispatchRule::in_order), 6);
+  EXPECT_EQ(makespan(seconds, 2, DispatchRule::shards), 6);  // 1 + 1 + 4 and 1 + 1
+  EXPECT_EQ(makespan(seconds, 100, DispatchRule::in_order), 4);
 }
 
 TEST(Forecast, PredictsAPlanFromASample) {
@@ -36,7 +36,7 @@ TEST(Forecast, OfASolvedPlanIsMeasured) {
   const Plan plan = tests::small_plan();
   const auto found = forecast(plan, tests::results_of(plan).points, 1);
   EXPECT_EQ(found.uncertainty, 0);
-  EXPECT_NEAR(makespan(found.seconds, 1, Dispatch::shards), 6 * 2 + 2 * 15, 1e-9);
+  EXPECT_NEAR(makespan(found.seconds, 1, DispatchRule::shards), 6 * 2 + 2 * 15, 1e-9);
   EXPECT_NE(forecast_text(plan, found, 1, {}, {100, false}).find("(measured)"), std::string::npos);
 }
 

@@ -12,10 +12,10 @@
 namespace fpkcheck::tests {
 
 inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
-                           sweep::Design design = sweep::Design::product,
+                           sweep::PlanDesign design = sweep::PlanDesign::product,
                            const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::Plan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
-  plan.methods = methods::builtin_registry().select(methods, {});
+  plan.methods = methods::builtin_registry().select_methods(methods, {});
   plan.points = sweep::make_points(plan.axes, design, 0);
   return plan;
 }
@@ -23,7 +23,7 @@ inline sweep::Plan plan_of(std::vector<sweep::Axis> axes,
 /// A plan with one closure and without its error estimate: milliseconds for each point.
 inline sweep::Plan quick_plan(std::vector<sweep::Axis> axes) {
   sweep::Plan plan = plan_of(std::move(axes));
-  plan.methods = methods::builtin_registry().select("epc-gaussian-n2", {{"accuracy", {}}});
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {{"accuracy", {}}});
   return plan;
 }
 
@@ -44,7 +44,7 @@ inline sweep::PointResult result_of(const sweep::Plan& plan, std::size_t point) 
                               .seconds = 1 + number,
                               .moments = transform::Moments{.y2 = number, .v2 = 2 * number}});
   }
-  result.methods.front().l1 = sweep::MarginalPair{0.01 * static_cast<double>(point + 1), 0.02};
+  result.methods.front().l1 = sweep::MarginalL1Pair{0.01 * static_cast<double>(point + 1), 0.02};
   result.methods.front().budget = {{"closure + impact", {0.3, 0.4}}};
   return result;
 }

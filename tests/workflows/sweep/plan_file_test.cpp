@@ -43,7 +43,7 @@ TEST_F(PlanFile, HasACaseAndVariedKeys) {
   EXPECT_EQ(plan.base.system.coefficients().damping, 0.3);
   ASSERT_EQ(plan.axes.size(), 2);
   EXPECT_EQ(plan.axes[1].text(), "impulse.rate = log:1:2");
-  EXPECT_EQ(plan.design, Design::sobol);
+  EXPECT_EQ(plan.design, PlanDesign::sobol);
   EXPECT_EQ(plan.points, 7);
   EXPECT_EQ(plan.methods, "epc,fd-kf");
   ASSERT_EQ(plan.options.size(), 1);

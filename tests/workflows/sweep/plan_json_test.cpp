@@ -31,7 +31,7 @@ TEST(PlanJson, ReportsTheFirstDifference) {
     return difference(plan, other);
   };
   EXPECT_EQ(with([](Plan& p) { p.marginals = true; }), "marginals: false then, true now");
-  EXPECT_EQ(with([](Plan& p) { p.closure_errors = ClosureErrors::residuals; }),
+  EXPECT_EQ(with([](Plan& p) { p.closure_errors = ClosureErrorSource::residuals; }),
             "closure_errors: \"reference\" then, \"residuals\" now");
   EXPECT_NE(with([](Plan& p) { p.axes[0].values[1] = 3.0; }).find("impulse.rate"),
             std::string::npos);
@@ -41,7 +41,8 @@ TEST(PlanJson, ReportsTheFirstDifference) {
             }).find("case system damping: 0.1 then, 0.2 now"),
             std::string::npos);
   const std::string option = with([](Plan& p) {
-    p.methods = methods::builtin_registry().select("epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
+    p.methods =
+        methods::builtin_registry().select_methods("epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
   });
   EXPECT_NE(option.find("\"epc-gaussian-n2\" options accuracy: 0.02 then, 0.5 now"),
             std::string::npos)

@@ -23,7 +23,7 @@ TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
   const auto seconds = [&](std::size_t p) { return std::get<double>(plan.points[p][0]); };
   std::set<std::size_t> seen;
   std::vector<std::size_t> order;
-  for (auto point = queue.next(); point; point = queue.next()) {
+  for (auto point = queue.take_next_point(); point; point = queue.take_next_point()) {
     EXPECT_TRUE(seen.insert(*point).second);
     order.push_back(*point);
     queue.record_solved(*point, seconds(*point));
@@ -41,7 +41,8 @@ TEST(PointQueue, SkipsSolvedPoints) {
   const Plan plan = tests::small_plan();
   PointQueue queue(plan, {0, 2, 4}, {tests::result_of(plan, 2), tests::result_of(plan, 1)});
   std::set<std::size_t> seen;
-  for (auto point = queue.next(); point; point = queue.next()) seen.insert(*point);
+  for (auto point = queue.take_next_point(); point; point = queue.take_next_point())
+    seen.insert(*point);
   EXPECT_EQ(seen, (std::set<std::size_t>{0, 4}));
   EXPECT_EQ(queue.state().done, 1);
   EXPECT_EQ(queue.state().total, 3);

@@ -15,7 +15,7 @@ const Axis kRates = parse_axis("impulse.rate", "1,2", "x");
 const Axis kLosses = parse_axis("system.restitution", "0.8,0.9,1", "x");
 
 TEST(Points, OfAProductTheLastAxisVariesFastest) {
-  const Points points = make_points({kRates, kLosses}, Design::product, 0);
+  const Points points = make_points({kRates, kLosses}, PlanDesign::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
@@ -23,8 +23,8 @@ TEST(Points, OfAProductTheLastAxisVariesFastest) {
 
 TEST(Points, OfAListHaveTheKthValues) {
   const Axis two = parse_axis("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(make_points({kRates, two}, Design::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
-  EXPECT_THROW(make_points({kRates, kLosses}, Design::list, 0), InputError);
+  EXPECT_EQ(make_points({kRates, two}, PlanDesign::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_THROW(make_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
 }
 
 // Each sixteenth of each range gets the same number of points, unlike random points.
@@ -32,7 +32,7 @@ TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
   const std::vector<Axis> axes{parse_axis("impulse.rate", "log:0.1:10", "x"),
                                parse_axis("system.restitution", "0.5:1", "x"),
                                parse_axis("system.cubic", "1:2", "x")};
-  const Points points = make_points(axes, Design::sobol, 255);
+  const Points points = make_points(axes, PlanDesign::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -51,16 +51,17 @@ TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
 }
 
 TEST(Points, RefusesInconsistentInput) {
-  EXPECT_THROW(make_points({}, Design::product, 0), InputError);
-  EXPECT_THROW(make_points({kRates, kRates}, Design::product, 0), InputError);
-  EXPECT_THROW(make_points({kRates}, Design::product, 5), InputError);
-  EXPECT_THROW(make_points({kRates}, Design::sobol, 5), InputError);
-  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, Design::product, 0),
+  EXPECT_THROW(make_points({}, PlanDesign::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates, kRates}, PlanDesign::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates}, PlanDesign::product, 5), InputError);
+  EXPECT_THROW(make_points({kRates}, PlanDesign::sobol, 5), InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, PlanDesign::product, 0),
                InputError);
-  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, Design::sobol, 0), InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, PlanDesign::sobol, 0),
+               InputError);
   EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2:2000", "x"),
                             parse_axis("system.cubic", "1:2:2000", "x")},
-                           Design::product, 0),
+                           PlanDesign::product, 0),
                InputError);
 }
 

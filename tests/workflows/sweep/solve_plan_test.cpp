@@ -21,18 +21,18 @@ TEST(JournaledQueue, ReportsThePointsOfAResumedSweep) {
   const auto file = directory.path() / "journal";
   {
     JournaledQueue fresh(plan, directory.path(), {}, {});
-    EXPECT_EQ(fresh.resumed_text(), "");
+    EXPECT_EQ(fresh.resumption_text(), "");
     for (const std::size_t point : {4, 0}) fresh.store({tests::result_of(plan, point), {}});
   }
   {
     const JournaledQueue again(plan, directory.path(), {}, {});
-    const std::string text = again.resumed_text();
+    const std::string text = again.resumption_text();
     EXPECT_TRUE(says(text, "2 of 6 points kept, 4 to solve")) << text;
     EXPECT_FALSE(says(text, "damaged")) << text;
   }
   // A killed process leaves the last line incomplete.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 9);
-  const std::string text = JournaledQueue(plan, directory.path(), {}, {}).resumed_text();
+  const std::string text = JournaledQueue(plan, directory.path(), {}, {}).resumption_text();
   EXPECT_TRUE(says(text, "1 of 6 points kept, 5 to solve")) << text;
   EXPECT_TRUE(says(text, "1 damaged line")) << text;
 }
@@ -42,7 +42,7 @@ TEST(JournaledQueue, OfAShardCountsItsPoints) {
   const tests::TemporaryDirectory directory;
   const Plan plan = tests::small_plan();
   Journal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
-  const std::string text = JournaledQueue(plan, directory.path(), {2, 3}, {}).resumed_text();
+  const std::string text = JournaledQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
   EXPECT_TRUE(says(text, "journal.2-of-3: 1 of 2 points kept, 1 to solve")) << text;
 }
 

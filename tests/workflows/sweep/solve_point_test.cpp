@@ -16,9 +16,9 @@ using transform::Status;
 // With residuals the result is that of `run`.
 TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
   Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
-  plan.closure_errors = ClosureErrors::residuals;
-  plan.methods =
-      methods::builtin_registry().select("epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
+  plan.closure_errors = ClosureErrorSource::residuals;
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n4,fd-white,fd-kf",
+                                                            {{"stepper", "direct"}});
   const auto point = solve_point(plan, 1);
   const auto run = methods::run_cases({plan.problem_at(1)}, plan.methods, 1, {});
   EXPECT_EQ(point.result.reference, "fd-kf");
@@ -41,8 +41,8 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
 TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
   Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
   // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
-  plan.methods = methods::builtin_registry().select("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
-                                                    {{"stepper", "direct"}});
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
+                                                            {{"stepper", "direct"}});
   const auto found = solve_point(plan, 1).result.methods;
   ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
   EXPECT_EQ(found[0].status, Status::inaccurate);
@@ -58,9 +58,9 @@ TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
 
 TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
   Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
-  plan.methods = methods::builtin_registry().select("epc-gaussian-n2", {});
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {});
   const auto by_default = solve_point(plan, 1).result.methods[0];
-  plan.closure_errors = ClosureErrors::residuals;
+  plan.closure_errors = ClosureErrorSource::residuals;
   const auto by_residuals = solve_point(plan, 1).result.methods[0];
   EXPECT_EQ(by_default.status, Status::inaccurate);
   EXPECT_EQ(by_default.reason, by_residuals.reason);
@@ -97,13 +97,13 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
-    solve_remaining(plan, progress, 2);
+    solve_remaining_points(plan, progress, 2);
     EXPECT_EQ(progress.points().size(), 5);
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
   JournaledQueue again(plan, directory.path(), {}, {});
-  EXPECT_FALSE(again.next());
+  EXPECT_FALSE(again.take_next_point());
   EXPECT_EQ(again.state().done, 5);
 }
 

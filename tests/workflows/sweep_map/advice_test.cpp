@@ -18,13 +18,13 @@ using transform::Status;
 
 Ids promised_ids(const Advice& advice) {
   Ids ids;
-  for (const auto& one : advice.promised()) ids.push_back(one.id);
+  for (const auto& one : advice.promised_methods()) ids.push_back(one.id);
   return ids;
 }
 
 Ids promised_ids(const ValidityMap& map, double accuracy = 0.01,
                  const MapCoordinates& coordinates = made_up_place()) {
-  return promised_ids(advice(coordinates, accuracy, map));
+  return promised_ids(recommend_methods(coordinates, accuracy, map));
 }
 
 const Ids kAll{"epc-moment-n4", "epc-polar-n6", "fd-kf"}, kButTheQuickest{"epc-polar-n6", "fd-kf"};
@@ -45,15 +45,15 @@ TEST(Advice, HasTheMostAccurateFirstAmongSimilarTimes) {
   // Methods that are not promised do not matter.
   for (auto& point : map.points) point.method_results[1] = answer(0.0004, 0.03, Status::inaccurate);
   EXPECT_EQ(promised_ids(map), (Ids{"epc-moment-n4", "fd-kf"}));
-  EXPECT_EQ(advice(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
+  EXPECT_EQ(recommend_methods(made_up_place(), 0.01, map).methods.front().id, "epc-moment-n4");
 }
 
 TEST(Advice, HasTheResultsOfNearbyPoints) {
-  const auto found = advice(made_up_place(), 0.01, made_up_map());
+  const auto found = recommend_methods(made_up_place(), 0.01, made_up_map());
   EXPECT_EQ(found.nearest_distance, 0);
   EXPECT_EQ(found.nearby_points, 5);
   EXPECT_FALSE(found.is_outside_map());
-  const auto best = found.promised().front();
+  const auto best = found.promised_methods().front();
   EXPECT_EQ(best.points, 5);
   EXPECT_EQ(best.ok, 5);
   EXPECT_EQ(best.worst_l1, 0.004);
@@ -101,23 +101,26 @@ TEST(Advice, NeedsFourPointsForEachMethod) {
 }
 
 TEST(Advice, DetectsAProblemOutsideTheMap) {
-  const auto far = advice(made_up_place(10, 0.7), 0.01, made_up_map());
+  const auto far = recommend_methods(made_up_place(10, 0.7), 0.01, made_up_map());
   EXPECT_TRUE(far.is_outside_map());
   EXPECT_NEAR(far.nearest_distance, 2, 1e-12);
-  EXPECT_TRUE(far.promised().empty());
+  EXPECT_TRUE(far.promised_methods().empty());
 
-  const auto mean = advice(tests::make_problem({.mean = 0.1}), 0.01, shipped_validity_map());
+  const auto mean =
+      recommend_methods(tests::make_problem({.mean = 0.1}), 0.01, shipped_validity_map());
   EXPECT_TRUE(mean.is_outside_map());
-  EXPECT_TRUE(mean.promised().empty());
-  EXPECT_FALSE(advice(tests::make_problem(), 0.01, shipped_validity_map()).is_outside_map());
+  EXPECT_TRUE(mean.promised_methods().empty());
+  EXPECT_FALSE(
+      recommend_methods(tests::make_problem(), 0.01, shipped_validity_map()).is_outside_map());
 }
 
 TEST(Advice, CountsUnderestimatedErrors) {
   auto map = made_up_map();
   map.points[1].method_results[0] = MappedResult{Status::ok, 0.02, true, 0.03};
   const auto underestimated = [&](double accuracy) {
-    const auto found = advice(made_up_place(), accuracy, map);
-    return std::ranges::find(found.methods, "epc-moment-n4", &NearbyResults::id)->underestimated;
+    const auto found = recommend_methods(made_up_place(), accuracy, map);
+    return std::ranges::find(found.methods, "epc-moment-n4", &NearbyMethodResults::id)
+        ->underestimated;
   };
   EXPECT_EQ(underestimated(0.01), 1);
   // The error is below the accuracy.
@@ -144,14 +147,14 @@ TEST(Advice, AStricterAccuracyPromisesNoMoreMethods) {
 // Units of length and time reduced to a third and a half, as in
 // tests/workflows/sweep/dimensionless_groups_test.cpp.
 TEST(Advice, DoesNotDependOnUnits) {
-  const auto one = advice(tests::make_problem({}), 0.005, shipped_validity_map());
-  const auto other = advice(
+  const auto one = recommend_methods(tests::make_problem({}), 0.005, shipped_validity_map());
+  const auto other = recommend_methods(
       tests::make_problem(
           {.damping = 0.2, .stiffness = 4, .cubic = 0.1 * 36, .rate = 2, .intensity = 0.1 * 8 / 9}),
       0.005, shipped_validity_map());
   EXPECT_NEAR(one.nearest_distance, other.nearest_distance, 1e-9);
   EXPECT_EQ(one.nearby_points, other.nearby_points);
-  EXPECT_FALSE(one.promised().empty());
+  EXPECT_FALSE(one.promised_methods().empty());
   EXPECT_EQ(promised_ids(one), promised_ids(other));
 }
 

@@ -23,7 +23,7 @@ TEST(AdviceText, HasTheCommandAndTheWarnings) {
   auto map = made_up_map();
   map.methods[1] = "fd-km4";
   map.points[3].method_results[1] = MappedResult{Status::ok, 0.06, true, 0.3};
-  EXPECT_EQ(advice_text(advice(made_up_place(), 0.01, map), kSetting, 80),
+  EXPECT_EQ(advice_text(recommend_methods(made_up_place(), 0.01, map), kSetting, 80),
             R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness
 cubic, r = 0.9, gaussian impulses. Nearest point of the map: distance 0; 5
 points within 1.
@@ -53,7 +53,7 @@ TEST(AdviceText, ListsLargeErrorsAndMissingDensities) {
   for (auto& point : map.points) {
     point.method_results[1] = MappedResult{Status::inadmissible, 0.7, false, 0.3};
   }
-  const auto text = advice_text(advice(made_up_place(), 0.01, map), kSetting, 200);
+  const auto text = advice_text(recommend_methods(made_up_place(), 0.01, map), kSetting, 200);
   EXPECT_NE(
       text.find("Error above 5 % at some of these points, as stated: epc-moment-n4 (0.06).\n"),
       text.npos);
@@ -64,7 +64,7 @@ TEST(AdviceText, OutsideTheMapHasMethodsWithErrorEstimates) {
   MapCoordinates mean = made_up_place();
   mean.relative_mean = -0.3;
   EXPECT_EQ(
-      advice_text(advice(mean, 0.01, made_up_map()), kSetting, 200),
+      advice_text(recommend_methods(mean, 0.01, made_up_map()), kSetting, 200),
       R"(mine: 10 impulses per decay time, damping ratio 0.05, 0 % of the stiffness cubic, r = 0.9, gaussian impulses, mean -0.3 times the root mean square. Outside the map: none of its points has impulses
 with a mean.
 
@@ -73,14 +73,15 @@ No method met L1 0.01 at all nearby points. These methods estimate their own err
 
 Status and stated error of a solution refer to this problem itself.
 )");
-  const auto far = advice_text(advice(made_up_place(10, 0.7), 0.01, made_up_map()), kSetting, 200);
+  const auto far =
+      advice_text(recommend_methods(made_up_place(10, 0.7), 0.01, made_up_map()), kSetting, 200);
   EXPECT_NE(far.find("Outside the map: the nearest point has distance 2 (limit 1)."), far.npos);
 }
 
 TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
   const auto json_of = [](const MapCoordinates& coordinates) {
     return nlohmann::json::parse(
-        advice_json(advice(coordinates, 0.01, made_up_map()), kSetting, "asked"));
+        advice_json(recommend_methods(coordinates, 0.01, made_up_map()), kSetting, "asked"));
   };
   const auto near = json_of(made_up_place());
   EXPECT_EQ(near["recommended"], "epc-moment-n4");

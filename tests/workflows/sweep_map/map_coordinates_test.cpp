@@ -14,31 +14,31 @@ using tests::made_up_place;
 
 TEST(Distance, HasItsUnits) {
   const MapCoordinates here = made_up_place();
-  EXPECT_EQ(distance(here, here), 0);
-  EXPECT_NEAR(distance(here, made_up_place(10 * std::exp(1.0))), 1, 1e-12);
-  EXPECT_NEAR(distance(here, made_up_place(10, 0.8)), 1, 1e-12);
+  EXPECT_EQ(map_distance(here, here), 0);
+  EXPECT_NEAR(map_distance(here, made_up_place(10 * std::exp(1.0))), 1, 1e-12);
+  EXPECT_NEAR(map_distance(here, made_up_place(10, 0.8)), 1, 1e-12);
   MapCoordinates other = here;
   other.groups.damping_ratio *= std::exp(-1.0);
-  EXPECT_NEAR(distance(here, other), 1, 1e-12);
+  EXPECT_NEAR(map_distance(here, other), 1, 1e-12);
   other = here;
   other.groups.cubic_share = 0.2;
-  EXPECT_NEAR(distance(here, other), 1, 1e-12);
+  EXPECT_NEAR(map_distance(here, other), 1, 1e-12);
 }
 
 TEST(Distance, AddsSquares) {
   MapCoordinates other = made_up_place(10 * std::exp(1.0), 0.8);
   other.groups.cubic_share = 0.2;
   other.groups.damping_ratio *= std::exp(1.0);
-  EXPECT_NEAR(distance(made_up_place(), other), 2, 1e-12);
-  EXPECT_NEAR(distance(other, made_up_place()), 2, 1e-12);
+  EXPECT_NEAR(map_distance(made_up_place(), other), 2, 1e-12);
+  EXPECT_NEAR(map_distance(other, made_up_place()), 2, 1e-12);
 }
 
 TEST(Distance, IsInfiniteBetweenDifferentLawsOrMeans) {
   MapCoordinates law = made_up_place(), mean = made_up_place();
   law.law = "uniform";
   mean.relative_mean = 0.1;
-  EXPECT_TRUE(std::isinf(distance(made_up_place(), law)));
-  EXPECT_TRUE(std::isinf(distance(made_up_place(), mean)));
+  EXPECT_TRUE(std::isinf(map_distance(made_up_place(), law)));
+  EXPECT_TRUE(std::isinf(map_distance(made_up_place(), mean)));
 }
 
 TEST(PlaceOf, HaveTheRelativeMean) {

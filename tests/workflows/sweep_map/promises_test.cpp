@@ -31,7 +31,7 @@ LeftOut left_out(double accuracy) {
   for (auto& point : map.points) {
     const MapCoordinates coordinates = point.coordinates;
     point.coordinates.law = "left out";
-    const auto promised = advice(coordinates, accuracy, map).promised();
+    const auto promised = recommend_methods(coordinates, accuracy, map).promised_methods();
     point.coordinates = coordinates;
     ++found.points;
     if (promised.empty()) continue;
@@ -89,13 +89,14 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
   int solved = 0;
   for (std::uint64_t number = 1; solved < wanted && number < 1000; ++number) {
     const auto problem = problem_inside(number);
-    const auto promised = advice(problem, kAccuracy, shipped_validity_map()).promised();
+    const auto promised =
+        recommend_methods(problem, kAccuracy, shipped_validity_map()).promised_methods();
     if (promised.empty() || promised.front().id == "fd-kf") continue;
     SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
     const std::string id = promised.front().id;
     Plan plan{.base = problem, .axes = {}, .points = {{}}};
-    plan.methods =
-        methods::builtin_registry().select(id + ",fd-kf", {{"stepper", std::string("direct")}});
+    plan.methods = methods::builtin_registry().select_methods(id + ",fd-kf",
+                                                              {{"stepper", std::string("direct")}});
     const auto result = solve_point(plan, 0).result;
     ASSERT_EQ(result.reference, "fd-kf");
     const auto& closure = result.methods.front();

@@ -76,7 +76,7 @@ TEST(ReadValidityMap, HasADistinctLetterForEveryStatus) {
     }
   }
   std::set<std::pair<Status, bool>> expected{{Status::ok, true}};
-  for (const auto& named : names(Status{})) expected.emplace(named.value, false);
+  for (const auto& named : enumerator_names(Status{})) expected.emplace(named.value, false);
   EXPECT_EQ(read, expected);
 }
 

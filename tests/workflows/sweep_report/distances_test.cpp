@@ -79,7 +79,7 @@ TEST(Distances, HaveAGapWhereAPointIsMissing) {
 TEST(Distances, NameNoReferenceWherePointsHaveSeveral) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points[4].reference = "fd-white";
-  results.points[4].methods[tests::made_up_reference].l1 = MarginalPair{1e-3, 2e-3};
+  results.points[4].methods[tests::made_up_reference].l1 = MarginalL1Pair{1e-3, 2e-3};
   const std::string script = distances_of(results);
   EXPECT_TRUE(contains(script, " to the reference'")) << script;
   EXPECT_TRUE(contains(legend_of(script), "title 'fd-kf'"));

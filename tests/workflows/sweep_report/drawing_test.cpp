@@ -26,11 +26,11 @@ std::vector<SweepResults> all_kinds() {
                            {kFiveRestitutions, kThreeRates, kTwoLaws}}) {
     kinds.push_back(tests::made_up_sweep(axes));
   }
-  kinds.push_back(tests::made_up_sweep(tests::made_up_plan({restitutions}, Design::sobol, 9)));
+  kinds.push_back(tests::made_up_sweep(tests::made_up_plan({restitutions}, PlanDesign::sobol, 9)));
   kinds.push_back(
-      tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, Design::sobol, 9)));
-  kinds.push_back(
-      tests::made_up_sweep(tests::made_up_plan({restitutions, rates, cubics}, Design::sobol, 9)));
+      tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, PlanDesign::sobol, 9)));
+  kinds.push_back(tests::made_up_sweep(
+      tests::made_up_plan({restitutions, rates, cubics}, PlanDesign::sobol, 9)));
   // A single cell, and a row of cells.
   kinds.push_back(tests::made_up_sweep({{"system.restitution", "0.6"}, {"impulse.rate", "1"}}));
   kinds.push_back(tests::made_up_sweep({kFiveRestitutions, {"impulse.rate", "1"}}));
@@ -38,7 +38,7 @@ std::vector<SweepResults> all_kinds() {
     auto broken = kinds[k];
     for (auto& point : broken.points) {
       point.methods[tests::made_up_gaussian] = tests::made_up_failure();
-      point.methods[tests::made_up_white].l1 = MarginalPair{0, 0};
+      point.methods[tests::made_up_white].l1 = MarginalL1Pair{0, 0};
     }
     broken.points.pop_back();
     if (!broken.points.empty()) broken.points[0].reference.clear();

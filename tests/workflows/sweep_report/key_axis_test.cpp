@@ -28,7 +28,7 @@ TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
 
 TEST(KeyAxis, PlacesWordsAtEqualDistances) {
   const KeyAxis laws = axis_of(tests::kTwoLaws);
-  EXPECT_TRUE(laws.is_words());
+  EXPECT_TRUE(laws.has_words());
   EXPECT_EQ(laws.coordinate(std::string("laplace")), 1);
   const std::string text = laws.commands('x');
   EXPECT_TRUE(contains(text, "'gaussian' 0, 'laplace' 1")) << text;
@@ -37,21 +37,22 @@ TEST(KeyAxis, PlacesWordsAtEqualDistances) {
 
 TEST(KeyAxis, OfCellsHasRoundNumbersAtTheirPositions) {
   const KeyAxis restitution = axis_of(tests::kFiveRestitutions);
-  EXPECT_EQ(restitution.cell_of(0.8), 2u);
+  EXPECT_EQ(restitution.cell_index(0.8), 2u);
   // 0.7 is between the first cell, 0, and the third cell.
-  EXPECT_TRUE(contains(restitution.cell_commands('x'), "'0.7' 1,"));
-  EXPECT_TRUE(contains(axis_of(tests::kThreeRates).cell_commands('y'), "'1' 1,"));
+  EXPECT_TRUE(contains(restitution.cell_axis_commands('x'), "'0.7' 1,"));
+  EXPECT_TRUE(contains(axis_of(tests::kThreeRates).cell_axis_commands('y'), "'1' 1,"));
   // The cells are in the order of the numbers, also for a decreasing range.
-  EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_of(0.6), 0u);
+  EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_index(0.6), 0u);
 }
 
 TEST(KeyAxis, OfAListNamesItsValues) {
-  const std::string text = axis_of({"impulse.rate", "0.3,0.7,0.4"}).cell_commands('x');
+  const std::string text = axis_of({"impulse.rate", "0.3,0.7,0.4"}).cell_axis_commands('x');
   EXPECT_TRUE(contains(text, "'0.3' 0, '0.4' 1, '0.7' 2")) << text;
 }
 
 TEST(KeyAxis, OfASobolSequenceHasTheValuesOfItsPoints) {
-  const KeyAxis axis(tests::made_up_plan({{"system.restitution", "0.6:1"}}, Design::sobol, 7), 0);
+  const KeyAxis axis(tests::made_up_plan({{"system.restitution", "0.6:1"}}, PlanDesign::sobol, 7),
+                     0);
   EXPECT_EQ(axis.values().size(), 7u);
   EXPECT_TRUE(std::ranges::is_sorted(axis.values()));
 }

@@ -19,7 +19,7 @@ using KeyAndValues = std::pair<std::string, std::string>;
 enum MadeUpMethod { made_up_gaussian, made_up_moment, made_up_white, made_up_reference };
 
 inline sweep::Plan made_up_plan(const std::vector<KeyAndValues>& axes,
-                                sweep::Design design = sweep::Design::product,
+                                sweep::PlanDesign design = sweep::PlanDesign::product,
                                 std::size_t sobol_points = 0) {
   using problem::Equation;
   using problem::Impact;
@@ -54,20 +54,20 @@ inline sweep::SweepResults made_up_sweep(sweep::Plan plan) {
                       .reason = k == 1 ? "" : "it is " + std::to_string(k) + ".5 off",
                       .seconds = 0.01,
                       .moments = transform::Moments{.y2 = 9, .v2 = 8},
-                      .l1 = sweep::MarginalPair{0.4, 0.3},
-                      .error = sweep::MarginalPair{0.45, 0.35}},
+                      .l1 = sweep::MarginalL1Pair{0.4, 0.3},
+                      .error = sweep::MarginalL1Pair{0.45, 0.35}},
                      {.status = Status::ok,
                       .seconds = 0.02,
                       .moments = moments,
-                      .l1 = sweep::MarginalPair{l1 / 2, l1}},
+                      .l1 = sweep::MarginalL1Pair{l1 / 2, l1}},
                      {.status = Status::ok,
                       .seconds = 1,
                       .moments = moments,
-                      .l1 = sweep::MarginalPair{0.03, 0.02}},
+                      .l1 = sweep::MarginalL1Pair{0.03, 0.02}},
                      {.status = Status::ok,
                       .seconds = 2,
                       .moments = moments,
-                      .error = sweep::MarginalPair{2e-5, 3e-5}}};
+                      .error = sweep::MarginalL1Pair{2e-5, 3e-5}}};
     if (k == 1) point.methods[made_up_gaussian].moments = moments;
     points.push_back(std::move(point));
   }

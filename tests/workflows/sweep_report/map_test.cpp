@@ -116,7 +116,7 @@ TEST(Map, MarksTheReferenceWhereItIsNotAlwaysTheSame) {
 
 TEST(Map, OfScatteredPointsHasDiscs) {
   const auto results = tests::made_up_sweep(tests::made_up_plan(
-      {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}}, Design::sobol, 12));
+      {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}}, PlanDesign::sobol, 12));
   const std::string script = map_of(results);
   EXPECT_TRUE(contains(script, "$map_1 using 1:2:3 with points pt 7")) << script;
   EXPECT_TRUE(contains(script, "set logscale y"));

@@ -38,7 +38,7 @@ TEST(Scatter, MediansAreOfOkSolutions) {
       {{"system.restitution", "0.6,0.7"}, {"impulse.rate", "1,2,3"}, {"system.cubic", "0.1"}});
   for (std::size_t k = 0; k < 3; ++k) {
     const double l1 = std::vector{0.1, 0.5, 0.2}[k];
-    results.points[k].methods[tests::made_up_white].l1 = MarginalPair{l1, l1 / 2};
+    results.points[k].methods[tests::made_up_white].l1 = MarginalL1Pair{l1, l1 / 2};
   }
   const auto script = [&] { return scatter_script(SweepView(results), "sweep-keys"); };
   EXPECT_TRUE(contains(script(), "$median_0_2 << EOD\n0.6 0.2\n0.7 0.03\nEOD\n")) << script();
@@ -50,7 +50,7 @@ TEST(Scatter, MediansAreOfOkSolutions) {
 TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   const auto results = tests::made_up_sweep(tests::made_up_plan(
       {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}, {"system.cubic", "0:1"}},
-      Design::sobol, 40));
+      PlanDesign::sobol, 40));
   const std::string script = scatter_script(SweepView(results), "sweep-keys");
   const auto rows_of = [&](const std::string& block) {
     const auto begin = script.find(block + " << EOD\n");

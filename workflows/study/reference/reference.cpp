@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/axes.hpp"
+#include "compare/comparison_axes.hpp"
 #include "fd_fpk/solve.hpp"
-#include "mcs/simulation/plan.hpp"
+#include "mcs/simulation/simulation_plan.hpp"
 #include "mcs/solve.hpp"
 #include "problem/scales.hpp"
 #include "transform/richardson.hpp"
@@ -21,7 +21,7 @@ using transform::Variable;
 
 fd_fpk::Options grids(int order, double refinement) {
   return {.equation = problem::Equation::kf,
-          .stepper = fd_fpk::Stepper::direct,
+          .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
           .refinement = refinement,
           .origin_refinement = 16,
@@ -106,10 +106,10 @@ int ReferenceValue::agreed_digits(int most) const {
 void validate(const problem::Problem& problem, const ReferenceOptions& options) {
   fd_fpk::validate(seventh_order_options(options));
   fd_fpk::validate(fifth_order_options(options));
-  mcs::make_plan(problem, long_simulation(problem, options));
+  mcs::make_simulation_plan(problem, long_simulation(problem, options));
 }
 
-Reference reference(const problem::Problem& problem, const ReferenceOptions& options) {
+Reference compute_reference(const problem::Problem& problem, const ReferenceOptions& options) {
   Reference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   const auto seventh = fd_fpk::solve(problem, seventh_order_options(options));
   const auto fifth = fd_fpk::solve(problem, fifth_order_options(options));

@@ -59,7 +59,7 @@ void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// Computes reference values: solves a problem by two discretisations, each on three grids that are
 /// refined towards the origin, and simulates the problem.
-Reference reference(const problem::Problem& problem, const ReferenceOptions& options);
+Reference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// The tables of reference values in Markdown, and in CSV with the header
 /// case,quantity,abscissa,value,uncertainty. The uncertainty is the difference between the values

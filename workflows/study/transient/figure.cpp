@@ -101,7 +101,7 @@ std::string panel(const DensityMap& map, double until, const report::PanelBox& p
       "set xrange [0:{2:.6g}]\nset yrange [{3:.6g}:{4:.6g}]\nset cbrange [0:{5:.6g}]\n"
       "set ylabel {6}\nset cblabel {7}\n"
       "plot ${8} using ($2*{9:.8g}):({10:.8g}+$1*{11:.8g}):3 matrix with image notitle\n\n",
-      map.title, margin_commands(place), until, map.from, map.to, map.largest,
+      map.title, panel_position_commands(place), until, map.from, map.to, map.largest,
       report::gnuplot_text(map.symbol),
       report::gnuplot_text(fmt::format("{{/:Italic p}}({}, {{/:Italic t}})", map.symbol)),
       map.block, time_step, map.from + height / 2, height);
@@ -123,9 +123,9 @@ std::string transient_figure(const TransientRun& run, const std::string& file_st
   grid.panel_right_margin = kColourBar;
   const auto title = report::figure_title(run.problem, grid.size());
   grid.title_height = title.height;
-  return report::output_commands(file_stem, grid.size()) + data(y) + data(v) + settings() +
-         report::PanelGrid::kLabels + title.command + panel(y, until, grid.place(0, 0)) +
-         panel(v, until, grid.place(1, 0)) + "unset multiplot\nunset output\n";
+  return report::gnuplot_output_commands(file_stem, grid.size()) + data(y) + data(v) + settings() +
+         report::PanelGrid::kLabels + title.command + panel(y, until, grid.panel_box(0, 0)) +
+         panel(v, until, grid.panel_box(1, 0)) + "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::study

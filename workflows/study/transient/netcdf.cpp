@@ -39,16 +39,16 @@ std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::
 void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
                     const std::string& meaning, int time, int bounds,
                     const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {
-  const int dimension = file.cells(name, meaning, bounds, edges);
-  const int density =
-      file.variable("p_" + name, {time, dimension},
-                    fmt::format("probability density of the {}", meaning), rows(run, marginal));
-  file.attribute("cell_methods", name + ": mean", density);
+  const int dimension = file.write_cell_coordinate(name, meaning, bounds, edges);
+  const int density = file.write_variable("p_" + name, {time, dimension},
+                                          fmt::format("probability density of the {}", meaning),
+                                          rows(run, marginal));
+  file.write_attribute("cell_methods", name + ": mean", density);
 }
 
 void write_series(results::NetCdfWriter& file, const TransientRun& run, int time) {
   const auto series = [&](const char* name, const std::string& long_name, auto of) {
-    file.variable(name, {time}, long_name, values_over_time(run, of));
+    file.write_variable(name, {time}, long_name, values_over_time(run, of));
   };
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
@@ -68,23 +68,23 @@ void write_series(results::NetCdfWriter& file, const TransientRun& run, int time
 }
 
 void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
-  file.attribute("Conventions", "CF-1.8");
-  file.attribute("title", "marginal densities over time of a randomly excited oscillator");
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title", "marginal densities over time of a randomly excited oscillator");
   const auto program = results::this_program(run.command);
-  file.attribute("source", fmt::format("{} {}", program.name, program.version));
-  file.attribute("command", program.command);
-  file.attribute("case", run.problem.name);
-  results::write_parameters(file, run.problem);
-  file.attribute("equation", std::string(problem::name(run.options.equation)));
-  file.attribute("impact", std::string(problem::name(run.options.impact)));
-  file.attribute("order", fd_fpk::order_of(run.options));
-  file.attribute("start_displacement_deviation", run.result.start_displacement);
-  file.attribute("start_velocity_deviation", run.result.start_velocity);
-  file.attribute("start_mean_displacement", run.result.start_mean_displacement);
-  file.attribute("start_mean_velocity", run.result.start_mean_velocity);
-  file.attribute("time_tolerance", run.transient.relative_tolerance);
-  file.attribute("status", std::string(transform::name(run.result.status)));
-  file.attribute("reason", run.result.reason);
+  file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
+  file.write_attribute("command", program.command);
+  file.write_attribute("case", run.problem.name);
+  results::write_problem_attributes(file, run.problem);
+  file.write_attribute("equation", std::string(problem::name(run.options.equation)));
+  file.write_attribute("impact", std::string(problem::name(run.options.impact)));
+  file.write_attribute("order", fd_fpk::transport_order(run.options));
+  file.write_attribute("start_displacement_deviation", run.result.start_displacement);
+  file.write_attribute("start_velocity_deviation", run.result.start_velocity);
+  file.write_attribute("start_mean_displacement", run.result.start_mean_displacement);
+  file.write_attribute("start_mean_velocity", run.result.start_mean_velocity);
+  file.write_attribute("time_tolerance", run.transient.relative_tolerance);
+  file.write_attribute("status", std::string(transform::name(run.result.status)));
+  file.write_attribute("reason", run.result.reason);
 }
 
 }  // namespace
@@ -92,13 +92,13 @@ void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
 void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
   results::NetCdfWriter file;
   write_attributes(file, run);
-  const int time = file.dimension("time", run.result.snapshots.size());
-  const int bounds = file.dimension("bounds", 2);
-  file.variable("time", {time}, "time", values_over_time(run, &Snapshot::time));
+  const int time = file.define_dimension("time", run.result.snapshots.size());
+  const int bounds = file.define_dimension("bounds", 2);
+  file.write_variable("time", {time}, "time", values_over_time(run, &Snapshot::time));
   write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges, &Snapshot::y);
   write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges, &Snapshot::v);
   write_series(file, run, time);
-  base::write_file(path, file.bytes());
+  base::write_file(path, file.close_and_take_bytes());
 }
 
 }  // namespace fpkcheck::study

@@ -7,7 +7,7 @@
 #include "report/figure/drawing.hpp"
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
-#include "results/directory.hpp"
+#include "results/output_directory.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -78,7 +78,7 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
                                          const std::string& gnuplot) {
   const fs::path figures = directory / "figures";
   const std::string stem = transient_picture_stem(run.problem.name);
-  report::remove_pictures_of(figures, stem);
+  report::remove_script_and_pictures(figures, stem);
   if (run.result.snapshots.empty()) {
     std::error_code ignored;
     fs::remove(directory / kFile, ignored);

@@ -60,7 +60,7 @@ std::string transient_json(const TransientRun& run) {
                   {"krylov_iterations", result.krylov_iterations},
                   {"regularisation_length", result.regularisation_length},
                   {"snapshots", snapshots}};
-  return results::text_of(results::with_null_for_non_finite(json));
+  return results::json_text(results::with_null_for_non_finite(json));
 }
 
 }  // namespace fpkcheck::study

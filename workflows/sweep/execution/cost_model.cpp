@@ -11,9 +11,9 @@ namespace {
 constexpr double kMinSeconds = 1e-6;  // lower bound, so that the logarithm exists
 
 /// The values of the basis functions of the quadratic polynomial for a point.
-class Terms {
+class BasisFunctions {
  public:
-  explicit Terms(const Plan& plan) : plan_(plan) {
+  explicit BasisFunctions(const Plan& plan) : plan_(plan) {
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {
       Range range{std::numeric_limits<double>::infinity(),
                   -std::numeric_limits<double>::infinity()};
@@ -66,7 +66,7 @@ class Terms {
 CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
     : expected_(plan.points.size(), 1.0) {
   if (measured.empty()) return;
-  const Terms terms(plan);
+  const BasisFunctions terms(plan);
   const Eigen::Index unknowns = terms.at(0).size();
   // The fit is a ridge regression, so that all coefficients are determined even if few points are
   // measured.
@@ -93,8 +93,8 @@ CostModel::CostModel(const Plan& plan, std::span<const Measurement> measured)
   for (const auto& [point, seconds] : measured) expected_[point] = seconds;
 }
 
-std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
-                                       std::size_t count) {
+std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
+                                              std::size_t count) {
   // The golden ratio as step avoids resonance with the periods of a Cartesian product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;

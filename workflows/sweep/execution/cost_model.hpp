@@ -23,8 +23,8 @@ class CostModel {
   CostModel(const Plan& plan, std::span<const Measurement> measured);
 
   /// The expected seconds of a point; for a measured point the measured seconds.
-  double expected(std::size_t point) const { return expected_[point]; }
-  const std::vector<double>& all() const { return expected_; }
+  double expected_seconds(std::size_t point) const { return expected_[point]; }
+  const std::vector<double>& all_expected_seconds() const { return expected_; }
 
  private:
   std::vector<double> expected_;
@@ -33,7 +33,7 @@ class CostModel {
 /// Selects about `count` points that are evenly distributed over the candidates. The selected
 /// points are the sample whose times are measured first.
 /// @param candidates numbers of the candidate points in increasing order
-std::vector<std::size_t> spread_sample(const std::vector<std::size_t>& candidates,
-                                       std::size_t count);
+std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
+                                              std::size_t count);
 
 }  // namespace fpkcheck::sweep

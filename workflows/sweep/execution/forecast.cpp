@@ -9,7 +9,7 @@
 #include <queue>
 #include <set>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 
@@ -37,7 +37,7 @@ double relative_standard_error(const Plan& plan,
     auto others = sample;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(omitted));
     const double residual =
-        sample[omitted].seconds - CostModel(plan, others).expected(sample[omitted].point);
+        sample[omitted].seconds - CostModel(plan, others).expected_seconds(sample[omitted].point);
     squares += residual * residual;
     sum += sample[omitted].seconds;
   }
@@ -46,14 +46,14 @@ double relative_standard_error(const Plan& plan,
 
 }  // namespace
 
-double makespan(std::span<const double> seconds, std::size_t workers, Dispatch dispatch) {
-  if (dispatch == Dispatch::shards) {
+double makespan(std::span<const double> seconds, std::size_t workers, DispatchRule dispatch) {
+  if (dispatch == DispatchRule::shards) {
     std::vector<double> each(workers, 0);
     for (std::size_t p = 0; p < seconds.size(); ++p) each[p % workers] += seconds[p];
     return std::ranges::max(each);
   }
   std::vector<double> order(seconds.begin(), seconds.end());
-  if (dispatch == Dispatch::longest_first) std::ranges::sort(order, std::ranges::greater{});
+  if (dispatch == DispatchRule::longest_first) std::ranges::sort(order, std::ranges::greater{});
   std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
   for (std::size_t w = 0; w < workers; ++w) free_at.push(0);
   double last = 0;
@@ -78,7 +78,8 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
     if (!known.contains(p)) unknown.push_back(p);
   }
   const std::size_t sample_count = sample_size(plan.points.size());
-  const auto chosen = spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
+  const auto chosen =
+      evenly_spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
   std::mutex mutex;
   methods::parallel_for(chosen.size(), threads, [&](std::size_t k) {
     if (base::stop_requested()) return;
@@ -86,7 +87,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
     const std::lock_guard lock(mutex);
     found.sample.push_back({chosen[k], seconds});
   });
-  found.seconds = CostModel(plan, found.sample).all();
+  found.seconds = CostModel(plan, found.sample).all_expected_seconds();
   found.uncertainty = relative_standard_error(plan, found.sample);
   rusage usage{};
   if (!chosen.empty() && getrusage(RUSAGE_SELF, &usage) == 0) {

@@ -12,7 +12,7 @@
 namespace fpkcheck::sweep {
 
 /// The rule by which points are assigned to workers.
-enum class Dispatch {
+enum class DispatchRule {
   longest_first,  ///< to the next free worker, the longest expected point first
   in_order,       ///< to the next free worker, in order
   shards          ///< in advance, every N-th point to the same worker
@@ -20,7 +20,7 @@ enum class Dispatch {
 
 /// The wall-clock time until the last worker has solved its last point.
 /// @param seconds wall-clock time of each point
-double makespan(std::span<const double> seconds, std::size_t workers, Dispatch dispatch);
+double makespan(std::span<const double> seconds, std::size_t workers, DispatchRule dispatch);
 
 /// The expected wall-clock times of a plan, estimated from a sample of points.
 struct Forecast {

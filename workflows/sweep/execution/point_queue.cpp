@@ -25,7 +25,7 @@ PointQueue::PointQueue(const Plan& plan, const std::vector<std::size_t>& own_poi
     if (!known.contains(p)) waiting_.push_back(p);
   }
   unfinished_ = waiting_.size();
-  const auto first = spread_sample(waiting_, kInitialSample);
+  const auto first = evenly_spread_sample(waiting_, kInitialSample);
   std::ranges::reverse(waiting_);
   sort_if_enough_measured();
   if (!expected_.empty()) return;
@@ -34,7 +34,7 @@ PointQueue::PointQueue(const Plan& plan, const std::vector<std::size_t>& own_poi
   waiting_.insert(waiting_.end(), first.rbegin(), first.rend());
 }
 
-std::optional<std::size_t> PointQueue::next() {
+std::optional<std::size_t> PointQueue::take_next_point() {
   const std::lock_guard lock(mutex_);
   if (waiting_.empty()) return std::nullopt;
   const std::size_t point = waiting_.back();
@@ -55,7 +55,7 @@ void PointQueue::record_solved(std::size_t point, double seconds) {
 
 void PointQueue::sort_if_enough_measured() {
   if (measured_.size() < kMinMeasurements) return;
-  expected_ = CostModel(plan_, measured_).all();
+  expected_ = CostModel(plan_, measured_).all_expected_seconds();
   std::ranges::stable_sort(waiting_, {}, [this](std::size_t p) { return expected_[p]; });
   for (const std::size_t p : waiting_) remaining_seconds_ += expected_[p];
 }

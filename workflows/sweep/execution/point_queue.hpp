@@ -33,7 +33,7 @@ class PointQueue {
 
   /// Removes the next point from the queue.
   /// @return the point; empty if the queue is empty
-  std::optional<std::size_t> next();
+  std::optional<std::size_t> take_next_point();
   /// Records the wall-clock time of a solved point. record_solved must be called for every solved
   /// point.
   void record_solved(std::size_t point, double seconds);

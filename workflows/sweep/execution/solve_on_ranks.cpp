@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "methods/parallel_for.hpp"
 #include "workflows/sweep/result/point_json.hpp"
 
@@ -60,13 +60,13 @@ std::size_t parse_point_message(const std::string& text) {
 }
 
 /// The solver threads of a rank. A separate thread exchanges messages with the other ranks.
-class SolverThreads {
+class SolverThreadPool {
  public:
   /// @param next returns the next point, and blocks until a point is available; empty if no points
   ///             remain
   /// @param done function that is called with each solved point
-  SolverThreads(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
-                std::function<void(SolvedPoint&&)> done)
+  SolverThreadPool(const Plan& plan, int threads, std::function<std::optional<std::size_t>()> next,
+                   std::function<void(SolvedPoint&&)> done)
       : running_(threads) {
     for (int t = 0; t < threads; ++t) {
       threads_.emplace_back([this, &plan, next, done] {
@@ -124,7 +124,7 @@ class Coordinator {
   }
 
  private:
-  std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.next(); }
+  std::optional<std::size_t> next() { return failed_ ? std::nullopt : progress_.take_next_point(); }
 
   // Processes a message of a worker, and replies with a point or with the message that no points
   // remain. Returns whether the message was the final message of the worker; a final message has no
@@ -159,7 +159,7 @@ class Coordinator {
   base::Communicator& ranks_;
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;
-  SolverThreads solvers_;
+  SolverThreadPool solvers_;
 };
 
 /// A worker on any other rank, which requests points and sends the results.
@@ -239,7 +239,7 @@ class Worker {
   }
   void store_result(SolvedPoint&& solved) {
     write_marginals(plan_, directory_, solved);
-    std::string text = message_type::kSolved + journal_text(solved.result);
+    std::string text = message_type::kSolved + journal_line(solved.result);
     const std::lock_guard lock(mutex_);
     solved_.push_back(std::move(text));
   }
@@ -270,7 +270,7 @@ class Worker {
   std::deque<std::size_t> waiting_;
   std::vector<std::string> solved_;
   bool ended_ = false;
-  SolverThreads solvers_;
+  SolverThreadPool solvers_;
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/stop.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "methods/parallel_for.hpp"
 #include "results/marginals_csv.hpp"
@@ -16,15 +16,15 @@ namespace fpkcheck::sweep {
 void write_marginals(const Plan& plan, const std::filesystem::path& directory,
                      const SolvedPoint& solved) {
   if (solved.curves.empty()) return;
-  const base::WriteGuard in_hand;
+  const base::ExitBlocker in_hand;
   std::filesystem::create_directories(directory / "marginals");
-  const std::vector<results::Case> cases{{.problem = plan.problem_at(solved.result.point),
-                                          .solutions = {},
-                                          .pairs = {},
-                                          .budget = {},
-                                          .limits = {},
-                                          .curves = solved.curves,
-                                          .joints = {}}};
+  const std::vector<results::CaseResult> cases{{.problem = plan.problem_at(solved.result.point),
+                                                .solutions = {},
+                                                .pairs = {},
+                                                .budget = {},
+                                                .limits = {},
+                                                .curves = solved.curves,
+                                                .joints = {}}};
   std::ostringstream text;
   results::write_marginals_csv(text, cases);
   base::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
@@ -41,7 +41,7 @@ JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& di
       listener_(std::move(listener)),
       points_(journal_.initial_content().points) {}
 
-std::string JournaledQueue::resumed_text() const {
+std::string JournaledQueue::resumption_text() const {
   const auto& [plan, points, damaged] = journal_.initial_content();
   if (points.empty() && damaged == 0) return "";
   const auto [done, total, remaining_seconds] = queue_.state();
@@ -54,9 +54,9 @@ std::string JournaledQueue::resumed_text() const {
   return text;
 }
 
-std::optional<std::size_t> JournaledQueue::next() {
+std::optional<std::size_t> JournaledQueue::take_next_point() {
   if (base::stop_requested()) return std::nullopt;
-  return queue_.next();
+  return queue_.take_next_point();
 }
 
 void JournaledQueue::store(SolvedPoint&& solved) {
@@ -69,10 +69,10 @@ void JournaledQueue::store(SolvedPoint&& solved) {
   if (listener_) listener_(queue_.state());
 }
 
-void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads) {
+void solve_remaining_points(const Plan& plan, JournaledQueue& progress, int threads) {
   const int thread_count = methods::number_of_threads(threads);
   methods::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
-    for (auto point = progress.next(); point; point = progress.next()) {
+    for (auto point = progress.take_next_point(); point; point = progress.take_next_point()) {
       progress.store(solve_point(plan, *point));
     }
   });

@@ -27,7 +27,7 @@ class JournaledQueue {
                  QueueStateListener listener);
 
   /// Removes the next point from the queue; empty if no point remains, or after a stop request.
-  std::optional<std::size_t> next();
+  std::optional<std::size_t> take_next_point();
   /// Writes the result of a solved point to the journal.
   void store(SolvedPoint&& solved);
 
@@ -35,7 +35,7 @@ class JournaledQueue {
   /// A line of text about a resumed sweep: the number of points that are kept, the number of points
   /// that remain, and the number of points that are solved again because of damaged lines. The text
   /// is empty for a new journal.
-  std::string resumed_text() const;
+  std::string resumption_text() const;
   /// The results of all solved points; points of earlier runs come first.
   std::vector<PointResult> points() const { return points_; }
 
@@ -58,6 +58,6 @@ void write_marginals(const Plan& plan, const std::filesystem::path& directory,
 
 /// Solves the remaining points of the queue; each thread solves one point at a time.
 /// @param threads number of threads; 0 for one thread per processor
-void solve_remaining(const Plan& plan, JournaledQueue& progress, int threads);
+void solve_remaining_points(const Plan& plan, JournaledQueue& progress, int threads);
 
 }  // namespace fpkcheck::sweep

@@ -39,18 +39,18 @@ Solution solved(const methods::Method& method, const problem::Problem& problem,
   }
 }
 
-std::optional<MarginalPair> finite_error_estimate(const Solution& solution) {
+std::optional<MarginalL1Pair> finite_error_estimate(const Solution& solution) {
   if (!solution.has_density()) return std::nullopt;
-  const MarginalPair error{compare::error_estimate(solution, Variable::y),
-                           compare::error_estimate(solution, Variable::ydot)};
+  const MarginalL1Pair error{compare::l1_error_estimate(solution, Variable::y),
+                             compare::l1_error_estimate(solution, Variable::ydot)};
   if (!std::isfinite(error.y) || !std::isfinite(error.ydot)) return std::nullopt;
   return error;
 }
 
-std::vector<BudgetShare> budget_shares(const Solution& solution,
-                                       const std::vector<compare::BudgetRow>& budget) {
-  std::vector<BudgetShare> shares;
-  for (const auto& closure : compare::closure_budgets(budget, {&solution, 1})) {
+std::vector<BudgetContribution> budget_shares(const Solution& solution,
+                                              const std::vector<compare::ErrorBudgetRow>& budget) {
+  std::vector<BudgetContribution> shares;
+  for (const auto& closure : compare::closure_error_budgets(budget, {&solution, 1})) {
     if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
       continue;
     }
@@ -73,14 +73,14 @@ MethodResult make_method_result(const Solution& solution) {
 
 // The L1 distances of both marginal densities to the reference; empty if one of these distances is
 // missing.
-std::optional<MarginalPair> distance(const compare::Comparison& comparison,
-                                     const Solution& solution, const Solution& reference) {
+std::optional<MarginalL1Pair> distance(const compare::Comparison& comparison,
+                                       const Solution& solution, const Solution& reference) {
   const auto l1 = [&](Variable variable) {
-    return compare::l1_between(comparison.pairs, solution.id(), reference.id(), variable);
+    return compare::l1_distance_between(comparison.pairs, solution.id(), reference.id(), variable);
   };
   const auto y = l1(Variable::y), ydot = l1(Variable::ydot);
   if (!y || !ydot) return std::nullopt;
-  return MarginalPair{*y, *ydot};
+  return MarginalL1Pair{*y, *ydot};
 }
 
 SolvedPoint solved(const Plan& plan, std::size_t point) {
@@ -97,14 +97,14 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
   const auto axes = compare::comparison_axes(*problem);
   const methods::ResidualErrorEstimator residuals(*problem);
-  const bool by_reference =
-      plan.closure_errors == ClosureErrors::reference || !residuals.unsupported_reason().empty();
+  const bool by_reference = plan.closure_errors == ClosureErrorSource::reference ||
+                            !residuals.unsupported_reason().empty();
   std::vector<Solution> solutions;
   for (const auto& method : plan.methods) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
   }
 
-  const Solution* reference = compare::reference(solutions);
+  const Solution* reference = compare::select_reference(solutions);
   compare::Comparison comparison;
   if (reference != nullptr || plan.marginals) {
     comparison = compare::compare_solutions(axes, solutions);

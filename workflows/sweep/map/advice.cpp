@@ -20,7 +20,7 @@ std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
                                             const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;
   for (const auto& point : map.points) {
-    const double separation = distance(coordinates, point.coordinates);
+    const double separation = map_distance(coordinates, point.coordinates);
     if (std::isfinite(separation)) neighbours.push_back({separation, &point});
   }
   std::ranges::stable_sort(neighbours, {}, &MapNeighbour::separation);
@@ -29,7 +29,7 @@ std::vector<MapNeighbour> sorted_neighbours(const MapCoordinates& coordinates,
 
 // Selects the methods that take at most 1.5 times as long as the fastest method, and moves the most
 // accurate of these methods to the front. The factor is the accuracy of wall-clock times.
-void move_most_accurate_first(std::vector<NearbyResults>& methods) {
+void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
   auto best = methods.begin();
@@ -52,9 +52,9 @@ double error_bound(const MappedResult& answer, const MappedResult& reference) {
   return *answer.l1 + (&answer == &reference ? 0 : *reference.l1);
 }
 
-NearbyResults nearby(const std::string& id, std::size_t m,
-                     const std::vector<MapNeighbour>& neighbours, double accuracy) {
-  NearbyResults found{.id = id};
+NearbyMethodResults nearby(const std::string& id, std::size_t m,
+                           const std::vector<MapNeighbour>& neighbours, double accuracy) {
+  NearbyMethodResults found{.id = id};
   std::vector<double> seconds;
   double nearest_distance = std::numeric_limits<double>::infinity();
   bool all_hold = true;
@@ -82,13 +82,14 @@ NearbyResults nearby(const std::string& id, std::size_t m,
 
 }  // namespace
 
-std::vector<NearbyResults> Advice::promised() const {
-  std::vector<NearbyResults> found;
-  std::ranges::copy_if(methods, std::back_inserter(found), &NearbyResults::promised);
+std::vector<NearbyMethodResults> Advice::promised_methods() const {
+  std::vector<NearbyMethodResults> found;
+  std::ranges::copy_if(methods, std::back_inserter(found), &NearbyMethodResults::promised);
   return found;
 }
 
-Advice advice(const MapCoordinates& coordinates, double accuracy, const ValidityMap& map) {
+Advice recommend_methods(const MapCoordinates& coordinates, double accuracy,
+                         const ValidityMap& map) {
   const auto neighbours = sorted_neighbours(coordinates, map);
   Advice advice{.coordinates = coordinates,
                 .accuracy = accuracy,
@@ -100,15 +101,15 @@ Advice advice(const MapCoordinates& coordinates, double accuracy, const Validity
     auto found = nearby(map.methods[m], m, neighbours, accuracy);
     if (found.points > 0) advice.methods.push_back(std::move(found));
   }
-  std::ranges::stable_sort(advice.methods, {}, [](const NearbyResults& one) {
+  std::ranges::stable_sort(advice.methods, {}, [](const NearbyMethodResults& one) {
     return std::tuple(!one.promised, one.seconds);
   });
   move_most_accurate_first(advice.methods);
   return advice;
 }
 
-Advice advice(const problem::Problem& problem, double accuracy, const ValidityMap& map) {
-  return advice(map_coordinates(problem), accuracy, map);
+Advice recommend_methods(const problem::Problem& problem, double accuracy, const ValidityMap& map) {
+  return recommend_methods(map_coordinates(problem), accuracy, map);
 }
 
 }  // namespace fpkcheck::sweep

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMinNearbyPoints = 4;
 
 /// The results of a method at the points closest to a problem. Only points at which the method was
 /// tried are used: all such points within kNearbyDistance, and at least kMinNearbyPoints points.
-struct NearbyResults {
+struct NearbyMethodResults {
   std::string id;
   std::size_t points = 0, ok = 0;
   std::size_t underestimated = 0;  ///< points with MappedResult::underestimated and L1 > accuracy
@@ -39,18 +39,19 @@ struct Advice {
   /// The results of all methods. The methods with `promised` come first, by increasing time, except
   /// for the first method: the first method is the most accurate of all methods that take at most
   /// 1.5 times as long as the fastest method.
-  std::vector<NearbyResults> methods{};
+  std::vector<NearbyMethodResults> methods{};
 
   bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
   /// The results of the methods with `promised`; the recommended method comes first.
-  std::vector<NearbyResults> promised() const;
+  std::vector<NearbyMethodResults> promised_methods() const;
 };
 
 /// Recommends methods for a problem.
 /// @param accuracy largest acceptable L1 error of p(y) and p(y')
-Advice advice(const problem::Problem& problem, double accuracy, const ValidityMap& map);
+Advice recommend_methods(const problem::Problem& problem, double accuracy, const ValidityMap& map);
 
 /// Recommends methods for a problem with the given map coordinates.
-Advice advice(const MapCoordinates& coordinates, double accuracy, const ValidityMap& map);
+Advice recommend_methods(const MapCoordinates& coordinates, double accuracy,
+                         const ValidityMap& map);
 
 }  // namespace fpkcheck::sweep

@@ -12,12 +12,13 @@ MapCoordinates map_coordinates(const problem::Problem& problem) {
   const auto& law = problem.impulses.law();
   return {.groups = dimensionless_groups(problem),
           .restitution = problem.system.restitution(),
-          .law = law.symmetric() ? impulses.law
-                                 : fmt::format("{} of skewness {:g}", impulses.law, law.skewness()),
+          .law = law.is_symmetric()
+                     ? impulses.law
+                     : fmt::format("{} of skewness {:g}", impulses.law, law.skewness()),
           .relative_mean = impulses.mean / std::sqrt(impulses.intensity / impulses.arrival_rate)};
 }
 
-double distance(const MapCoordinates& one, const MapCoordinates& other) {
+double map_distance(const MapCoordinates& one, const MapCoordinates& other) {
   constexpr double kRestitutionUnit = 0.1, kCubicUnit = 0.2;
   if (one.law != other.law || one.relative_mean != other.relative_mean) {
     return std::numeric_limits<double>::infinity();

@@ -26,6 +26,6 @@ MapCoordinates map_coordinates(const problem::Problem& problem);
 /// coefficient, and s the cubic fraction of the stiffness. A distance of 1 corresponds to a factor
 /// e in N or zeta, to 0.1 in r, or to 0.2 in s. docs/validity.md shows the effect of such changes
 /// on the errors. The distance is infinite if the impulse laws or the relative means differ.
-double distance(const MapCoordinates& one, const MapCoordinates& other);
+double map_distance(const MapCoordinates& one, const MapCoordinates& other);
 
 }  // namespace fpkcheck::sweep

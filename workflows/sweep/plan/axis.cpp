@@ -46,8 +46,8 @@ struct AxisParser {
   Value value(const std::string& text) const {
     const Value found = base::parse_value(parameter, text, label);
     if (!parameter.is_in_range(found)) {
-      throw InputError(
-          fmt::format("{} {} (must be {})", label, base::sanitise(text), parameter.requirement()));
+      throw InputError(fmt::format("{} {} (must be {})", label, base::sanitise(text),
+                                   parameter.requirement_text()));
     }
     return found;
   }
@@ -93,14 +93,14 @@ Axis parse_range(std::string_view text, Axis axis, const AxisParser& reading) {
   axis.values.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     axis.values.emplace_back(
-        axis.value_at(static_cast<double>(k) / static_cast<double>(count - 1)));
+        axis.value_at_fraction(static_cast<double>(k) / static_cast<double>(count - 1)));
   }
   return axis;
 }
 
 }  // namespace
 
-double Axis::value_at(double part) const {
+double Axis::value_at_fraction(double part) const {
   if (part <= 0) return from;
   if (part >= 1) return to;
   return round_to_twelve_digits(spacing == Spacing::logarithmic ? from * std::pow(to / from, part)

@@ -13,7 +13,9 @@ namespace fpkcheck::sweep {
 enum class Spacing { linear, logarithmic, listed };
 inline constexpr base::EnumEntry<Spacing> kSpacingNames[] = {
     {Spacing::linear, "linear"}, {Spacing::logarithmic, "log"}, {Spacing::listed, "list"}};
-constexpr std::span<const base::EnumEntry<Spacing>> names(Spacing) { return kSpacingNames; }
+constexpr std::span<const base::EnumEntry<Spacing>> enumerator_names(Spacing) {
+  return kSpacingNames;
+}
 constexpr std::string_view name(Spacing spacing) { return base::name_of(spacing); }
 
 /// An axis of a plan: a key of case files that the sweep varies, and the values of this key.
@@ -27,7 +29,7 @@ struct Axis {
 
   /// The value at a relative position in the range, rounded to 12 digits.
   /// @param part relative position, 0 <= part <= 1
-  double value_at(double part) const;
+  double value_at_fraction(double part) const;
   /// The text of the axis for figures and sentences: "system.restitution = 0.5:0.99:50".
   std::string text() const;
 };

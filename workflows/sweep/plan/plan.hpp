@@ -13,27 +13,28 @@
 namespace fpkcheck::sweep {
 
 /// The source of the error estimates of closures in a sweep.
-enum class ClosureErrors {
+enum class ClosureErrorSource {
   reference,  ///< distance to the point's reference, plus the error estimate of the reference
   residuals   ///< residuals in the backward equation, as for a run; needs no other solution
 };
-inline constexpr base::EnumEntry<ClosureErrors> kClosureErrorsNames[] = {
-    {ClosureErrors::reference, "reference"}, {ClosureErrors::residuals, "residuals"}};
-constexpr std::span<const base::EnumEntry<ClosureErrors>> names(ClosureErrors) {
-  return kClosureErrorsNames;
+inline constexpr base::EnumEntry<ClosureErrorSource> kClosureErrorSourceNames[] = {
+    {ClosureErrorSource::reference, "reference"}, {ClosureErrorSource::residuals, "residuals"}};
+constexpr std::span<const base::EnumEntry<ClosureErrorSource>> enumerator_names(
+    ClosureErrorSource) {
+  return kClosureErrorSourceNames;
 }
-constexpr std::string_view name(ClosureErrors errors) { return base::name_of(errors); }
+constexpr std::string_view name(ClosureErrorSource errors) { return base::name_of(errors); }
 
 /// The plan of a sweep: a base case, the varied keys with their values, and the methods that solve
 /// each point.
 struct Plan {
   problem::Problem base;
   std::vector<Axis> axes;
-  Design design = Design::product;
+  PlanDesign design = PlanDesign::product;
   std::size_t sobol_points = 0;            ///< 0 for other designs
   std::vector<methods::Method> methods{};  ///< by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
-  ClosureErrors closure_errors = ClosureErrors::reference;
+  ClosureErrorSource closure_errors = ClosureErrorSource::reference;
   Points points{};  ///< make_points() of the axes
 
   /// The problem at a point: the base case with the values of the point.

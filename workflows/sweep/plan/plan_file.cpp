@@ -55,13 +55,13 @@ SweepLines sweep_lines(const std::vector<IniSetting>& all) {
 PlanSpecification read_plan(const std::string& name_or_path,
                             const std::vector<std::string>& overrides) {
   constexpr std::size_t kMaxBytes = 1 << 20;
-  const bool named = problem::find_builtin_case(name_or_path) != nullptr;
+  const bool named = problem::find_built_in_case(name_or_path) != nullptr;
   const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMaxBytes);
   if (!text) return {problem::load_case(name_or_path, overrides)};
 
   std::istringstream ini(*text);
   const std::string where = fmt::format("plan {}", base::sanitise(name_or_path));
-  const auto all = base::ini_settings(ini, where);
+  const auto all = base::read_ini_settings(ini, where);
   std::vector<IniSetting> of_case;
   std::ranges::copy_if(all, std::back_inserter(of_case), [](const IniSetting& line) {
     return line.section != kSweep && line.section != kVary;
@@ -86,10 +86,10 @@ PlanSpecification read_plan(const std::string& name_or_path,
   for (const auto& [key, line] : lines) {
     if (key == "case") continue;
     if (key == "design") {
-      plan.design = base::parse_enum<Design>(line.where + ": design", line.text);
+      plan.design = base::parse_enum<PlanDesign>(line.where + ": design", line.text);
     } else if (key == "closure_errors") {
       plan.closure_errors =
-          base::parse_enum<ClosureErrors>(line.where + ": closure_errors", line.text);
+          base::parse_enum<ClosureErrorSource>(line.where + ": closure_errors", line.text);
     } else if (key == "points") {
       plan.points = parse_point_count(line);
     } else if (key == "methods") {

@@ -16,8 +16,8 @@ namespace fpkcheck::sweep {
 struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};
-  std::optional<Design> design{};
-  std::optional<ClosureErrors> closure_errors{};
+  std::optional<PlanDesign> design{};
+  std::optional<ClosureErrorSource> closure_errors{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
   std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]

@@ -45,26 +45,26 @@ Axis axis_from_json(const Json& json) {
     axis.to = json.at("to");
   }
   for (const auto& value : json.at("values")) {
-    axis.values.push_back(integer_to_double(results::value_in(value)));
+    axis.values.push_back(integer_to_double(results::value_from_json(value)));
   }
   return axis;
 }
 
 methods::Method method_from_json(const Json& json, const methods::Registry& registry) {
   const auto solver = json.at("method").get<std::string>();
-  const auto* found = registry.find(solver);
+  const auto* found = registry.find_solver(solver);
   if (found == nullptr) {
     throw InputError(fmt::format("solver {} is unknown", base::in_quotes(solver)));
   }
-  return registry.method(*found, results::values_in(json.at("options")));
+  return registry.make_method(*found, results::values_from_json(json.at("options")));
 }
 
 // The name of an element of a list, for error messages.
 std::string element_title(const Json& json) {
   for (const char* field : {"id", "key"}) {
-    if (json.is_object() && json.contains(field)) return results::text_of(json.at(field));
+    if (json.is_object() && json.contains(field)) return results::json_text(json.at(field));
   }
-  return json.is_structured() ? "" : results::text_of(json);
+  return json.is_structured() ? "" : results::json_text(json);
 }
 
 std::string element_titles(const Json& list) {
@@ -118,12 +118,12 @@ Json plan_json(const Plan& plan) {
 }
 
 Plan plan_from_json(const Json& json, const methods::Registry& registry) {
-  Plan plan{.base = results::problem_in(json.at("case")),
+  Plan plan{.base = results::problem_from_json(json.at("case")),
             .axes = {},
-            .design = enum_from_json<Design>(json.at("design")),
+            .design = enum_from_json<PlanDesign>(json.at("design")),
             .sobol_points = json.at("points"),
             .marginals = json.at("marginals"),
-            .closure_errors = enum_from_json<ClosureErrors>(json.at("closure_errors"))};
+            .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
   for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
   for (const auto& method : json.at("methods")) {
     plan.methods.push_back(method_from_json(method, registry));

@@ -80,7 +80,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
   Points points(count);
   for (auto& point : points) {
     for (const auto& axis : axes) {
-      point.emplace_back(axis.value_at(static_cast<double>(engine()) / above));
+      point.emplace_back(axis.value_at_fraction(static_cast<double>(engine()) / above));
     }
   }
   return points;
@@ -88,7 +88,7 @@ Points sobol(const std::vector<Axis>& axes, std::size_t count) {
 
 }  // namespace
 
-Points make_points(const std::vector<Axis>& axes, Design design, std::size_t sobol_points) {
+Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points) {
   if (axes.empty()) {
     throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
   }
@@ -97,15 +97,15 @@ Points make_points(const std::vector<Axis>& axes, Design design, std::size_t sob
       throw InputError(fmt::format("{} is varied twice (keep one)", axis.key));
     }
   }
-  if (design != Design::sobol && sobol_points != 0) {
+  if (design != PlanDesign::sobol && sobol_points != 0) {
     throw InputError("a number of points without the design sobol (the values of the axes set it)");
   }
   switch (design) {
-    case Design::product:
+    case PlanDesign::product:
       return product(axes);
-    case Design::list:
+    case PlanDesign::list:
       return list(axes);
-    case Design::sobol:
+    case PlanDesign::sobol:
       return sobol(axes, sobol_points);
   }
   return {};

@@ -13,7 +13,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using report::Column;
+using report::TextColumn;
 
 constexpr std::size_t kShownMethods = 3;
 constexpr double kLargeError = 0.05;
@@ -46,9 +46,9 @@ std::string nearest_sentence(const Advice& advice) {
 }
 
 // The table of the results of the shown methods at nearby points of the validity map.
-std::string nearby_table(const std::vector<NearbyResults>& methods,
+std::string nearby_table(const std::vector<NearbyMethodResults>& methods,
                          const report::TextFormat& format) {
-  Column id{"", "method", true, report::kAlwaysShown},
+  TextColumn id{"", "method", true, report::kAlwaysShown},
       points{"at the points nearby", "points", false, 1},
       ok{"at the points nearby", "ok", false, 2},
       worst{"at the points nearby", "worst L1", false, report::kAlwaysShown},
@@ -60,7 +60,7 @@ std::string nearby_table(const std::vector<NearbyResults>& methods,
     worst.cells.push_back(one.worst_l1 ? fmt::format("{:.2g}", *one.worst_l1) : report::kAbsent);
     seconds.cells.push_back(fmt::format("{:.2g}", one.seconds));
   }
-  return report::rows({id, points, ok, worst, seconds}, format);
+  return report::table_rows_text({id, points, ok, worst, seconds}, format);
 }
 
 // The text of methods for approximate problems: "fd-white (solves white/map, error up to 0.11 at 31
@@ -103,35 +103,35 @@ std::string without_density_sentence(const Advice& advice) {
 
 }  // namespace
 
-std::string advice_text(const Advice& advice, const AdviceContext& setting,
+std::string advice_text(const Advice& advice, const AdviceContext& context,
                         const report::TextFormat& format) {
   const auto paragraph = [&](const std::string& text) {
     return text.empty() ? text : report::wrap_text(text, format.width);
   };
   std::string text =
-      paragraph(coordinates_sentence(advice, setting.name) + ' ' + nearest_sentence(advice));
-  auto promised = advice.promised();
+      paragraph(coordinates_sentence(advice, context.name) + ' ' + nearest_sentence(advice));
+  auto promised = advice.promised_methods();
   if (promised.empty()) {
     text += '\n' + paragraph(fmt::format(
                        "No method met L1 {:g} at all nearby points. These methods estimate "
                        "their own errors:",
                        advice.accuracy));
-    for (const auto& command : setting.fallback_commands) text += "  " + command + '\n';
+    for (const auto& command : context.fallback_commands) text += "  " + command + '\n';
   } else {
     text += fmt::format(
         "\nRecommended for L1 {:g} of p(y) and p(y'), met at all nearby points:\n"
         "  {}\n",
-        advice.accuracy, setting.command(promised.front().id));
+        advice.accuracy, context.command(promised.front().id));
     promised.resize(std::min(promised.size(), kShownMethods));
     text += '\n' + nearby_table(promised, format);
     for (std::size_t k = 1; k < promised.size(); ++k) {
-      text += (k == 1 ? "\nOr:\n  " : "  ") + setting.command(promised[k].id) + '\n';
+      text += (k == 1 ? "\nOr:\n  " : "  ") + context.command(promised[k].id) + '\n';
     }
   }
   const std::string status_note =
       "Status and stated error of a solution refer to this problem itself.";
   if (advice.is_outside_map()) return text + '\n' + paragraph(status_note);
-  const std::string warnings = paragraph(underestimated_sentence(advice, setting.registry)) +
+  const std::string warnings = paragraph(underestimated_sentence(advice, context.registry)) +
                                paragraph(large_error_sentence(advice)) +
                                paragraph(without_density_sentence(advice));
   if (!warnings.empty()) text += '\n' + warnings;

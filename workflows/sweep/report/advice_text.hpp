@@ -21,11 +21,11 @@ struct AdviceContext {
 
 /// The recommendation as text for the terminal: the recommended command, the results at nearby
 /// points of the validity map, and warnings.
-std::string advice_text(const Advice& advice, const AdviceContext& setting,
+std::string advice_text(const Advice& advice, const AdviceContext& context,
                         const report::TextFormat& format);
 
 /// The recommendation in JSON, for --json.
-std::string advice_json(const Advice& advice, const AdviceContext& setting,
+std::string advice_json(const Advice& advice, const AdviceContext& context,
                         const std::string& command_line);
 
 }  // namespace fpkcheck::sweep

@@ -35,12 +35,12 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
                                          forecast.sample.size()),
                   duration_text(std::ranges::max(forecast.seconds)), threads,
                   threads == 1 ? "" : "s",
-                  duration_text(makespan(forecast.seconds, threads, Dispatch::longest_first)),
+                  duration_text(makespan(forecast.seconds, threads, DispatchRule::longest_first)),
                   forecast.megabytes > 0 ? fmt::format(", {:.0f} MB", forecast.megabytes) : ""),
       format.width);
   if (ranks.empty()) return text;
-  using report::Column;
-  Column count{"", "ranks", false, report::kAlwaysShown},
+  using report::TextColumn;
+  TextColumn count{"", "ranks", false, report::kAlwaysShown},
       longest{"", "longest first", false, report::kAlwaysShown},
       busy{"", "busy", false, report::kAlwaysShown},
       in_order{"", "in order", false, report::kAlwaysShown},
@@ -48,19 +48,20 @@ std::string forecast_text(const Plan& plan, const Forecast& forecast, std::size_
       memory{"", "GB", false, report::kAlwaysShown};
   for (const int number : ranks) {
     const auto workers = static_cast<std::size_t>(number);
-    const double best = makespan(forecast.seconds, workers, Dispatch::longest_first);
+    const double best = makespan(forecast.seconds, workers, DispatchRule::longest_first);
     count.cells.push_back(std::to_string(number));
     longest.cells.push_back(duration_text(best));
     busy.cells.push_back(fmt::format("{:.0f} %", 100 * all / (best * number)));
     in_order.cells.push_back(
-        duration_text(makespan(forecast.seconds, workers, Dispatch::in_order)));
-    shards.cells.push_back(duration_text(makespan(forecast.seconds, workers, Dispatch::shards)));
+        duration_text(makespan(forecast.seconds, workers, DispatchRule::in_order)));
+    shards.cells.push_back(
+        duration_text(makespan(forecast.seconds, workers, DispatchRule::shards)));
     memory.cells.push_back(forecast.megabytes > 0
                                ? fmt::format("{:.1f}", forecast.megabytes * number / 1024)
                                : report::kAbsent);
   }
-  return text + '\n' + report::rows({count, longest, busy, in_order, shards, memory}, format) +
-         '\n' +
+  return text + '\n' +
+         report::table_rows_text({count, longest, busy, in_order, shards, memory}, format) + '\n' +
          report::wrap_text(
              "ranks: processes of one thread. longest first: the order of mpirun, the longest "
              "expected point first; busy: fraction of the time in which its ranks solve. in order: "

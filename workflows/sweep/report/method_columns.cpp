@@ -9,7 +9,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using report::Column;
+using report::TextColumn;
 
 /// The summary of the results of one method over all points.
 struct MethodSummary {
@@ -34,7 +34,7 @@ MethodSummary summarise_method(const SweepResults& results, std::size_t m) {
   return found;
 }
 
-std::string l1_cell(const std::vector<double>& sorted, double quantile) {
+std::string l1_cell_text(const std::vector<double>& sorted, double quantile) {
   if (sorted.empty()) return report::kAbsent;
   const auto at = static_cast<std::size_t>(quantile * static_cast<double>(sorted.size() - 1) + 0.5);
   return fmt::format("{:.2g}", sorted[at]);
@@ -51,20 +51,21 @@ std::string other_statuses_cell(const std::map<transform::Status, int>& statuses
 
 }  // namespace
 
-std::vector<Column> method_columns(const SweepResults& results) {
+std::vector<TextColumn> method_columns(const SweepResults& results) {
   const Plan& plan = results.plan;
-  Column id{"", "solution", true, report::kAlwaysShown}, ok{"", "ok", false, report::kAlwaysShown},
-      reference{"", "reference", false, 2}, median{"L1 of ok", "median", false, 4},
-      ninetieth_percentile{"L1 of ok", "90 %", false, 3}, worst{"L1 of ok", "worst", false, 4},
-      seconds{"", "sec", false, 2}, others{"", "not ok", true, 1};
+  TextColumn id{"", "solution", true, report::kAlwaysShown},
+      ok{"", "ok", false, report::kAlwaysShown}, reference{"", "reference", false, 2},
+      median{"L1 of ok", "median", false, 4}, ninetieth_percentile{"L1 of ok", "90 %", false, 3},
+      worst{"L1 of ok", "worst", false, 4}, seconds{"", "sec", false, 2},
+      others{"", "not ok", true, 1};
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     auto found = summarise_method(results, m);
     id.cells.push_back(plan.methods[m].id());
     ok.cells.push_back(std::to_string(found.statuses[transform::Status::ok]));
     reference.cells.push_back(std::to_string(found.references));
-    median.cells.push_back(l1_cell(found.l1, 0.5));
-    ninetieth_percentile.cells.push_back(l1_cell(found.l1, 0.9));
-    worst.cells.push_back(l1_cell(found.l1, 1));
+    median.cells.push_back(l1_cell_text(found.l1, 0.5));
+    ninetieth_percentile.cells.push_back(l1_cell_text(found.l1, 0.9));
+    worst.cells.push_back(l1_cell_text(found.l1, 1));
     seconds.cells.push_back(fmt::format(
         "{:.2g}",
         results.points.empty() ? 0.0 : found.seconds / static_cast<double>(results.points.size())));

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "workflows/sweep/report/figure/pictures.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
 
@@ -17,10 +17,10 @@ constexpr const char* kPage = "report.html";
 
 // Reads the drawn pictures for the page. The page embeds an SVG, which is sharp at any size, or a
 // PNG if the SVG file is large.
-std::vector<PagePicture> drawn_pictures(const fs::path& figures,
-                                        const std::vector<SweepPicture>& pictures) {
+std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
+                                            const std::vector<SweepPicture>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;
-  std::vector<PagePicture> drawn;
+  std::vector<EmbeddedPicture> drawn;
   for (const auto& picture : pictures) {
     fs::path file = figures / (picture.stem + ".svg");
     std::error_code error;

@@ -12,7 +12,7 @@ std::string table(const SweepResults& results, const report::TextFormat& format)
   std::string text = fmt::format("{} points of {}", results.points.size(), plan.base.name);
   for (const auto& axis : plan.axes) text += ", " + axis.text();
   text = report::wrap_text(text, format.width, 2) + '\n';
-  text += report::rows(method_columns(results), format);
+  text += report::table_rows_text(method_columns(results), format);
   return text + '\n' + report::wrap_text(method_columns_legend(), format.width);
 }
 

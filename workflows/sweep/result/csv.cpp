@@ -24,7 +24,7 @@ std::string value_cell(const base::Value& value) {
                            : results::csv_field(std::get<std::string>(value));
 }
 
-void append_pair(const std::optional<MarginalPair>& pair, std::vector<std::string>& cells) {
+void append_pair(const std::optional<MarginalL1Pair>& pair, std::vector<std::string>& cells) {
   cells.push_back(pair ? number_cell(pair->y) : "");
   cells.push_back(pair ? number_cell(pair->ydot) : "");
 }
@@ -86,7 +86,7 @@ std::string csv(const SweepResults& results) {
       cells.push_back(fmt::format("{:.3g}", method.seconds));
       append_pair(method.error, cells);
       for (const auto& part : parts) {
-        const auto share = std::ranges::find(method.budget, part, &BudgetShare::part);
+        const auto share = std::ranges::find(method.budget, part, &BudgetContribution::part);
         append_pair(share == method.budget.end() ? std::nullopt : std::optional(share->l1), cells);
       }
       text += fmt::format("{}{},{}\n", keys, fmt::join(cells, ","), groups);

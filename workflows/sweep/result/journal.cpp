@@ -9,7 +9,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/process/write_guard.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/crc32.hpp"
 #include "workflows/sweep/plan/plan_json.hpp"
@@ -136,13 +136,13 @@ Journal::Journal(const std::filesystem::path& file, const Plan& plan) : log_(fil
   }
   require_same_plan(plan_json_of_line(lines.front(), file), asked, file);
   initial_content_ = parse_journal(lines, file);
-  if (log_.removed_partial_line()) ++initial_content_.damaged;
+  if (log_.has_removed_partial_line()) ++initial_content_.damaged;
 }
 
 void Journal::append(const PointResult& result) {
   constexpr std::chrono::seconds kFlushInterval(1);
-  const base::WriteGuard in_hand;
-  log_.append(with_checksum(journal_text(result)));
+  const base::ExitBlocker in_hand;
+  log_.append(with_checksum(journal_line(result)));
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ < kFlushInterval) return;
   log_.flush();

@@ -16,18 +16,18 @@ namespace {
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// A writer of a netCDF file that has the dimensions of a plan.
-class SweepFile {
+class SweepNetcdfFile {
  public:
-  SweepFile(results::NetCdfWriter& file, const SweepResults& results)
+  SweepNetcdfFile(results::NetCdfWriter& file, const SweepResults& results)
       : file_(file), results_(results) {
     const Plan& plan = results.plan;
-    if (plan.design == Design::product) {
+    if (plan.design == PlanDesign::product) {
       for (const auto& axis : plan.axes) {
-        dimensions_.push_back(file_.dimension(axis.key, axis.values.size()));
+        dimensions_.push_back(file_.define_dimension(axis.key, axis.values.size()));
         coordinate(axis.key, dimensions_.back(), axis.values);
       }
     } else {
-      dimensions_.push_back(file_.dimension("point", plan.points.size()));
+      dimensions_.push_back(file_.define_dimension("point", plan.points.size()));
       for (std::size_t a = 0; a < plan.axes.size(); ++a) {
         std::vector<base::Value> values;
         for (const auto& point : plan.points) values.push_back(point[a]);
@@ -36,8 +36,8 @@ class SweepFile {
     }
     std::vector<std::string> ids;
     for (const auto& method : plan.methods) ids.push_back(method.id());
-    solution_ = file_.dimension("solution", ids.size());
-    file_.labels("solution", solution_, ids);
+    solution_ = file_.define_dimension("solution", ids.size());
+    file_.write_labels("solution", solution_, ids);
   }
 
   /// @param number function that returns the value for a method's result; empty if the result has
@@ -55,7 +55,7 @@ class SweepFile {
     }
     auto dimensions = dimensions_;
     dimensions.push_back(solution_);
-    return file_.compressed_double(name, dimensions, meaning, values);
+    return file_.write_compressed_doubles(name, dimensions, meaning, values);
   }
 
   void write_references() {
@@ -68,8 +68,8 @@ class SweepFile {
         values[point.point] = static_cast<double>(found - methods.begin());
       }
     }
-    file_.compressed_double("reference", dimensions_, "index of the reference solution, or -1",
-                            values);
+    file_.write_compressed_doubles("reference", dimensions_,
+                                   "index of the reference solution, or -1", values);
   }
 
  private:
@@ -77,12 +77,12 @@ class SweepFile {
     if (std::holds_alternative<std::string>(values.front())) {
       std::vector<std::string> words;
       for (const auto& value : values) words.push_back(std::get<std::string>(value));
-      file_.labels(key, dimension, words);
+      file_.write_labels(key, dimension, words);
       return;
     }
     std::vector<double> numbers;
     for (const auto& value : values) numbers.push_back(std::get<double>(value));
-    file_.variable(key, {dimension}, key, numbers);
+    file_.write_variable(key, {dimension}, key, numbers);
   }
 
   results::NetCdfWriter& file_;
@@ -96,14 +96,14 @@ class SweepFile {
 std::string netcdf(const SweepResults& results, const std::string& command) {
   results::NetCdfWriter file;
   const auto program = results::this_program(command);
-  file.attribute("Conventions", "CF-1.8");
-  file.attribute("title", "solutions over the parameters of an oscillator");
-  file.attribute("source", fmt::format("{} {}", program.name, program.version));
-  file.attribute("command", program.command);
-  file.attribute("case", results.plan.base.name);
-  results::write_parameters(file, results.plan.base);
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title", "solutions over the parameters of an oscillator");
+  file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
+  file.write_attribute("command", program.command);
+  file.write_attribute("case", results.plan.base.name);
+  results::write_problem_attributes(file, results.plan.base);
 
-  SweepFile sweep(file, results);
+  SweepNetcdfFile sweep(file, results);
   const int status = sweep.write_variable(
       "status", "status of the solution",
       [](const MethodResult& one) { return static_cast<double>(one.status); }, -1);
@@ -113,18 +113,18 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
     values += fmt::format("{}{} {}", values.empty() ? "" : ", ", static_cast<int>(entry.value),
                           entry.name);
   }
-  file.attribute("flags", values + ", -1 not solved", status);
+  file.write_attribute("flags", values + ", -1 not solved", status);
   for (const auto& moment : transform::kMoments) {
     sweep.write_variable(moment.name, moment.symbol, [&](const MethodResult& one) {
       return one.moments ? std::optional((*one.moments).*moment.moment) : std::nullopt;
     });
   }
-  using Pair = std::optional<MarginalPair>;
+  using Pair = std::optional<MarginalL1Pair>;
   const auto write_pair = [&](const std::string& name, const std::string& meaning,
                               const std::function<Pair(const MethodResult&)>& pair) {
     for (const auto& [suffix, symbol, member] :
-         {std::tuple{"_y", "p(y)", &MarginalPair::y},
-          std::tuple{"_ydot", "p(y')", &MarginalPair::ydot}}) {
+         {std::tuple{"_y", "p(y)", &MarginalL1Pair::y},
+          std::tuple{"_ydot", "p(y')", &MarginalL1Pair::ydot}}) {
       sweep.write_variable(
           name + suffix, fmt::format("{} of {}", meaning, symbol),
           [&pair, of = member](const MethodResult& one) {  // Clang 14 cannot capture bindings
@@ -141,14 +141,14 @@ std::string netcdf(const SweepResults& results, const std::string& command) {
     std::ranges::replace(name, '+', '_');
     write_pair(name, fmt::format("contribution of \"{}\" to the L1 distance", part),
                [&](const MethodResult& one) -> Pair {
-                 const auto share = std::ranges::find(one.budget, part, &BudgetShare::part);
+                 const auto share = std::ranges::find(one.budget, part, &BudgetContribution::part);
                  return share == one.budget.end() ? Pair() : Pair(share->l1);
                });
   }
   sweep.write_variable("seconds", "wall-clock time",
                        [](const MethodResult& one) { return one.seconds; });
   sweep.write_references();
-  return file.bytes();
+  return file.close_and_take_bytes();
 }
 
 }  // namespace fpkcheck::sweep

@@ -13,9 +13,9 @@ namespace {
 using results::Json;
 using transform::Moments;
 
-Json pair_json(const MarginalPair& pair) { return {pair.y, pair.ydot}; }
+Json pair_json(const MarginalL1Pair& pair) { return {pair.y, pair.ydot}; }
 
-MarginalPair pair_from_json(const Json& json) {
+MarginalL1Pair pair_from_json(const Json& json) {
   const auto number = [&](std::size_t k) {
     const Json& value = json.at(k);
     return value.is_null() ? results::kNotANumber : value.get<double>();
@@ -74,7 +74,7 @@ Json point_json(const PointResult& result) {
   return json;
 }
 
-std::string journal_text(const PointResult& result) {
+std::string journal_line(const PointResult& result) {
   return results::with_null_for_non_finite(point_json(result))
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -11,7 +11,7 @@ results::Json point_json(const PointResult& result);
 
 /// The JSON of point_json as one line of text; control characters in texts are escaped, and invalid
 /// UTF-8 is replaced.
-std::string journal_text(const PointResult& result);
+std::string journal_line(const PointResult& result);
 
 /// Reads the result of a point from the JSON that point_json makes.
 /// @throws nlohmann::json::exception, InputError

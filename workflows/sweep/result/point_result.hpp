@@ -10,18 +10,18 @@
 namespace fpkcheck::sweep {
 
 /// The L1 values (distances or errors) of the two marginal densities.
-struct MarginalPair {
+struct MarginalL1Pair {
   double y, ydot;
 
-  bool operator==(const MarginalPair&) const = default;
+  bool operator==(const MarginalL1Pair&) const = default;
 };
 
-/// The L1 contribution of one part of the error budget (compare/budget.hpp).
-struct BudgetShare {
-  std::string part;  ///< compare::BudgetPart::name
-  MarginalPair l1;
+/// The L1 contribution of one part of the error budget (compare/error_budget.hpp).
+struct BudgetContribution {
+  std::string part;  ///< compare::ErrorBudgetPart::name
+  MarginalL1Pair l1;
 
-  bool operator==(const BudgetShare&) const = default;
+  bool operator==(const BudgetContribution&) const = default;
 };
 
 /// The values of a solution that a sweep stores.
@@ -30,9 +30,9 @@ struct MethodResult {
   std::string reason = {};  ///< empty where the status is ok
   double seconds = 0;
   std::optional<transform::Moments> moments = {};
-  std::optional<MarginalPair> l1 = {};     ///< distance to the point's reference
-  std::optional<MarginalPair> error = {};  ///< error estimate, or expected sampling error
-  std::vector<BudgetShare> budget = {};
+  std::optional<MarginalL1Pair> l1 = {};     ///< distance to the point's reference
+  std::optional<MarginalL1Pair> error = {};  ///< error estimate, or expected sampling error
+  std::vector<BudgetContribution> budget = {};
 };
 
 /// The values of a point that a sweep stores.

@@ -23,7 +23,7 @@ std::string json(const SweepResults& results, const std::string& command) {
     }
     json["points"].push_back(std::move(one));
   }
-  return results::text_of(json);
+  return results::json_text(json);
 }
 
 }  // namespace fpkcheck::sweep

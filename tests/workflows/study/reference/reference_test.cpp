@@ -23,7 +23,7 @@ TEST(Reference, AgreedDigitsEndAtTheDifference) {
 
 TEST(Reference, AgreesWithTheExactSolution) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
-  const auto r = reference(p, {.refinement = 1.2, .simulation_time = 1e5});
+  const auto r = compute_reference(p, {.refinement = 1.2, .simulation_time = 1e5});
   ASSERT_EQ(r.failure, "");
   const double y2 = exact::linear_cumulant(p, 2, 0);
   EXPECT_NEAR(r.moments.at(1).value.seventh, y2, 1e-6 * y2);

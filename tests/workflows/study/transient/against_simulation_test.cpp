@@ -13,12 +13,12 @@ namespace {
 // known. The finite volumes and the simulation share the problem and the start alone.
 TEST(TransientAgainstSimulation, MomentsAndMarginalsAgreeWithinStandardErrorsAtAllTimes) {
   const auto problem = tests::make_problem({.cubic = 0.3, .restitution = 0.9, .mean = 0.1});
-  const auto fd = fd_fpk::integrate(problem, {},
-                                    {.until = 3,
-                                     .snapshots = 4,
-                                     .start_displacement = 0.6,
-                                     .start_velocity = 0.8,
-                                     .relative_tolerance = 1e-6});
+  const auto fd = fd_fpk::solve_transient(problem, {},
+                                          {.until = 3,
+                                           .snapshots = 4,
+                                           .start_displacement = 0.6,
+                                           .start_velocity = 0.8,
+                                           .relative_tolerance = 1e-6});
   ASSERT_EQ(fd.status, transform::Status::ok) << fd.reason;
   mcs::EnsembleOptions options{.start_displacement = 0.6,
                                .start_velocity = 0.8,

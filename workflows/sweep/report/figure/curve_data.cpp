@@ -10,12 +10,12 @@ namespace {
 
 using transform::Variable;
 
-double value_of(const MarginalPair& pair, Variable variable) {
+double value_of(const MarginalL1Pair& pair, Variable variable) {
   return variable == Variable::y ? pair.y : pair.ydot;
 }
 
 std::vector<report::SeriesStyle> plot_styles_of(const Plan& plan) {
-  std::vector<transform::Identity> identities;
+  std::vector<transform::SolutionIdentity> identities;
   for (const auto& method : plan.methods) identities.push_back(method.identity);
   return report::series_styles(identities);
 }
@@ -38,20 +38,20 @@ double CurveData::mark_size() const {
 void CurveData::for_each(const std::function<void(std::size_t, std::size_t)>& call) const {
   for (const auto& slice : layout_.slices) {
     for (const std::size_t point : slice.points) {
-      for (std::size_t m = 0; m < methods(); ++m) call(point, m);
+      for (std::size_t m = 0; m < method_count(); ++m) call(point, m);
     }
   }
 }
 
 std::optional<double> CurveData::l1(std::size_t point, std::size_t m, Variable variable) const {
-  const auto* one = view_.method(point, m);
+  const auto* one = view_.method_result(point, m);
   if (one == nullptr || !one->l1 || view_.is_reference(point, m)) return std::nullopt;
   return value_of(*one->l1, variable);
 }
 
-std::optional<double> CurveData::own_error(std::size_t point, std::size_t m,
-                                           Variable variable) const {
-  const auto* one = view_.method(point, m);
+std::optional<double> CurveData::method_error_estimate(std::size_t point, std::size_t m,
+                                                       Variable variable) const {
+  const auto* one = view_.method_result(point, m);
   if (one == nullptr || !one->error || !l1(point, m, variable)) return std::nullopt;
   return value_of(*one->error, variable);
 }
@@ -63,9 +63,9 @@ std::optional<double> CurveData::reference_error(std::size_t point, Variable var
 }
 
 bool CurveData::has_no_density(std::size_t point, std::size_t m) const {
-  const auto* one = view_.method(point, m);
+  const auto* one = view_.method_result(point, m);
   return one != nullptr && !one->l1 && !view_.is_reference(point, m) &&
-         one->status != transform::Status::ok && !view_.point(point)->reference.empty();
+         one->status != transform::Status::ok && !view_.point_result(point)->reference.empty();
 }
 
 double CurveData::abscissa_of(std::size_t point) const {
@@ -74,29 +74,31 @@ double CurveData::abscissa_of(std::size_t point) const {
 
 double CurveData::abscissa_of(std::size_t point, std::size_t m) const {
   constexpr double kRoom = 0.7;  // width over which the methods are spread, 1 being a word's
-  const auto count = static_cast<double>(methods());
+  const auto count = static_cast<double>(method_count());
   const double beside = (static_cast<double>(m) - (count - 1) / 2) * kRoom / count;
-  return abscissa_of(point) + (is_words() ? beside : 0);
+  return abscissa_of(point) + (has_words() ? beside : 0);
 }
 
 std::string CurveData::blocks() const {
   std::string text;
   for (std::size_t s = 0; s < layout_.slices.size(); ++s) {
-    for (std::size_t m = 0; m < methods(); ++m) {
+    for (std::size_t m = 0; m < method_count(); ++m) {
       std::string rows;
       for (const std::size_t point : layout_.slices[s].points) {
-        const auto* one = view_.method(point, m);
+        const auto* one = view_.method_result(point, m);
         const bool is_ok = one != nullptr && one->status == transform::Status::ok;
         std::optional<double> y2, v2;
         if (one != nullptr && one->moments) {
           y2 = one->moments->y2;
           v2 = one->moments->v2;
         }
-        rows += fmt::format(
-            "{:.6g} {} {} {} {} {} {} {}\n", abscissa_of(point, m),
-            data_cell(l1(point, m, Variable::y)), data_cell(l1(point, m, Variable::ydot)),
-            is_ok ? marks(m).filled : marks(m).open, data_cell(own_error(point, m, Variable::y)),
-            data_cell(own_error(point, m, Variable::ydot)), data_cell(y2), data_cell(v2));
+        rows += fmt::format("{:.6g} {} {} {} {} {} {} {}\n", abscissa_of(point, m),
+                            data_cell(l1(point, m, Variable::y)),
+                            data_cell(l1(point, m, Variable::ydot)),
+                            is_ok ? marks(m).filled : marks(m).open,
+                            data_cell(method_error_estimate(point, m, Variable::y)),
+                            data_cell(method_error_estimate(point, m, Variable::ydot)),
+                            data_cell(y2), data_cell(v2));
       }
       text += report::data_block(fmt::format("curve_{}_{}", s, m), rows);
     }
@@ -116,7 +118,7 @@ std::string CurveData::reference_error_blocks() const {
       };
       constexpr double kHalf = 0.48;  // half-width: a word's bar nearly touches the next bar
       const double x = abscissa_of(point);
-      rows += is_words() ? row(x - kHalf) + row(x + kHalf) + '\n' : row(x);
+      rows += has_words() ? row(x - kHalf) + row(x + kHalf) + '\n' : row(x);
     }
     text += report::data_block(fmt::format("floor_{}", s), rows);
   }

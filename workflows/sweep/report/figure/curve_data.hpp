@@ -31,8 +31,8 @@ class CurveData {
 
   const SweepView& view() const { return view_; }
   const CurvesLayout& layout() const { return layout_; }
-  bool is_words() const { return layout_.along.is_words(); }
-  std::size_t methods() const { return looks_.size(); }
+  bool has_words() const { return layout_.along.has_words(); }
+  std::size_t method_count() const { return looks_.size(); }
   const transform::PlotStyle& plot_style(std::size_t m) const {
     return view_.plan().methods[m].identity.plot_style;
   }
@@ -45,8 +45,8 @@ class CurveData {
   std::optional<double> l1(std::size_t point, std::size_t m, transform::Variable variable) const;
   /// The error estimate of a method at a point; empty if the method has no distance with which the
   /// estimate could be compared.
-  std::optional<double> own_error(std::size_t point, std::size_t m,
-                                  transform::Variable variable) const;
+  std::optional<double> method_error_estimate(std::size_t point, std::size_t m,
+                                              transform::Variable variable) const;
   /// The error estimate of the reference of a point.
   std::optional<double> reference_error(std::size_t point, transform::Variable variable) const;
   /// Whether the point has a reference, but the method has no density that can be compared with the

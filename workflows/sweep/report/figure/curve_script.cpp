@@ -15,14 +15,15 @@ namespace {
 std::string line_of(const CurveData& data, std::size_t m) {
   const transform::PlotStyle& plot_style = data.plot_style(m);
   constexpr double kThin = 1.5, kBroad = 2.5;  // limits: neighbouring curves need moderate widths
-  return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.is_words() ? "points" : "linespoints",
+  return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.has_words() ? "points" : "linespoints",
                      plot_style.colour, std::clamp(plot_style.width, kThin, kBroad),
-                     data.is_words() ? "" : " dt " + report::dash_type(plot_style));
+                     data.has_words() ? "" : " dt " + report::dash_type(plot_style));
 }
 
 }  // namespace
 
-std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, int column) {
+std::string curve_plot_command(const CurveData& data, std::size_t slice, std::size_t m,
+                               int column) {
   return fmt::format("$curve_{}_{} using {}:{}:{} {} pt variable ps {} notitle", slice, m,
                      static_cast<int>(abscissa), column, static_cast<int>(mark_type),
                      line_of(data, m), data.mark_size());
@@ -57,9 +58,9 @@ PanelGrid curves_grid(const CurveData& data, const report::Legend& legend) {
           .legend_height = report::legend_height(legend, view.width())};
 }
 
-std::string curves_begin(const CurveData& data, const PanelGrid& grid,
-                         const std::string& file_stem) {
-  return report::output_commands(file_stem, grid.size()) + data.blocks() + '\n' +
+std::string curves_script_beginning(const CurveData& data, const PanelGrid& grid,
+                                    const std::string& file_stem) {
+  return report::gnuplot_output_commands(file_stem, grid.size()) + data.blocks() + '\n' +
          PanelGrid::kLabels +
          fmt::format(
              "set tics out nomirror\nset border 3\n"
@@ -72,7 +73,7 @@ std::string curves_panel(const CurveData& data, const PanelGrid& grid, std::size
                          transform::Variable variable) {
   const bool is_y = variable == transform::Variable::y;
   const std::string& name = data.layout().slices[slice].name;
-  return report::margin_commands(grid.place(2 * slice + (is_y ? 0 : 1))) +
+  return report::panel_position_commands(grid.panel_box(2 * slice + (is_y ? 0 : 1))) +
          fmt::format("set title {}\n",
                      report::gnuplot_literal(fmt::format(
                          "({}) {}{}{}", static_cast<char>('a' + 2 * slice + (is_y ? 0 : 1)),

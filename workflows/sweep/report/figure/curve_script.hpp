@@ -12,7 +12,7 @@ namespace fpkcheck::sweep {
 
 /// The plot specification of a method's curve in a panel. On a categorical axis a curve has marks
 /// without a line.
-std::string curve_plot(const CurveData& data, std::size_t slice, std::size_t m, int column);
+std::string curve_plot_command(const CurveData& data, std::size_t slice, std::size_t m, int column);
 
 /// The legend of the given methods, with an entry for open marks if there are open marks.
 report::Legend curves_legend(const CurveData& data, const std::vector<std::size_t>& methods,
@@ -23,8 +23,8 @@ report::Legend curves_legend(const CurveData& data, const std::vector<std::size_
 report::PanelGrid curves_grid(const CurveData& data, const report::Legend& legend);
 
 /// The beginning of a script: output commands, data, and settings that all panels share.
-std::string curves_begin(const CurveData& data, const report::PanelGrid& grid,
-                         const std::string& file_stem);
+std::string curves_script_beginning(const CurveData& data, const report::PanelGrid& grid,
+                                    const std::string& file_stem);
 
 /// The gnuplot commands for title ("(a) displacement, gaussian") and position of a panel.
 std::string curves_panel(const CurveData& data, const report::PanelGrid& grid, std::size_t slice,

@@ -6,7 +6,7 @@
 namespace fpkcheck::sweep {
 
 CurvesLayout curves_layout(const Plan& plan) {
-  const std::size_t along = plan.axes.size() == 2 && KeyAxis(plan, 0).is_words() ? 1 : 0;
+  const std::size_t along = plan.axes.size() == 2 && KeyAxis(plan, 0).has_words() ? 1 : 0;
   CurvesLayout layout{KeyAxis(plan, along), along, {}};
   if (plan.axes.size() == 1) {
     layout.slices.push_back({"", std::vector<std::size_t>(plan.points.size())});
@@ -14,10 +14,10 @@ CurvesLayout curves_layout(const Plan& plan) {
   } else {
     const KeyAxis across(plan, 1 - along);
     for (const auto& value : across.values()) {
-      layout.slices.push_back({KeyAxis::text_of(value), {}});
+      layout.slices.push_back({KeyAxis::value_text(value), {}});
     }
     for (std::size_t point = 0; point < plan.points.size(); ++point) {
-      layout.slices[across.cell_of(plan.points[point][1 - along])].points.push_back(point);
+      layout.slices[across.cell_index(plan.points[point][1 - along])].points.push_back(point);
     }
   }
   for (auto& slice : layout.slices) {

@@ -8,7 +8,7 @@
 namespace fpkcheck::sweep {
 
 /// A slice of a plan: the points of one curve, in the order of the key on the abscissa.
-struct Slice {
+struct PlanSlice {
   std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
@@ -17,7 +17,7 @@ struct Slice {
 struct CurvesLayout {
   KeyAxis along;
   std::size_t place;  ///< index of that key in the plan's axes
-  std::vector<Slice> slices;
+  std::vector<PlanSlice> slices;
 };
 
 /// The layout of the curves of a plan. The curves of a plan with one key are along this key. The

@@ -24,9 +24,9 @@ constexpr const char* kDots = "pt 7 ps 0.25";
 constexpr double kCrossRowHeight = 0.045;  // height of a row of crosses, 1 being the panel's
 
 /// A builder of the gnuplot script of the distances.
-class Distances {
+class DistancesScript {
  public:
-  Distances(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
+  DistancesScript(const SweepView& view, const CurvesLayout& layout) : data_(view, layout) {
     scan_points();
   }
   std::string script(const std::string& file_stem) const;
@@ -45,7 +45,7 @@ class Distances {
   bool has_open_marks_ = false, has_error_estimates_ = false, has_reference_errors_ = false;
 };
 
-void Distances::scan_points() {
+void DistancesScript::scan_points() {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   const auto add = [&](const std::optional<double>& number) {
     if (!number || !std::isfinite(*number) || *number <= 0) return;
@@ -54,10 +54,11 @@ void Distances::scan_points() {
   };
   data_.for_each([&](std::size_t point, std::size_t m) {
     for (const Variable variable : transform::kVariables) {
-      const auto l1 = data_.l1(point, m, variable), own = data_.own_error(point, m, variable),
+      const auto l1 = data_.l1(point, m, variable),
+                 own = data_.method_error_estimate(point, m, variable),
                  reference_error = data_.reference_error(point, variable);
       for (const auto& each : {l1, own, reference_error}) add(each);
-      const auto* one = data_.view().method(point, m);
+      const auto* one = data_.view().method_result(point, m);
       has_open_marks_ = has_open_marks_ || (l1 && one->status != transform::Status::ok);
       has_error_estimates_ = has_error_estimates_ || own;
       has_reference_errors_ = has_reference_errors_ || reference_error;
@@ -74,11 +75,11 @@ void Distances::scan_points() {
   high_ = high * std::pow(high / low_, rows / (1 - rows));
 }
 
-double Distances::row_ordinate(std::size_t row) const {
+double DistancesScript::row_ordinate(std::size_t row) const {
   return low_ * std::pow(high_ / low_, 1 - kCrossRowHeight * (static_cast<double>(row) + 0.5));
 }
 
-std::string Distances::absent_blocks() const {
+std::string DistancesScript::absent_blocks() const {
   std::string text;
   for (std::size_t s = 0; s < data_.layout().slices.size(); ++s) {
     for (std::size_t row = 0; row < without_density_.size(); ++row) {
@@ -96,10 +97,10 @@ std::string Distances::absent_blocks() const {
 
 // The plots of the error estimates. On a categorical axis a line connects the distance and the
 // error estimate.
-std::string Distances::error_estimate_plot(std::size_t slice, std::size_t m, int distance,
-                                           int own) const {
+std::string DistancesScript::error_estimate_plot(std::size_t slice, std::size_t m, int distance,
+                                                 int own) const {
   const std::string_view colour = data_.plot_style(m).colour;
-  if (data_.is_words()) {
+  if (data_.has_words()) {
     return fmt::format(
         "$curve_{}_{} using {}:{}:(0):(${}-${}) with vectors nohead lc rgb '{}' {} notitle", slice,
         m, static_cast<int>(abscissa), distance, own, distance, colour, kDotted);
@@ -108,7 +109,7 @@ std::string Distances::error_estimate_plot(std::size_t slice, std::size_t m, int
                      m, static_cast<int>(abscissa), own, colour, kDotted, kDots);
 }
 
-std::string Distances::panel(std::size_t slice, Variable variable) const {
+std::string DistancesScript::panel(std::size_t slice, Variable variable) const {
   const bool is_y = variable == Variable::y;
   std::vector<std::string> plots;
   if (has_reference_errors_) {
@@ -122,7 +123,7 @@ std::string Distances::panel(std::size_t slice, Variable variable) const {
     if (has_error_estimates_)
       plots.push_back(
           error_estimate_plot(slice, m, distance, is_y ? error_estimate_y : error_estimate_ydot));
-    plots.push_back(curve_plot(data_, slice, m, distance));
+    plots.push_back(curve_plot_command(data_, slice, m, distance));
   }
   for (const std::size_t m : without_density_) {
     plots.push_back(
@@ -138,11 +139,11 @@ std::string Distances::panel(std::size_t slice, Variable variable) const {
       fmt::join(plots, ", \\\n     "));
 }
 
-report::Legend Distances::legend() const {
+report::Legend DistancesScript::legend() const {
   report::Legend legend = curves_legend(data_, data_.view().compared_methods(), has_open_marks_);
   if (has_error_estimates_) {
     legend.entries.push_back(
-        {data_.is_words()
+        {data_.has_words()
              ? fmt::format("NaN with lines lc rgb '#444444' {}", kDotted)
              : fmt::format("NaN with linespoints lc rgb '#444444' {} {}", kDotted, kDots),
          "error estimate"});
@@ -158,10 +159,10 @@ report::Legend Distances::legend() const {
   return legend;
 }
 
-std::string Distances::script(const std::string& file_stem) const {
+std::string DistancesScript::script(const std::string& file_stem) const {
   const report::Legend strip = legend();
   const report::PanelGrid grid = curves_grid(data_, strip);
-  std::string text = curves_begin(data_, grid, file_stem) +
+  std::string text = curves_script_beginning(data_, grid, file_stem) +
                      (has_reference_errors_ ? data_.reference_error_blocks() : "") +
                      absent_blocks() +
                      fmt::format(
@@ -173,14 +174,15 @@ std::string Distances::script(const std::string& file_stem) const {
       text += curves_panel(data_, grid, s, variable) + panel(s, variable);
     }
   }
-  return text + report::legend_strip(strip, grid.size()) + "unset multiplot\nunset output\n";
+  return text + report::legend_strip_commands(strip, grid.size()) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace
 
 std::string distances_script(const SweepView& view, const CurvesLayout& layout,
                              const std::string& file_stem) {
-  return Distances(view, layout).script(file_stem);
+  return DistancesScript(view, layout).script(file_stem);
 }
 
 }  // namespace fpkcheck::sweep

@@ -17,12 +17,12 @@ using base::Value;
 
 constexpr std::size_t kMaxTics = 6;
 
-struct Tic {
+struct AxisTic {
   std::string text;
   double place;
 };
 
-std::string tics_of(const std::vector<Tic>& tics) {
+std::string tics_of(const std::vector<AxisTic>& tics) {
   std::vector<std::string> list;
   for (const auto& tic : tics) {
     list.push_back(fmt::format("{} {:.6g}", report::gnuplot_literal(tic.text), tic.place));
@@ -89,13 +89,13 @@ KeyAxis::KeyAxis(const Plan& plan, std::size_t place) : key_(plan.axes[place].ke
                     (axis.spacing == Spacing::listed && spans_decades(values_));
 }
 
-std::string KeyAxis::text_of(const Value& value) {
+std::string KeyAxis::value_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
 }
 
 double KeyAxis::coordinate(const Value& value) const {
-  return is_words_ ? static_cast<double>(cell_of(value)) : std::get<double>(value);
+  return is_words_ ? static_cast<double>(cell_index(value)) : std::get<double>(value);
 }
 
 double KeyAxis::relative_coordinate(const Value& value) const {
@@ -109,15 +109,15 @@ double KeyAxis::relative_coordinate(const Value& value) const {
 std::string KeyAxis::commands(char letter) const {
   const std::string label = label_command(letter);
   if (is_words_) {
-    std::vector<Tic> tics;
-    for (const auto& value : values_) tics.push_back({text_of(value), coordinate(value)});
+    std::vector<AxisTic> tics;
+    for (const auto& value : values_) tics.push_back({value_text(value), coordinate(value)});
     return label + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
                                static_cast<double>(values_.size()) - 0.5, tics_of(tics));
   }
   double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
   constexpr double kRoom = 0.03;  // margin for the marks on both ends
   if (is_logarithmic_) {
-    std::vector<Tic> tics;
+    std::vector<AxisTic> tics;
     for (const double number : round_numbers_by_decades(low, high)) {
       tics.push_back({fmt::format("{:g}", number), number});
     }
@@ -135,13 +135,13 @@ std::string KeyAxis::label_command(char letter) const {
   return fmt::format("set {}label {}\n", letter, report::gnuplot_text(label_));
 }
 
-std::size_t KeyAxis::cell_of(const Value& value) const {
+std::size_t KeyAxis::cell_index(const Value& value) const {
   return static_cast<std::size_t>(std::ranges::find(values_, value) - values_.begin());
 }
 
-std::string KeyAxis::cell_commands(char letter) const {
+std::string KeyAxis::cell_axis_commands(char letter) const {
   const double last = static_cast<double>(values_.size()) - 1;
-  std::vector<Tic> tics;
+  std::vector<AxisTic> tics;
   if (is_even_) {
     const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
     const auto numbers =
@@ -152,7 +152,7 @@ std::string KeyAxis::cell_commands(char letter) const {
   } else {
     const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;
     for (std::size_t k = 0; k < values_.size(); k += step) {
-      tics.push_back({text_of(values_[k]), static_cast<double>(k)});
+      tics.push_back({value_text(values_[k]), static_cast<double>(k)});
     }
   }
   return label_command(letter) + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,

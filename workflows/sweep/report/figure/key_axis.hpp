@@ -17,13 +17,13 @@ class KeyAxis {
   KeyAxis(const Plan& plan, std::size_t place);
 
   const std::string& key() const { return key_; }
-  bool is_words() const { return is_words_; }
+  bool has_words() const { return is_words_; }
   bool is_logarithmic() const { return is_logarithmic_; }
   /// The distinct values of the key over all points: numbers in increasing order, words in the
   /// order of the list.
   const std::vector<base::Value>& values() const { return values_; }
   /// The text of a value on the axis: "0.8", "gaussian".
-  static std::string text_of(const base::Value& value);
+  static std::string value_text(const base::Value& value);
 
   /// The coordinate of a value on the gnuplot axis.
   double coordinate(const base::Value& value) const;
@@ -38,9 +38,9 @@ class KeyAxis {
 
   /// The index of a value in values(), which is the position of the value's cell in a map with
   /// cells of equal width.
-  std::size_t cell_of(const base::Value& value) const;
+  std::size_t cell_index(const base::Value& value) const;
   /// The gnuplot commands for label, range and tics of an axis of cells with equal widths.
-  std::string cell_commands(char letter) const;
+  std::string cell_axis_commands(char letter) const;
 
  private:
   std::string key_, label_;

@@ -57,7 +57,7 @@ PanelGrid map_grid(const SweepView& view, std::size_t panels) {
 // The colours range from light (but not white) to dark, so that grey print keeps the order of the
 // values. All colours are light enough for black marks.
 std::string colour_scale(const PanelGrid& grid) {
-  const auto first = grid.place(0, grid.columns - 1), last = grid.place(grid.rows - 1, 0);
+  const auto first = grid.panel_box(0, grid.columns - 1), last = grid.panel_box(grid.rows - 1, 0);
   return fmt::format(
       "set palette defined (0 '#FFF0A8', 1 '#FED976', 2 '#FDAE5B', 3 '#F07C3C', 4 '#CF2A1E')\n"
       "set logscale cb\nset cbrange [{}:1]\nset format cb {}\n"
@@ -164,7 +164,7 @@ MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
     panel.plots.push_back(
         fmt::format("$contour_{}_{} using 1:2 {} notitle", level.name, m, level.style));
   }
-  const auto place = grid.place(0, 0);
+  const auto place = grid.panel_box(0, 0);
   std::set<int> types;
   panel.data += map.mark_blocks(m, marks_per_length((place.right - place.left) * grid.width),
                                 marks_per_length(grid.panel_height), types);
@@ -183,8 +183,9 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
   const report::Legend legend = map_legend(map, methods);
   PanelGrid grid = map_grid(view, methods.size());
   grid.legend_height = report::legend_height(legend, grid.width);
-  const std::string axes = map.has_cells() ? map.x().cell_commands('x') + map.y().cell_commands('y')
-                                           : map.x().commands('x') + map.y().commands('y');
+  const std::string axes = map.has_cells()
+                               ? map.x().cell_axis_commands('x') + map.y().cell_axis_commands('y')
+                               : map.x().commands('x') + map.y().commands('y');
   std::string data, contours, panels;
   for (std::size_t k = 0; k < methods.size(); ++k) {
     const MapPanel panel = map_panel(map, grid, methods[k]);
@@ -193,18 +194,18 @@ std::string map_script(const SweepView& view, const std::string& file_stem) {
     const auto column = k % static_cast<std::size_t>(grid.columns);
     panels += fmt::format("set title {}\n{}{}plot {}\n{}\n",
                           report::gnuplot_literal(view.plan().methods[methods[k]].id()),
-                          report::margin_commands(grid.place(k)),
+                          report::panel_position_commands(grid.panel_box(k)),
                           column == 0 ? map.y().label_command('y') : "unset ylabel\n",
                           fmt::join(panel.plots, ", \\\n     "), k == 0 ? "unset colorbox\n" : "");
   }
   if (!contours.empty()) {
     contours = "set contour base\nunset surface\n" + contours + "unset contour\nset surface\n";
   }
-  return report::output_commands(file_stem, grid.size()) + data + contours +
+  return report::gnuplot_output_commands(file_stem, grid.size()) + data + contours +
          cell_drawing_option(view.plan().points.size() * methods.size()) + PanelGrid::kLabels +
          "set tics out nomirror\nunset key\n" + colour_scale(grid) + view.title().command + axes +
          (map.has_cells() ? "" : kBackground) + panels + "unset object\n" +
-         (legend.entries.empty() ? "" : report::legend_strip(legend, grid.size())) +
+         (legend.entries.empty() ? "" : report::legend_strip_commands(legend, grid.size())) +
          "unset multiplot\nunset output\n";
 }
 

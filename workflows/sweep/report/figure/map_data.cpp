@@ -48,14 +48,15 @@ MapData::MapData(const SweepView& view) : view_(view), x_(view.plan(), 0), y_(vi
   cells_.assign(columns(), std::vector<std::size_t>(rows()));
   for (std::size_t point = 0; point < view.plan().points.size(); ++point) {
     const auto& values = view.plan().points[point];
-    cells_[x_.cell_of(values[0])][y_.cell_of(values[1])] = point;
+    cells_[x_.cell_index(values[0])][y_.cell_index(values[1])] = point;
   }
 }
 
-std::array<double, 2> MapData::place(std::size_t point) const {
+std::array<double, 2> MapData::coordinates_of(std::size_t point) const {
   const auto& values = view_.plan().points[point];
   if (!has_cells()) return {x_.coordinate(values[0]), y_.coordinate(values[1])};
-  return {static_cast<double>(x_.cell_of(values[0])), static_cast<double>(y_.cell_of(values[1]))};
+  return {static_cast<double>(x_.cell_index(values[0])),
+          static_cast<double>(y_.cell_index(values[1]))};
 }
 
 std::string MapData::blocks(std::size_t m) const {
@@ -71,7 +72,7 @@ std::string MapData::blocks(std::size_t m) const {
   for (std::size_t point = 0; !has_cells() && point < view_.plan().points.size(); ++point) {
     const auto l1 = view_.larger_l1(point, m);
     if (!l1) continue;
-    const auto [x, y] = place(point);
+    const auto [x, y] = coordinates_of(point);
     text += fmt::format("{:.6g} {:.6g} {:.4g}\n", x, y, clamp_for_logarithm(*l1));
   }
   return report::data_block(fmt::format("map_{}", m), text.empty() ? "NaN NaN NaN\n" : text);
@@ -83,7 +84,7 @@ std::string MapData::mark_blocks(std::size_t m, std::size_t tiles_across, std::s
   std::map<int, std::string> marks;
   const bool is_few = !has_cells() && view_.plan().points.size() <= kFewPoints;
   for (const auto& [type, point] : marked_points(view_, m)) {
-    const auto [x, y] = place(point);
+    const auto [x, y] = coordinates_of(point);
     const auto& values = view_.plan().points[point];
     if (!is_few &&
         !taken.insert({type, tile(x_, values[0], tiles_across), tile(y_, values[1], tiles_up)})
@@ -103,7 +104,7 @@ std::string MapData::mark_blocks(std::size_t m, std::size_t tiles_across, std::s
 std::string MapData::outline_block(std::size_t m) const {
   if (!has_cells()) return "";
   const auto not_ok = [&](std::size_t i, std::size_t j) {
-    const auto* one = view_.method(cells_[i][j], m);
+    const auto* one = view_.method_result(cells_[i][j], m);
     return one != nullptr && one->status != Status::ok;
   };
   std::string borders;
@@ -122,7 +123,7 @@ std::string MapData::outline_block(std::size_t m) const {
 }
 
 bool MapData::has_contour(std::size_t m, double l1) const {
-  if (!has_cells() || x_.is_words() || y_.is_words()) return false;
+  if (!has_cells() || x_.has_words() || y_.has_words()) return false;
   const auto side = [&](std::size_t i, std::size_t j) {
     const auto found = view_.larger_l1(cells_[i][j], m);
     return !found ? 0 : *found < l1 ? -1 : 1;

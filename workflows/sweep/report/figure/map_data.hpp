@@ -24,7 +24,7 @@ class MapData {
   const SweepView& view() const { return view_; }
   const KeyAxis& x() const { return x_; }
   const KeyAxis& y() const { return y_; }
-  bool has_cells() const { return view_.plan().design == Design::product; }
+  bool has_cells() const { return view_.plan().design == PlanDesign::product; }
 
   /// The data block $map_METHOD of a method with the columns x, y and L1. A map with cells has a
   /// sub-block for each y, with NaN for missing distances.
@@ -49,7 +49,7 @@ class MapData {
  private:
   std::size_t columns() const { return x_.values().size(); }
   std::size_t rows() const { return y_.values().size(); }
-  std::array<double, 2> place(std::size_t point) const;
+  std::array<double, 2> coordinates_of(std::size_t point) const;
 
   const SweepView& view_;
   KeyAxis x_, y_;

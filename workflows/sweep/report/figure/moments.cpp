@@ -21,7 +21,7 @@ using transform::Variable;
 std::string moment_range(const CurveData& data, double Moments::*moment) {
   std::vector<double> ok, all;
   data.for_each([&](std::size_t point, std::size_t m) {
-    const auto* one = data.view().method(point, m);
+    const auto* one = data.view().method_result(point, m);
     if (one == nullptr || !one->moments) return;
     const double value = (*one->moments).*moment;
     if (!std::isfinite(value)) return;
@@ -38,8 +38,8 @@ std::string moment_range(const CurveData& data, double Moments::*moment) {
 std::string moment_panel(const CurveData& data, std::size_t slice, Variable variable) {
   const bool is_y = variable == Variable::y;
   std::vector<std::string> plots;  // by decreasing trust: the least trusted curve is drawn last
-  for (std::size_t m = data.methods(); m-- > 0;) {
-    plots.push_back(curve_plot(data, slice, m, is_y ? moment_y : moment_ydot));
+  for (std::size_t m = data.method_count(); m-- > 0;) {
+    plots.push_back(curve_plot_command(data, slice, m, is_y ? moment_y : moment_ydot));
   }
   return fmt::format("set ylabel {}\n{}plot {}\n\n",
                      report::gnuplot_text(is_y ? "E[{/:Italic y}^2]" : "E[{/:Italic y}'^2]"),
@@ -54,21 +54,22 @@ std::string moments_script(const SweepView& view, const CurvesLayout& layout,
   const CurveData data(view, layout);
   bool has_open_marks = false;
   data.for_each([&](std::size_t point, std::size_t m) {
-    const auto* one = view.method(point, m);
+    const auto* one = view.method_result(point, m);
     has_open_marks =
         has_open_marks || (one != nullptr && one->moments && one->status != transform::Status::ok);
   });
-  std::vector<std::size_t> all(data.methods());
+  std::vector<std::size_t> all(data.method_count());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const report::Legend legend = curves_legend(data, all, has_open_marks);
   const report::PanelGrid grid = curves_grid(data, legend);
-  std::string text = curves_begin(data, grid, file_stem) + "set format y '%g'\n\n";
+  std::string text = curves_script_beginning(data, grid, file_stem) + "set format y '%g'\n\n";
   for (std::size_t s = 0; s < layout.slices.size(); ++s) {
     for (const Variable variable : transform::kVariables) {
       text += curves_panel(data, grid, s, variable) + moment_panel(data, s, variable);
     }
   }
-  return text + report::legend_strip(legend, grid.size()) + "unset multiplot\nunset output\n";
+  return text + report::legend_strip_commands(legend, grid.size()) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::sweep

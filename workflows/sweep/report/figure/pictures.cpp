@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/files/pending_files.hpp"
-#include "base/process/stop.hpp"
+#include "base/process/stop_request.hpp"
 #include "report/figure/drawing.hpp"
 #include "workflows/sweep/report/figure/distances.hpp"
 #include "workflows/sweep/report/figure/map.hpp"
@@ -54,8 +54,8 @@ std::vector<SweepPicture> sweep_pictures(const SweepResults& results, report::Fi
   const Plan& plan = results.plan;
   if (results.points.empty()) return {};
   const SweepView view(results, width);
-  const bool one_is_words = plan.axes.size() == 2 && plan.design == Design::product &&
-                            KeyAxis(plan, 0).is_words() != KeyAxis(plan, 1).is_words();
+  const bool one_is_words = plan.axes.size() == 2 && plan.design == PlanDesign::product &&
+                            KeyAxis(plan, 0).has_words() != KeyAxis(plan, 1).has_words();
   if (plan.axes.size() == 1 || one_is_words) return curves(view);
   if (!view.has_distances()) return {};
   if (plan.axes.size() == 2) return {map(view)};
@@ -71,7 +71,7 @@ std::vector<std::string> draw_sweep(const std::filesystem::path& figures,
                                     const std::string& gnuplot) {
   std::filesystem::create_directories(figures);
   for (const char* stem : {kDistances, kMoments, kMap, kScatter}) {
-    report::remove_pictures_of(figures, stem);
+    report::remove_script_and_pictures(figures, stem);
   }
   for (const auto& picture : pictures) {
     base::write_file(figures / (picture.stem + ".gp"), picture.script);

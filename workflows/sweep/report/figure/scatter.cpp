@@ -34,7 +34,7 @@ double median_of(std::vector<double> values) {
 class BinnedKey {
  public:
   BinnedKey(const Plan& plan, std::size_t place) : axis_(plan, place), place_(place) {
-    if (axis_.is_words() || axis_.values().size() <= kMaxBins) return;
+    if (axis_.has_words() || axis_.values().size() <= kMaxBins) return;
     low_ = scaled(axis_.values().front());
     high_ = scaled(axis_.values().back());
     sections_ = std::clamp<std::size_t>(plan.points.size() / 10, 3, kMaxBins);
@@ -46,7 +46,7 @@ class BinnedKey {
     return sections_ == 0 || points >= kMinPointsForMedian;
   }
   std::size_t bin(const base::Value& value) const {
-    if (sections_ == 0) return axis_.cell_of(value);
+    if (sections_ == 0) return axis_.cell_index(value);
     const double part = (scaled(value) - low_) / (high_ - low_);
     return std::min(sections_ - 1, static_cast<std::size_t>(part * static_cast<double>(sections_)));
   }
@@ -117,7 +117,7 @@ std::string distance_range(const SweepView& view) {
 std::string scatter_script(const SweepView& view, const std::string& file_stem) {
   const Plan& plan = view.plan();
   const auto methods = view.compared_methods();
-  std::vector<transform::Identity> identities;
+  std::vector<transform::SolutionIdentity> identities;
   for (const std::size_t m : methods) identities.push_back(plan.methods[m].identity);
   const auto looks = report::series_styles(identities);
   const double size = view.results().points.size() > 200 ? 0.35 : 0.6;
@@ -147,23 +147,23 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
     std::vector<std::string> points, medians;
     for (std::size_t k = 0; k < methods.size(); ++k) {
       const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(methods.size());
-      const double offset = key.axis().is_words() ? kWordSpread * (part - 0.5) : 0;
+      const double offset = key.axis().has_words() ? kWordSpread * (part - 0.5) : 0;
       data += blocks(view, key, methods[k], offset, looks[k]);
       points.push_back(fmt::format(
           "$points_{}_{} using 1:2:3 with points lc rgb '{}' lw 1 pt variable ps {} notitle", place,
           methods[k], looks[k].colour, size));
       medians.push_back(fmt::format(
           "$median_{}_{} using 1:2 with {} lc rgb '{}' lw 2.5 notitle", place, methods[k],
-          key.axis().is_words() ? fmt::format("points pt {} ps 1.5", looks[k].filled)
-                                : "lines dt " + looks[k].dash,
+          key.axis().has_words() ? fmt::format("points pt {} ps 1.5", looks[k].filled)
+                                 : "lines dt " + looks[k].dash,
           looks[k].colour));
     }
-    panels += report::margin_commands(grid.place(place)) + "unset logscale x\n" +
+    panels += report::panel_position_commands(grid.panel_box(place)) + "unset logscale x\n" +
               key.axis().commands('x') +
               fmt::format("plot {}, \\\n     {}\n\n", fmt::join(points, ", \\\n     "),
                           fmt::join(medians, ", \\\n     "));
   }
-  return report::output_commands(file_stem, grid.size()) + data +
+  return report::gnuplot_output_commands(file_stem, grid.size()) + data +
          "\nset tics out nomirror\nset border 3\nset grid ytics lc rgb '#DDDDDD' lt 1 lw 0.6\n"
          "unset key\n" +
          std::string(PanelGrid::kLabels) +
@@ -171,7 +171,7 @@ std::string scatter_script(const SweepView& view, const std::string& file_stem) 
          distance_range(view) +
          fmt::format("set ylabel {}\n",
                      report::gnuplot_text("larger {/:Italic L}_1 distance of both")) +
-         view.title().command + panels + report::legend_strip(legend, grid.size()) +
+         view.title().command + panels + report::legend_strip_commands(legend, grid.size()) +
          "unset multiplot\nunset output\n";
 }
 

@@ -20,8 +20,8 @@ std::vector<std::string> fixed_parameter_list(const Plan& plan) {
     if (parameter.is_default || std::ranges::count(plan.axes, key, &Axis::key) > 0) continue;
     const bool is_number = std::holds_alternative<double>(parameter.value);
     list.push_back(
-        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::text_of(parameter.value))
-                  : KeyAxis::text_of(parameter.value) + " impulses");
+        is_number ? fmt::format("{} = {}", parameter.typeset, KeyAxis::value_text(parameter.value))
+                  : KeyAxis::value_text(parameter.value) + " impulses");
   }
   return list;
 }
@@ -33,25 +33,25 @@ SweepView::SweepView(const SweepResults& results, report::FigureWidth width)
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
-const MethodResult* SweepView::method(std::size_t number, std::size_t m) const {
-  const PointResult* found = point(number);
+const MethodResult* SweepView::method_result(std::size_t number, std::size_t m) const {
+  const PointResult* found = point_result(number);
   return found == nullptr ? nullptr : &found->methods[m];
 }
 
 bool SweepView::is_reference(std::size_t number, std::size_t m) const {
-  const PointResult* found = point(number);
+  const PointResult* found = point_result(number);
   return found != nullptr && found->reference == plan().methods[m].id();
 }
 
-std::optional<MarginalPair> SweepView::reference_error(std::size_t number) const {
+std::optional<MarginalL1Pair> SweepView::reference_error(std::size_t number) const {
   for (std::size_t m = 0; m < plan().methods.size(); ++m) {
-    if (is_reference(number, m)) return method(number, m)->error;
+    if (is_reference(number, m)) return method_result(number, m)->error;
   }
   return std::nullopt;
 }
 
 std::optional<double> SweepView::larger_l1(std::size_t number, std::size_t m) const {
-  const MethodResult* found = method(number, m);
+  const MethodResult* found = method_result(number, m);
   if (found == nullptr || !found->l1 || is_reference(number, m)) return std::nullopt;
   const double l1 = std::max(found->l1->y, found->l1->ydot);
   if (!std::isfinite(l1)) return std::nullopt;

@@ -20,11 +20,11 @@ class SweepView {
   const Plan& plan() const { return results_.plan; }
 
   /// The result of a point; a null pointer if the point was not solved.
-  const PointResult* point(std::size_t number) const { return by_number_[number]; }
-  const MethodResult* method(std::size_t number, std::size_t m) const;
+  const PointResult* point_result(std::size_t number) const { return by_number_[number]; }
+  const MethodResult* method_result(std::size_t number, std::size_t m) const;
   bool is_reference(std::size_t number, std::size_t m) const;
   /// The error estimate of the reference of a point; empty if the reference has no error estimate.
-  std::optional<MarginalPair> reference_error(std::size_t number) const;
+  std::optional<MarginalL1Pair> reference_error(std::size_t number) const;
   /// The larger of the L1 distances of both marginal densities to the point's reference.
   std::optional<double> larger_l1(std::size_t number, std::size_t m) const;
 

@@ -31,7 +31,7 @@ std::size_t end_of_number(const std::string& text, std::size_t at) {
 
 }  // namespace
 
-std::string without_numbers(const std::string& reason) {
+std::string replace_numbers(const std::string& reason) {
   std::string text;
   for (std::size_t at = 0; at < reason.size();) {
     const bool in_word = at > 0 && (is_letter(reason[at - 1]) || is_digit(reason[at - 1]));
@@ -52,7 +52,7 @@ std::vector<ReasonGroup> reason_groups(const SweepResults& results) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const auto& [status, reason] = std::tie(point.methods[m].status, point.methods[m].reason);
       if (status == transform::Status::ok) continue;
-      auto& group = found[{m, status, without_numbers(reason)}];
+      auto& group = found[{m, status, replace_numbers(reason)}];
       if (group.count++ == 0) {
         group = {.method = m, .status = status, .count = 1, .point = point.point, .reason = reason};
       }

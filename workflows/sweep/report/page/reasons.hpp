@@ -23,6 +23,6 @@ std::vector<ReasonGroup> reason_groups(const SweepResults& results);
 
 /// Replaces the numbers in a reason by dots: "residual ... after ... steps". Numbers within words
 /// ("km4") are not replaced.
-std::string without_numbers(const std::string& reason);
+std::string replace_numbers(const std::string& reason);
 
 }  // namespace fpkcheck::sweep

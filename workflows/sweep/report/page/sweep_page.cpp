@@ -17,8 +17,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using report::element;
 using report::escape_html;
+using report::html_element;
 
 // CSS rules in addition to the style of a run's page. On a narrow screen a picture scrolls instead
 // of shrinking.
@@ -43,13 +43,13 @@ std::string axis_sentence(const Axis& axis) {
                            axis.to, axis.values.size(), how);
 }
 
-const char* design_text(Design design) {
+const char* design_text(PlanDesign design) {
   switch (design) {
-    case Design::product:
+    case PlanDesign::product:
       return "every value with every other";
-    case Design::list:
+    case PlanDesign::list:
       return "the k-th values of all keys together";
-    case Design::sobol:
+    case PlanDesign::sobol:
       return "points of a Sobol sequence";
   }
   return "";
@@ -61,7 +61,7 @@ std::string introduction(const SweepResults& results) {
   for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
   std::string text =
       fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
-  if (plan.axes.size() > 1 || plan.design == Design::sobol) {
+  if (plan.axes.size() > 1 || plan.design == PlanDesign::sobol) {
     text += fmt::format("; design: {}", design_text(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", plural(plan.points.size(), "point"),
@@ -86,26 +86,27 @@ std::string methods_table(const SweepResults& results) {
     columns.push_back({header, column.left_aligned ? report::Align::left : report::Align::right,
                        std::move(column.cells)});
   }
-  return report::table_html("Methods", std::move(columns)) + element("p", method_columns_legend());
+  return report::table_html("Methods", std::move(columns)) +
+         html_element("p", method_columns_legend());
 }
 
-std::string pictures_html(const std::vector<PagePicture>& pictures) {
+std::string pictures_html(const std::vector<EmbeddedPicture>& pictures) {
   std::string html;
   for (const auto& picture : pictures) {
     html += fmt::format(
         "<figure>\n<div class=\"picture\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><img "
         "alt=\"{0}\" src=\"data:{1};base64,{2}\"></div>\n<figcaption>{0}</figcaption>\n</figure>\n",
         escape_html(picture.caption), picture.media_type,
-        report::base64(std::as_bytes(std::span(picture.bytes))));
+        report::encode_base64(std::as_bytes(std::span(picture.bytes))));
   }
-  return html.empty() ? html : element("h2", "Pictures") + html;
+  return html.empty() ? html : html_element("h2", "Pictures") + html;
 }
 
 std::string example_text(const Plan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < plan.axes.size(); ++k) {
     values.push_back(
-        fmt::format("{} = {}", plan.axes[k].key, KeyAxis::text_of(plan.points[point][k])));
+        fmt::format("{} = {}", plan.axes[k].key, KeyAxis::value_text(plan.points[point][k])));
   }
   return fmt::format("{}", fmt::join(values, ", "));
 }
@@ -114,7 +115,8 @@ std::string reasons_html(const SweepResults& results) {
   constexpr std::size_t kMaxReasons = 40;
   const auto groups = reason_groups(results);
   if (groups.empty()) return "";
-  std::string html = element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
+  std::string html =
+      html_element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
   for (std::size_t k = 0; k < std::min(kMaxReasons, groups.size()); ++k) {
     const ReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
@@ -132,7 +134,7 @@ std::string reasons_html(const SweepResults& results) {
 
 }  // namespace
 
-std::string sweep_page(const SweepResults& results, const std::vector<PagePicture>& pictures,
+std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPicture>& pictures,
                        const std::string& command) {
   const std::string title = "fpkcheck: a sweep of " + results.plan.base.name;
   const std::string fixed = fixed_parameters(results.plan);
@@ -145,9 +147,9 @@ std::string sweep_page(const SweepResults& results, const std::vector<PagePictur
       "{}<style>\n{}{}</style>\n</head>\n<body>\n<main>\n{}{}{}{}{}{}"
       "<h2>How to repeat this</h2>\n<pre><code>{}</code></pre>\n"
       "<p>All numbers: sweep.csv, sweep.nc.</p>\n</main>\n</body>\n</html>\n",
-      element("title", title), report::page_style(), kPictureStyle, element("h1", title),
-      element("p", introduction(results)),
-      fixed.empty() ? "" : element("p", fmt::format("The same at all points: {}.", fixed)),
+      html_element("title", title), report::page_style(), kPictureStyle, html_element("h1", title),
+      html_element("p", introduction(results)),
+      fixed.empty() ? "" : html_element("p", fmt::format("The same at all points: {}.", fixed)),
       methods_table(results), pictures_html(pictures), reasons_html(results), escape_html(command));
 }
 

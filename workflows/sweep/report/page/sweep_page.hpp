@@ -9,7 +9,7 @@
 namespace fpkcheck::sweep {
 
 /// A drawn figure that is embedded in a page.
-struct PagePicture {
+struct EmbeddedPicture {
   std::string caption;
   std::string media_type;  ///< e.g. "image/svg+xml"
   std::string bytes;
@@ -18,7 +18,7 @@ struct PagePicture {
 /// The self-contained page of a sweep, the contents of report.html: varied parameters, methods,
 /// figures, and the reasons of solutions that are not ok.
 /// @param command command line of the sweep
-std::string sweep_page(const SweepResults& results, const std::vector<PagePicture>& pictures,
+std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPicture>& pictures,
                        const std::string& command);
 
 }  // namespace fpkcheck::sweep

@@ -1,0 +1,136 @@
+#include "backward/bounds/bounds_from_grid.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <thread>
+
+#include "backward/bounds/functional_enclosure.hpp"
+#include "backward/bounds/outer_residual.hpp"
+#include "backward/bounds/residual_range.hpp"
+#include "backward/generator/least_squares.hpp"
+#include "backward/generator/velocity_samples.hpp"
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr int kPointsPerCell = 4;
+constexpr double kRangeTolerance =
+    0.03;  // relative tolerance of the residual range (docs/bounds.md)
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<double> integrand_breaks(Axis axis, const std::vector<Functional>& functionals) {
+  std::vector<double> points;
+  for (const Functional& f : functionals) {
+    if (axis_of(f) != axis) continue;
+    const std::vector<double> own = non_smooth_points(f);
+    points.insert(points.end(), own.begin(), own.end());
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+// Bounds of E[f]: U + least E[tau] <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
+numerics::Enclosure mean_enclosure(double mean, const ResidualRange& range, double outside,
+                                   const ResidualWeight& weight) {
+  const numerics::Interval tau = weight.mean_bound;
+  // A range with NaN or infinity gives no bound.
+  if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
+    return {-HUGE_VAL, HUGE_VAL};
+  }
+  const double least = std::min(range.least, -outside), largest = std::max(range.largest, outside);
+  return {(numerics::Interval(mean) + numerics::Interval(least) * tau).lower(),
+          (numerics::Interval(mean) + numerics::Interval(largest) * tau).upper()};
+}
+
+// Calls work(0) .. work(count - 1) on several threads.
+void parallel_for(int count, int threads, const std::function<void(int)>& work) {
+  std::atomic<int> next = 0;
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
+  const auto worker = [&] {
+    for (int i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(worker);
+    worker();
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace
+
+std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& problem,
+                                                  const ResidualWeight& weight,
+                                                  const SplineGrid& grid,
+                                                  const std::vector<Functional>& functionals,
+                                                  int threads, SplineGridReport* report) {
+  const double begun = now();
+  const numerics::SplineBasis displacement = displacement_basis(grid, weight, problem.system);
+  const BoxEnds ends = box_ends(displacement, problem.system);
+  const ImpactBasis velocity = velocity_basis(grid, weight, problem.system.restitution());
+  const std::vector<double> y_cuts = integrand_breaks(Axis::displacement, functionals),
+                            v_cuts = integrand_breaks(Axis::velocity, functionals);
+  const VelocityOperators v_operators = numerics::call_with_upward_rounding(
+      [&] { return velocity_operators(problem, velocity, v_cuts); });
+  const DisplacementOperators y_operators = numerics::call_with_upward_rounding(
+      [&] { return displacement_operators(problem, displacement, y_cuts); });
+  const double tabulated = now();
+
+  const DisplacementSamples y = displacement_samples(displacement, kPointsPerCell);
+  const VelocitySamples v = velocity_samples(v_operators, velocity, kPointsPerCell);
+  std::vector<std::function<double(double, double)>> integrands;
+  for (const Functional& f : functionals) {
+    integrands.emplace_back(
+        [&](double at, double speed) { return integrand(f, problem, at, speed); });
+  }
+  const BackwardSolutions solutions = solve_backward_equations(
+      {problem, displacement, velocity, y, v,
+       [&](double at, double speed) {
+         return 1 / (1 + std::pow(weight.energy(at, speed) / weight.scale, weight.power / 2.0));
+       },
+       [&](double at, double speed) { return 1 / weight(at, speed); }, ends.left_wall,
+       ends.right_wall},
+      integrands);
+  const double fitted = now();
+
+  const CertificateCheckInputs context{problem,     displacement, velocity, y_operators,
+                                       v_operators, weight,       ends};
+  const int count = static_cast<int>(functionals.size());
+  std::vector<numerics::Enclosure> bounds(functionals.size());
+  std::vector<SplineGridReport::FunctionalResidual> each(functionals.size());
+  parallel_for(count, threads, [&](int i) {
+    numerics::call_with_upward_rounding([&] {
+      const Certificate certificate{solutions.coefficients[i], solutions.means[i]};
+      const ResidualRange range = residual_range(context, functionals[i], certificate,
+                                                 solutions.residual_extremes[i], kRangeTolerance);
+      const double outside = outer_residual_bound(context, functionals[i], certificate);
+      bounds[i] = enclose_functional(functionals[i], problem,
+                                     mean_enclosure(certificate.mean, range, outside, weight));
+      each[i] = {certificate.mean, range.least, range.largest, outside, range.boxes};
+      return 0;
+    });
+  });
+  if (report != nullptr) {
+    *report = {displacement.size() * velocity.size() -
+                   (ends.left_wall + ends.right_wall) * velocity.centre_index(),
+               tabulated - begun, fitted - tabulated, now() - fitted, std::move(each)};
+  }
+  return bounds;
+}
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problem/problem.hpp"
+
+namespace fpkcheck::backward {
+
+/// The weight tau = 1 + (G / h0)^m of the residuals, docs/bounds.md:
+///
+///     G = (v + c y/2)^2/2 + (k - c^2/4) y^2/2 + mu y^4/4.
+///
+/// G decreases along the flow (G' <= -c G), at impacts on a left wall at y <= 0 and at impacts on a
+/// right wall at y >= 0. With E[G^j] <= M_j and h0 = (4 M_m)^(1/m), E[tau] <= 1.25.
+struct ResidualWeight {
+  double damping, stiffness, cubic;  ///< c, k, mu
+  int power;                         ///< m
+  double scale;                      ///< h0
+  double mean_bound;                 ///< upper bound of E[tau]
+
+  /// Values of G and of tau at (y, v), rounded to nearest.
+  double energy(double y, double v) const;
+  double operator()(double y, double v) const;
+};
+
+/// The reason why no bounds can be computed for a problem, in one line. Empty if the problem is
+/// supported.
+std::string bounds_unsupported_reason(const problem::Problem& problem);
+
+/// Upper bounds M_j of E[G^j], j = 0 .. `power`.
+/// @pre bounds_unsupported_reason(problem) is empty
+std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power);
+
+/// The weight tau with the exponent m = `power`.
+/// @pre bounds_unsupported_reason(problem) is empty
+ResidualWeight residual_weight(const problem::Problem& problem, int power);
+
+}  // namespace fpkcheck::backward

@@ -1,0 +1,105 @@
+#include "backward/bounds/spline_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace fpkcheck::backward {
+namespace {
+
+constexpr double kLeastCellFraction = 3e-2;
+
+}  // namespace
+
+numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                                         const problem::System& system) {
+  // (k - c^2/4) y^2/2 + mu y^4/4 = edge h0
+  const double a = weight.cubic / 4,
+               b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
+  const double energy = grid.edge * weight.scale;
+  const double y = std::sqrt(2 * energy / (b + std::sqrt(b * b + 4 * a * energy)));
+  const double begin = system.left_wall() ? std::max(-y, system.left_wall()->position) : -y;
+  const double end = system.right_wall() ? std::min(y, system.right_wall()->position) : y;
+  if (begin == 0 && end == y) {
+    return numerics::SplineBasis(
+        numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
+  }
+  // V is not smooth along the orbits that graze a wall. These orbits cross the whole phase plane,
+  // so the cells are graded little.
+  const double width = end - begin;
+  const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
+  std::vector<double> breaks =
+      numerics::graded_breaks(width, cells, kLeastCellFraction * width, grid.even * width);
+  if (begin == -y) {  // no left wall: uniform cells
+    for (std::size_t n = 0; n < breaks.size(); ++n) {
+      breaks[n] = width * static_cast<double>(n) / cells;
+    }
+  }
+  for (double& at : breaks) at += begin;
+  breaks.front() = begin;
+  breaks.back() = end;
+  return numerics::SplineBasis(std::move(breaks));
+}
+
+BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system) {
+  const double begin = displacement.breaks().front(), end = displacement.end();
+  return {.left_wall = system.left_wall().has_value(),
+          .right_wall = system.right_wall().has_value(),
+          .left_open = !system.left_wall() || system.left_wall()->position < begin,
+          .right_open = !system.right_wall() || system.right_wall()->position > end};
+}
+
+ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
+                           double restitution) {
+  // Without losses v^2/2 = edge h0 at v = -u. With losses the box is larger, so that G is not small
+  // at its outgoing edge v = r u either.
+  const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
+  return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
+                                                                   grid.finest * u, grid.even * u)),
+                     restitution);
+}
+
+WidthLimitingFeature width_limiting_feature(const Functional& functional) {
+  if (!non_smooth_points(functional).empty()) return WidthLimitingFeature::knots;
+  const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
+  return mean != nullptr && mean->power > 2 ? WidthLimitingFeature::tails
+                                            : WidthLimitingFeature::origin;
+}
+
+std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
+  // V has a conical point at the origin. Smaller cells there reduce the error as long as the cells
+  // at the origin dominate the error. Beyond the last grid the normal equations lose more digits
+  // than smaller cells gain.
+  static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
+                                           {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
+                                           {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
+                                           {72, 72, 2.5e-6, 0.15, 8}};
+  // For higher powers the normal equations lose digits already on coarser grids. The last grids of
+  // the sequence kTails therefore have wider cells at the origin and a larger box.
+  static constexpr SplineGrid kTails[] = {kOrigin[0],
+                                          kOrigin[1],
+                                          kOrigin[2],
+                                          kOrigin[3],
+                                          kOrigin[4],
+                                          {56, 56, 6e-5, 0.1, 9.5},
+                                          {64, 64, 3e-5, 0.12, 9.5}};
+  // The flow transports the knots of a bin through the whole phase plane, so the cells are graded
+  // little.
+  static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
+                                          {28, 40, 3e-2, 0.1, 6},
+                                          {36, 50, 3e-2, 0.1, 6},
+                                          {50, 70, 2e-2, 0.1, 6},
+                                          {64, 90, 1e-2, 0.1, 6}};
+  switch (limit) {
+    case WidthLimitingFeature::origin:
+      return kOrigin;
+    case WidthLimitingFeature::tails:
+      return kTails;
+    default:
+      return kKnots;
+  }
+}
+
+}  // namespace fpkcheck::backward

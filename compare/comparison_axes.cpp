@@ -1,0 +1,107 @@
+#include "compare/comparison_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "problem/features.hpp"
+#include "problem/scales.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+// A bin of y' has a tenth of a standard deviation as its width, a bin of y a twentieth. The density
+// is nearly linear over bins of these widths.
+constexpr int kBins = 140;
+constexpr int kDivisions = 3;
+constexpr double kDivisionRatio = 4;
+
+std::vector<double> make_uniform_bins(double from, double to) {
+  std::vector<double> edges;
+  for (int k = 0; k <= kBins; ++k) edges.push_back(from + (to - from) * k / kBins);
+  edges.back() = to;
+  return edges;
+}
+
+// Edges of bins over [0, end], or over [-end, end] if `symmetric`. Symmetric edges are equal in
+// magnitude to the last digit. The middle edge is exactly 0, where p(y, y') is discontinuous in y'
+// at the wall.
+std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
+  std::vector<double> edges;
+  const double width = end * (symmetric ? 2 : 1) / kBins;
+  const auto divide = [&](int side, int d) {
+    edges.push_back(side * width / std::pow(kDivisionRatio, d));
+  };
+  for (int k = 0; k <= kBins; ++k) {
+    const int steps = symmetric ? 2 * k - kBins : k;
+    for (int d = 1; steps == 0 && symmetric && d <= divisions; ++d) divide(-1, d);
+    edges.push_back(end * steps / kBins);
+    for (int d = divisions; steps == 0 && d >= 1; --d) divide(1, d);
+  }
+  return edges;
+}
+
+std::vector<double> undivided_edges(const std::vector<double>& edges, int divisions) {
+  const auto zero = std::ranges::find(edges, 0.0) - edges.begin();
+  std::vector<double> even;
+  for (std::ptrdiff_t k = 0; k < std::ssize(edges); ++k) {
+    const auto from_zero = std::abs(k - zero);
+    if (from_zero == 0 || from_zero > divisions) even.push_back(edges[static_cast<std::size_t>(k)]);
+  }
+  return even;
+}
+
+}  // namespace
+
+ComparisonAxes comparison_axes(const problem::Problem& problem) {
+  const auto scales = problem::scales(problem);
+  if (!problem::is_paper_oscillator(problem)) {
+    return {make_uniform_bins(scales.y_low, scales.y_high),
+            make_divided_bins(scales.v_high, true, 0), 0};
+  }
+  const int divisions = problem::impulses_per_decay_time(problem, scales) < 1 ? kDivisions : 0;
+  return {make_divided_bins(scales.y_high, false, divisions),
+          make_divided_bins(scales.v_high, true, divisions), divisions};
+}
+
+const std::vector<double>& bin_edges(const ComparisonAxes& axes, transform::Variable variable) {
+  return variable == transform::Variable::y ? axes.y_edges : axes.v_edges;
+}
+
+ComparisonAxes uniform_axes(const ComparisonAxes& axes) {
+  return {undivided_edges(axes.y_edges, axes.divisions),
+          undivided_edges(axes.v_edges, axes.divisions)};
+}
+
+transform::Marginal merge_divided_bins(const ComparisonAxes& axes, transform::Variable variable,
+                                       const transform::Marginal& marginal) {
+  if (axes.divisions == 0) return marginal;
+  transform::Marginal even{bin_edges(uniform_axes(axes), variable), {}, {}, {}};
+  // Half-width of the confidence interval of the mass in a merged bin: the root of the sum of the
+  // squared half-widths of its parts.
+  const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
+                                       std::size_t to) {
+    double sum = 0;
+    for (std::size_t k = from; k < to; ++k) {
+      sum += std::pow((ends[k] - marginal.density[k]) * marginal.width(k), 2);
+    }
+    return std::sqrt(sum);
+  };
+  std::size_t part = 0;
+  for (std::size_t b = 0; b + 1 < even.edges.size(); ++b) {
+    const std::size_t first = part;
+    const double width = even.width(b);
+    double mass = 0;
+    for (; part < marginal.size() && marginal.edges[part] < even.edges[b + 1]; ++part) {
+      mass += marginal.density[part] * marginal.width(part);
+    }
+    even.density.push_back(mass / width);
+    if (marginal.lower.empty()) continue;
+    even.lower.push_back((mass - interval_half_width(marginal.lower, first, part)) / width);
+    even.upper.push_back((mass + interval_half_width(marginal.upper, first, part)) / width);
+  }
+  return even;
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,154 @@
+#include "compare/model_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compare/smooth_reference.hpp"
+
+namespace fpkcheck::compare {
+namespace {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Marginal;
+using transform::Solution;
+using transform::SolutionRole;
+using transform::Variable;
+
+const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const std::string& id,
+                              Variable variable) {
+  for (const auto& candidate : marginals) {
+    if (candidate.solution != id || candidate.variable != variable) continue;
+    const bool finite =
+        std::ranges::all_of(candidate.marginal.density, [](double p) { return std::isfinite(p); });
+    return finite ? &candidate.marginal : nullptr;
+  }
+  return nullptr;
+}
+
+/// Builds a chain of models, model by model. Collects the approximations since the last model that
+/// was appended, for the next model.
+class ModelChainBuilder {
+ public:
+  ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,
+                    std::span<const SolutionMarginal> marginals, Variable variable)
+      : edges_(bin_edges(uniform_axes(axes), variable)),
+        solutions_(solutions),
+        marginals_(marginals),
+        variable_(variable),
+        smooth_reference_(find_smooth_reference(solutions)) {}
+
+  void append_closure(const Solution& closure, const Marginal& marginal) {
+    nodes_.push_back({closure.id(), {}, marginal, 0.0});
+  }
+
+  void append_discretised_equation(Approximation approximation, Equation equation, Impact impact) {
+    pending_approximations_.push_back(approximation);
+    for (const auto& s : solutions_) {
+      const auto& identity = s.identity;
+      if (identity.role != SolutionRole::equation || identity.equation != equation ||
+          identity.impact != impact) {
+        continue;
+      }
+      if (const auto* m = usable_marginal(s)) {
+        append_model({s.id(), {}, *m, discretisation_error(s)});
+        if (equation == Equation::kf && impact == Impact::map) full_equation_ = &s;
+        return;
+      }
+    }
+  }
+
+  void append_grid_limit() {
+    pending_approximations_.push_back(Approximation::discretisation);
+    if (smooth_reference_ != nullptr || !full_equation_ || !full_equation_->extrapolation) return;
+    append_model({full_equation_->id() + std::string(kGridLimitSuffix),
+                  {},
+                  grid_limit_marginal(*full_equation_),
+                  0.0});
+  }
+
+  void append_simulation() {
+    if (smooth_reference_ == nullptr) pending_approximations_.push_back(Approximation::sampling);
+    // Without a solution of a density equation, no part of the budget is a discretisation error.
+    if (nodes_.size() == 1) std::erase(pending_approximations_, Approximation::discretisation);
+    for (const auto& s : solutions_) {
+      if (s.identity.role != SolutionRole::simulation || s.identity.equation != Equation::kf)
+        continue;
+      if (smooth_reference_ != nullptr && &s != smooth_reference_) continue;
+      if (const auto* m = usable_marginal(s)) {
+        append_model({s.id(),
+                      {},
+                      *m,
+                      std::nullopt,
+                      transform::best_sampling_error(s),
+                      transform::find_smooth_bin_estimate(s, variable_)});
+        has_simulation_ = true;
+        return;
+      }
+    }
+  }
+
+  std::vector<ChainModel> nodes() && {
+    return full_equation_ || has_simulation_ ? std::move(nodes_) : std::vector<ChainModel>{};
+  }
+
+ private:
+  const Marginal* usable_marginal(const Solution& solution) const {
+    return solution.is_ok() ? find_marginal(marginals_, solution.id(), variable_) : nullptr;
+  }
+
+  Marginal grid_limit_marginal(const Solution& solution) const {
+    return transform::richardson_limit_marginal(solution, variable_, edges_);
+  }
+
+  std::optional<double> discretisation_error(const Solution& s) const {
+    if (!s.extrapolation) return std::nullopt;
+    return distances(transform::marginal(s, variable_, edges_), grid_limit_marginal(s)).l1;
+  }
+
+  void append_model(ChainModel node) {
+    node.approximations = std::exchange(pending_approximations_, {});
+    nodes_.push_back(std::move(node));
+  }
+
+  std::vector<double> edges_;
+  std::span<const Solution> solutions_;
+  std::span<const SolutionMarginal> marginals_;
+  Variable variable_;
+  /// Smooth reference, whose smooth bins are the bins of all marginals; null if there is none.
+  const Solution* smooth_reference_;
+  std::vector<ChainModel> nodes_;
+  std::vector<Approximation> pending_approximations_;
+  const Solution* full_equation_ = nullptr;
+  bool has_simulation_ = false;
+};
+
+}  // namespace
+
+std::vector<ChainModel> model_chain(const ComparisonAxes& axes, std::span<const Solution> solutions,
+                                    std::span<const SolutionMarginal> marginals,
+                                    const Solution& closure, Variable variable) {
+  const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
+  if (!marginal) return {};
+  const Equation equation = closure.identity.equation.value_or(Equation::kf);
+  // A closure that reflects trajectories exactly solves the equation with the impact condition
+  // `map`.
+  const bool to_first_order = closure.identity.impact == Impact::delta;
+  const Impact impact = to_first_order ? Impact::delta : Impact::map;
+  ModelChainBuilder chain(axes, solutions, marginals, variable);
+  chain.append_closure(closure, *marginal);
+  chain.append_discretised_equation(Approximation::closure, equation, impact);
+  if (to_first_order)
+    chain.append_discretised_equation(Approximation::impact, equation, Impact::map);
+  if (equation != Equation::kf) {
+    chain.append_discretised_equation(
+        equation == Equation::white ? Approximation::white_noise : Approximation::truncation,
+        Equation::kf, Impact::map);
+  }
+  chain.append_grid_limit();
+  chain.append_simulation();
+  return std::move(chain).nodes();
+}
+
+}  // namespace fpkcheck::compare

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/comparison_axes.hpp"
+#include "compare/error_budget.hpp"
+#include "compare/pair_distances.hpp"
+#include "transform/solution.hpp"
+
+namespace fpkcheck::compare {
+
+/// Suffix of the id of a model that is the Richardson limit of a solution's grids: "fd-kf limit".
+inline constexpr std::string_view kGridLimitSuffix = " limit";
+
+/// One model in the chain of models from a closure to the reference, with the marginal of the model
+/// in one variable.
+struct ChainModel {
+  std::string id;  ///< id of a solution, or "fd-kf limit"
+  /// Approximations that the previous model makes and this model does not; empty for the closure.
+  std::vector<Approximation> approximations;
+  transform::Marginal marginal;  ///< marginal density of the model
+  /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
+  /// without a grid, and empty if unknown.
+  std::optional<double> discretisation_error;
+  std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
+  /// Smooth estimates of the smooth reference; null for other models.
+  const transform::SmoothBinEstimate* smooth = nullptr;
+};
+
+/// The chain of models from a closure to the reference. Each model makes one approximation less
+/// than the previous model (right column):
+///
+///     closure -> the closure's equation and impact, discretised        closure
+///             -> the same equation, exact impact                       impact
+///             -> full jump integral                                    truncation, white noise
+///             -> Richardson limit of its grids                         discretisation
+///             -> simulation                                            sampling
+///
+/// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginals of the chain
+/// are over smooth bins. The distance between the full jump integral and the simulation is then the
+/// measured discretisation error. The chain omits a model that is missing, not ok or equal to the
+/// previous model. The approximation of an omitted model is added to those of the next model. The
+/// last model is the simulation; without a simulation, the Richardson limit; without both, the
+/// finite-volume solution for the full jump integral.
+/// @param closure one of the solutions
+/// @return at least two models. The list is empty if the closure has no marginal, or if there is
+///         neither a simulation nor a finite-volume solution for the full jump integral
+std::vector<ChainModel> model_chain(const ComparisonAxes& axes,
+                                    std::span<const transform::Solution> solutions,
+                                    std::span<const SolutionMarginal> marginals,
+                                    const transform::Solution& closure,
+                                    transform::Variable variable);
+
+}  // namespace fpkcheck::compare

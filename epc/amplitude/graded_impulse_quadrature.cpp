@@ -1,0 +1,65 @@
+#include "epc/amplitude/graded_impulse_quadrature.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+namespace fpkcheck::epc::amplitude {
+namespace {
+
+constexpr double kPanel = 1.2;         // width of the widest panel, in standard deviations of Y
+constexpr double kFirstBreak = 1.5;    // break point nearest to velocity 0, in widths
+constexpr double kGrowth = 3;          // ratio of successive break points
+constexpr double kNegligible = 1e-18;  // probability below which a point is omitted
+
+}  // namespace
+
+GradedImpulseQuadrature::GradedImpulseQuadrature(const problem::ImpulseLaw& law)
+    : law_(law), pieces_(law.density_breakpoints()), atoms_(law.atoms()) {}
+
+const PostImpulseVelocities& GradedImpulseQuadrature::operator()(double v, double width) {
+  after_.v.clear();
+  after_.probability.clear();
+  for (const auto& [amplitude, probability] : atoms_) {
+    after_.v.push_back(v + amplitude);
+    after_.probability.push_back(probability);
+  }
+  if (pieces_.empty()) return after_;
+
+  breaks_.clear();
+  for (const double piece : pieces_) breaks_.push_back(v + piece);
+  const double low = breaks_.front(), high = breaks_.back();
+  const auto add_break = [&](double at) {
+    if (at > low && at < high) breaks_.push_back(at);
+  };
+  add_break(0);
+  for (double at = kFirstBreak * width; at > 0 && at < law_.deviation(); at *= kGrowth) {
+    add_break(at);
+    add_break(-at);
+  }
+  std::ranges::sort(breaks_);
+  for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
+    const double step = breaks_[i + 1] - breaks_[i];
+    const int panels = static_cast<int>(std::ceil(step / (kPanel * law_.deviation())));
+    for (int k = 0; k < panels; ++k) {
+      add_panel(breaks_[i] + step * k / panels, breaks_[i] + step * (k + 1) / panels, v);
+    }
+  }
+  return after_;
+}
+
+void GradedImpulseQuadrature::add_panel(double from, double to, double v) {
+  using Rule = boost::math::quadrature::gauss<double, 8>;  // gives the positive abscissas
+  const double half = (to - from) / 2, centre = (from + to) / 2;
+  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+    for (const double side : {-1, 1}) {
+      const double at = centre + side * half * Rule::abscissa()[i];
+      const double probability = half * Rule::weights()[i] * law_.density(at - v);
+      if (probability < kNegligible) continue;
+      after_.v.push_back(at);
+      after_.probability.push_back(probability);
+    }
+  }
+}
+
+}  // namespace fpkcheck::epc::amplitude

@@ -1,0 +1,204 @@
+#include "epc/closed_form_density.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "base/input_error.hpp"
+#include "epc/contact/density.hpp"
+#include "epc/gaussian/density.hpp"
+#include "epc/moment/density.hpp"
+#include "epc/polar/density.hpp"
+#include "problem/frame.hpp"
+#include "transform/change_of_frame.hpp"
+#include "transform/panel_marginals.hpp"
+#include "transform/zhuravlev.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+using transform::SmoothDensity;
+
+const problem::Problem& require_problem(const problem::Problem* problem,
+                                        const ClosedFormParameters& frame) {
+  if (problem != nullptr) return *problem;
+  if (frame.variables == ExponentCoordinates::polar ||
+      frame.variables == ExponentCoordinates::contact) {
+    throw InputError(
+        fmt::format("coordinates \"{}\" depend on the oscillator: none was given; name its case",
+                    name(frame.variables)));
+  }
+  throw InputError("\"support.energy\" depends on the oscillator: none was given; name its case");
+}
+
+SmoothDensity density_in_plane(const ClosedForm& form) {
+  const auto& [q, frame] = form;
+  if (frame.deviations) {
+    const gaussian::DensitySupport support(q, *frame.deviations);
+    return gaussian::density_from_exponent(
+        q, support, frame.log_constant.value_or(gaussian::log_normalising_constant(support)));
+  }
+  const BoundingBox box = frame.box.value();
+  return transform::physical_density(
+      {.value =
+           [polynomial = q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
+             const bool inside = std::abs(x1) <= box.y_max && std::abs(x2) <= box.v_max;
+             return inside ? std::exp(polynomial(x1, x2) + constant) : 0;
+           },
+       .x1_max = box.y_max,
+       .x2_max = box.v_max});
+}
+
+SmoothDensity density_in_physical_variables(const ClosedForm& form,
+                                            const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  if (frame.deviations) {
+    const gaussian::DensitySupport support(q, *frame.deviations);
+    return gaussian::unfolded_density_from_exponent(
+        q, support, frame.log_constant.value_or(gaussian::log_normalising_constant(support)));
+  }
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return moment::density_from_exponent(
+        q, moment::EnergyDomain(require_problem(problem, frame), frame.support), {frame.level},
+        constant);
+  }
+  const BoundingBox box = frame.box.value();
+  return {.value =
+              [polynomial = q, box, constant](double y, double v) {
+                const bool inside = y >= box.y_min && y <= box.y_max && std::abs(v) <= box.v_max;
+                return inside ? std::exp(polynomial(y, v) + constant) : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max,
+          .y_min = box.y_min};
+}
+
+SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  const polar::Coordinates coordinates(require_problem(problem, frame));
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return polar::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
+  }
+  const BoundingBox box = frame.box.value();
+  return {.value =
+              [polynomial = q, coordinates, box, constant](double y, double v) {
+                const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
+                return inside ? std::exp(polynomial(coordinates.amplitude_of(y, v),
+                                                    coordinates.phase_of(y, v)) +
+                                         constant)
+                              : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max};
+}
+
+contact::Coordinates contact_coordinates(const problem::Problem& problem) {
+  if (contact::is_pressed_on_one_wall(problem)) return contact::Coordinates(problem);
+  throw InputError(
+      "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
+      "has none; name its case");
+}
+
+SmoothDensity density_in_contact_variables(const ClosedForm& form,
+                                           const problem::Problem* problem) {
+  const auto& [q, frame] = form;
+  const auto coordinates = contact_coordinates(require_problem(problem, frame));
+  const double constant = frame.log_constant.value_or(0);
+  if (std::isfinite(frame.support)) {
+    return contact::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
+  }
+  const BoundingBox box = frame.box.value();
+  const double far = std::numeric_limits<double>::infinity();
+  return {.value =
+              [whole = contact::density_from_exponent(q, coordinates, far, {frame.level}, constant),
+               box](double y, double v) {
+                return y <= box.y_max && std::abs(v) <= box.v_max ? whole.value(y, v) : 0;
+              },
+          .y_max = box.y_max,
+          .v_max = box.v_max};
+}
+
+SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem::Problem* problem) {
+  switch (form.frame.variables) {
+    case ExponentCoordinates::plane:
+      return density_in_plane(form);
+    case ExponentCoordinates::physical:
+      return density_in_physical_variables(form, problem);
+    case ExponentCoordinates::polar:
+      return density_in_polar_variables(form, problem);
+    case ExponentCoordinates::contact:
+      return density_in_contact_variables(form, problem);
+  }
+  return {};
+}
+
+// The problem in the coordinates of the form; empty if the caller gave no problem.
+std::optional<problem::Problem> problem_in_coordinates(const problem::Frame& coordinates,
+                                                       const problem::Problem* problem) {
+  if (problem == nullptr) return std::nullopt;
+  if (coordinates.is_identity() || problem->frame == coordinates) return *problem;
+  if (problem::wall_frame(problem->system) == coordinates) {
+    return problem::to_wall_coordinates(coordinates, *problem);
+  }
+  throw InputError(
+      fmt::format("\"frame.origin\" = {:g}: the oscillator has no wall there; name the case of "
+                  "the solution",
+                  coordinates.origin));
+}
+
+// Integral of the density of a form without a constant C, including the atom of the density.
+double mass_of(const ClosedForm& form, const problem::Problem* problem,
+               const SmoothDensity& density) {
+  if (form.frame.variables != ExponentCoordinates::contact) {
+    return transform::panel_marginals(density, density.y_max, density.v_max,
+                                      transform::PanelSpacing::graded)
+        .mass;
+  }
+  return transform::mass(contact::average_on_graded_cells(density)) +
+         contact_coordinates(*problem).atom_weight() * std::exp(form.q(0, 0));
+}
+
+bool has_support(const ClosedFormParameters& frame) {
+  return frame.deviations || std::isfinite(frame.support) || frame.box;
+}
+
+}  // namespace
+
+bool is_normalised(const ClosedForm& form) {
+  return form.frame.log_constant || has_support(form.frame);
+}
+
+SmoothDensity density_of_closed_form(const ClosedForm& form, const problem::Problem* problem) {
+  ClosedForm whole = form;
+  ClosedFormParameters& frame = whole.frame;
+  const auto converted = problem_in_coordinates(frame.coordinates, problem);
+  const problem::Problem* form_problem = converted ? &*converted : nullptr;
+  const auto on_physical_axes = [&](SmoothDensity density) {
+    return std::get<SmoothDensity>(
+        transform::to_physical_coordinates(frame.coordinates, std::move(density)));
+  };
+  const bool bounded = has_support(frame);
+  if (!bounded) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    frame.box = BoundingBox{kFar, kFar};
+  }
+  SmoothDensity result = density_in_form_coordinates(whole, form_problem);
+  if (frame.log_constant || frame.deviations || !bounded) {
+    return on_physical_axes(std::move(result));
+  }
+  const double mass = mass_of(whole, form_problem, result);
+  if (!(mass > 0) || !std::isfinite(mass)) {
+    throw InputError(
+        fmt::format("the integral over the support is {:g} (must be positive and finite)", mass));
+  }
+  frame.log_constant = -std::log(mass);
+  return on_physical_axes(density_in_form_coordinates(whole, form_problem));
+}
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,138 @@
+#include "epc/contact/store_density.hpp"
+
+#include <cmath>
+
+#include "epc/amplitude/graded_impulse_quadrature.hpp"
+#include "epc/amplitude/half_circle.hpp"
+#include "epc/contact/density.hpp"
+#include "problem/energy_balance.hpp"
+#include "problem/motion_balances.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::contact {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using half_plane::QuadraturePoints;
+
+// Discrete law for expectations: points and their probabilities. The last point is the atom.
+struct DiscreteLaw {
+  QuadraturePoints points;
+  VectorXd mass;
+
+  double at_rest() const { return mass[mass.size() - 1]; }
+  template <class Function>
+  double mean(const Function& g) const {
+    double sum = 0;
+    for (Index i = 0; i < mass.size(); ++i) sum += mass[i] * g(points.y[i], points.v[i]);
+    return sum;
+  }
+};
+
+DiscreteLaw discrete_law_of(const Coordinates& coordinates,
+                            const half_plane::RootSearchResult& root,
+                            const transform::SmoothDensity& density) {
+  const half_plane::ClosureDensity& closure = root.closure;
+  DiscreteLaw law{
+      .points = quadrature_points(coordinates, amplitude::amplitude_of_energy(closure.support),
+                                  root.quadrature),
+      .mass = {}};
+  law.mass = law.points.weight;
+  const Index last = law.mass.size() - 1;
+  for (Index i = 0; i < last; ++i) {
+    const double factor = Coordinates::density_prefactor(law.points.s[i]);
+    law.mass[i] *= density.value(law.points.y[i], law.points.v[i]) / factor;
+  }
+  law.mass[last] *= std::exp(closure.q(0, 0) - closure.log_normalisation);
+  return law;
+}
+
+transform::Moments moments_of(const problem::Frame& frame, const DiscreteLaw& law) {
+  const auto mean = [&](int y_power, int v_power) {
+    return law.mean([&](double y, double v) {
+      return std::pow(frame.physical_y(y), y_power) * std::pow(frame.physical_velocity(v), v_power);
+    });
+  };
+  return {.y1 = mean(1, 0),
+          .y2 = mean(2, 0),
+          .y4 = mean(4, 0),
+          .v1 = mean(0, 1),
+          .v2 = mean(0, 2),
+          .v4 = mean(0, 4)};
+}
+
+// Partial moment E[|Y|^power; Y < 0] of the impulses that drive the mass at rest into the wall.
+double moment_into_wall(const problem::ImpulseLaw& law, int power) {
+  const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
+  double sum = 0;
+  for (std::size_t k = 0; k < after.v.size(); ++k) {
+    if (after.v[k] < 0) sum += after.probability[k] * std::pow(-after.v[k], power);
+  }
+  return sum;
+}
+
+// Integral int u^power p(0, -u) du over the impacts of the moving mass, u the impact speed.
+double wall_flux(const transform::SmoothDensity& density, int points, int power) {
+  const half_plane::QuadratureRule wall = half_plane::gauss_legendre_rule(points, 0, density.v_max);
+  double sum = 0;
+  for (Index i = 0; i < wall.nodes.size(); ++i) {
+    sum += wall.weight[i] * std::pow(wall.nodes[i], power) * density.value(0, -wall.nodes[i]);
+  }
+  return sum;
+}
+
+transform::BalanceResiduals balances_of(const problem::Problem& problem, const DiscreteLaw& law,
+                                        double momentum_of_impacts, double release_rate) {
+  const problem::System& system = problem.system;
+  const auto& force = system.restoring_force();
+  problem::VirialTerms virial{
+      .mean_displacement = law.mean([](double y, double) { return y; }),
+      .mean_square_velocity = law.mean([](double, double v) { return v * v; }),
+      .mean_virial = law.mean([&](double y, double) { return y * force(y); })};
+  problem::MomentumTerms momentum{
+      .mean_force = law.mean([&](double y, double) { return force(y); }),
+      .impact_momentum = momentum_of_impacts,
+      .contact_momentum_rate =
+          force(0.0) * law.at_rest() +
+          (1 + system.restitution()) * release_rate * moment_into_wall(problem.impulses.law(), 1)};
+  if (system.rayleigh_coefficient() != 0) {
+    virial.mean_y_cubed_velocity = law.mean([](double y, double v) { return y * v * v * v; });
+    momentum.mean_cubed_velocity = law.mean([](double, double v) { return v * v * v; });
+  }
+  return {.virial = problem::virial_balance(problem, virial).residual(),
+          .momentum = problem::momentum_balance(problem, momentum).residual()};
+}
+
+}  // namespace
+
+void store_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
+                            const half_plane::RootSearchResult& root,
+                            const transform::SmoothDensity& density, Result& result) {
+  auto& [solution, summary] = result;
+  const problem::System& system = problem.system;
+  const DiscreteLaw law = discrete_law_of(coordinates, root, density);
+  const double release_rate = problem.impulses.arrival_rate() * law.at_rest();
+  transform::GridDensity cells = average_on_graded_cells(density);
+  solution.mass = transform::mass(cells) + law.at_rest();
+  solution.density = std::move(cells);
+  solution.atoms = {
+      {.y = 0, .probability = law.at_rest(), .standard_error = {}, .error_estimate = {}}};
+  solution.moments = moments_of(problem.frame, law);
+  summary.moments = moments_of({}, law);
+  problem::EnergyTerms energy{
+      .mean_velocity = summary.moments.v1,
+      .mean_square_velocity = summary.moments.v2,
+      .impact_energy_flux = wall_flux(density, root.quadrature.wall, 3) +
+                            release_rate * moment_into_wall(problem.impulses.law(), 2)};
+  if (!system.has_constant_damping()) {
+    energy.mean_damping_power = law.mean([&](double y, double v) {
+      return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
+    });
+  }
+  solution.energy_residual = problem::energy_residual(problem, problem::Impact::map, energy);
+  summary.balances =
+      balances_of(problem, law, wall_flux(density, root.quadrature.wall, 2), release_rate);
+}
+
+}  // namespace fpkcheck::epc::contact

@@ -1,0 +1,105 @@
+#include "epc/form/store_density.hpp"
+
+#include <cmath>
+
+#include "numerics/quadrature/composite_gauss.hpp"
+#include "problem/motion_balances.hpp"
+
+namespace fpkcheck::epc {
+namespace {
+
+// int_{v>0} v^power p(b, v) dv at the right wall y = b; 0 if there is no right wall.
+double right_flux(const problem::Problem& problem, const transform::SmoothDensity& density,
+                  int power) {
+  if (!problem.system.right_wall()) return 0;
+  constexpr int kPanels = 8;
+  const double b = problem.system.right_wall()->position;
+  const auto integrand = [&](double v) { return std::pow(v, power) * density.value(b, v); };
+  return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
+}
+
+// Mean power E[v f] of the damping force f.
+double damping_power(const problem::System& system, const transform::SmoothDensity& density) {
+  return transform::expectation(density, [&](double y, double v) {
+    return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
+  });
+}
+
+problem::EnergyTerms energy_terms(const problem::Problem& problem,
+                                  const transform::SmoothDensity& density,
+                                  const transform::Moments& moments) {
+  problem::EnergyTerms terms{.mean_velocity = moments.v1,
+                             .mean_square_velocity = moments.v2,
+                             .impact_energy_flux = transform::impact_flux(density, 3),
+                             .right_energy_flux = right_flux(problem, density, 3)};
+  if (!problem.system.has_constant_damping()) {
+    terms.mean_damping_power = damping_power(problem.system, density);
+  }
+  return terms;
+}
+
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const transform::SmoothDensity& density,
+                                              const transform::PanelMarginals& marginals) {
+  const auto& force = problem.system.restoring_force();
+  const double right_momentum = right_flux(problem, density, 2);
+  problem::VirialTerms virial{
+      .mean_displacement = marginals.moments.y1,
+      .mean_square_velocity = marginals.moments.v2,
+      .mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument()),
+      .right_momentum = right_momentum};
+  problem::MomentumTerms momentum{.mean_force = mean_of_displacement_polynomial(marginals, force),
+                                  .impact_momentum = transform::impact_flux(density, 2),
+                                  .right_momentum = right_momentum};
+  if (problem.system.rayleigh_coefficient() != 0) {
+    const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
+    virial.mean_y_cubed_velocity = mean([](double y, double v) { return y * v * v * v; });
+    momentum.mean_cubed_velocity = mean([](double, double v) { return v * v * v; });
+  }
+  transform::BalanceResiduals residuals{.virial =
+                                            problem::virial_balance(problem, virial).residual()};
+  // Without impacts both sides of the balance may be 0. Their residual would be rounding error.
+  constexpr double kRounding = 1e-9;
+  const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
+  const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);
+  if (balance.scale > kRounding * force_unit) residuals.momentum = balance.residual();
+  return residuals;
+}
+
+// Moments of the physical coordinates y = origin + sign x and y' = sign x'.
+transform::Moments physical_moments(const problem::Frame& frame,
+                                    const transform::PanelMarginals& marginals) {
+  transform::Moments moments = marginals.moments;
+  if (frame.is_identity()) return moments;
+  const auto mean_of_power = [&](std::size_t n) {
+    numerics::Polynomial::Coefficients power{};
+    power[n] = 1;
+    return mean_of_displacement_polynomial(
+        marginals, numerics::Polynomial(power).compose_affine(frame.origin, frame.sign()));
+  };
+  moments.y1 = mean_of_power(1);
+  moments.y2 = mean_of_power(2);
+  moments.y4 = mean_of_power(4);
+  moments.v1 = frame.physical_velocity(moments.v1);
+  return moments;
+}
+
+}  // namespace
+
+transform::PanelMarginals store_density(const problem::Problem& problem, problem::Impact impact,
+                                        const transform::SmoothDensity& density, Result& result,
+                                        transform::PanelSpacing panels) {
+  transform::PanelMarginals marginals =
+      transform::panel_marginals(density, density.y_max, density.v_max, panels);
+  auto& solution = result.solution;
+  solution.density = density;
+  solution.mass = marginals.mass;
+  solution.moments = physical_moments(problem.frame, marginals);
+  solution.energy_residual =
+      problem::energy_residual(problem, impact, energy_terms(problem, density, marginals.moments));
+  result.summary.moments = marginals.moments;
+  result.summary.balances = balance_residuals(problem, density, marginals);
+  return marginals;
+}
+
+}  // namespace fpkcheck::epc

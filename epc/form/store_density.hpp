@@ -1,0 +1,20 @@
+#pragma once
+
+#include "epc/summary.hpp"
+#include "problem/energy_balance.hpp"
+#include "problem/problem.hpp"
+#include "transform/panel_marginals.hpp"
+
+namespace fpkcheck::epc {
+
+/// Stores a density in a result, with the mass, the moments and the residuals of the balances of
+/// power, virial and momentum. The solution contains the moments in physical coordinates. The
+/// summary contains the moments in the coordinates of the problem's frame.
+/// @param impact impact condition of the equation, which defines the power lost in impacts
+/// @return marginal densities, for comparison with the marginal densities of another order
+transform::PanelMarginals store_density(
+    const problem::Problem& problem, problem::Impact impact,
+    const transform::SmoothDensity& density, Result& result,
+    transform::PanelSpacing panels = transform::PanelSpacing::uniform);
+
+}  // namespace fpkcheck::epc

@@ -1,0 +1,143 @@
+#include "epc/gaussian/density_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "epc/form/acceptance_limits.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Radius of the disc in which the peak of Q_n is searched for, in standard deviations. If Q_n
+// exceeds this peak outside of the disc, (19) is violated.
+constexpr double kCoreRadius = 2;
+constexpr int kRadialPanels = 6;
+
+// Minimum of Q_n on the ray between two radii, by bisection of the slope.
+double minimum_between(const RayCoefficients& slope, double low, double high) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (horner(slope, middle) < 0 ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// Radius between low and high at which Q_n falls to a given value, by Newton's method with
+// bracketing.
+double crossing_between(const RayCoefficients& q, const RayCoefficients& slope, double level,
+                        double low, double high) {
+  double at = (low + high) / 2;
+  for (int i = 0; i < 60; ++i) {
+    const double excess = horner(q, at) - level;
+    (excess > 0 ? low : high) = at;
+    const double next = at - excess / horner(slope, at);
+    if (std::abs(next - at) < 1e-14 * at) break;
+    at = next > low && next < high ? next : (low + high) / 2;
+  }
+  return at;
+}
+
+struct EdgeOnRay {
+  double radius;
+  double peak;  // largest Q_n up to the radius
+};
+
+// The edge of the set along one direction, by rules (a) to (c) of DensitySupport.
+EdgeOnRay edge_on_ray(const RayCoefficients& q, double core_peak) {
+  const RayCoefficients slope = derivative_coefficients(q);
+  const double negligible = core_peak + std::log(DensitySupport::kNegligible);
+  const double allowed = core_peak + std::log(kEdgeDensityLimit);
+  double lowest = 0, value_there = horner(q, 0), peak = value_there, peak_there = peak;
+  double slope_here = horner(slope, 0);
+  for (double rho = 0; rho < kLargestRadius; rho += kRadialStep) {
+    const double next = rho + kRadialStep;
+    const double value_next = horner(q, next), slope_next = horner(slope, next);
+    if (rho > kCoreRadius && value_next > core_peak) break;
+    if (value_next < negligible) return {crossing_between(q, slope, negligible, rho, next), peak};
+    double candidate = next, value = value_next;
+    if (slope_here < 0 && slope_next >= 0) {
+      candidate = minimum_between(slope, rho, next);
+      value = horner(q, candidate);
+      if (value < allowed) return {candidate, peak};
+    }
+    if (value < value_there) {
+      lowest = candidate;
+      value_there = value;
+      peak_there = peak;
+    }
+    peak = std::max(peak, value_next);
+    slope_here = slope_next;
+  }
+  return {lowest, peak_there};
+}
+
+}  // namespace
+
+DensitySupport::DensitySupport(const Polynomial& q, const StandardDeviations& sigma)
+    : sigma_(sigma) {
+  const std::size_t distinct = distinct_direction_count(q);
+  std::vector<RayCoefficients> rays;
+  double core_peak = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < distinct; ++k) {
+    rays.push_back(restrict_to_ray(q, sigma, scan_directions()[k]));
+    for (double rho = 0; rho <= kCoreRadius; rho += kRadialStep) {
+      core_peak = std::max(core_peak, horner(rays.back(), rho));
+    }
+  }
+  peak_ = -std::numeric_limits<double>::infinity();
+  for (const RayCoefficients& along : rays) {
+    const auto [radius, peak] = edge_on_ray(along, core_peak);
+    radius_.push_back(radius);
+    peak_ = std::max(peak_, peak);
+  }
+  for (std::size_t k = distinct; k < scan_directions().size(); ++k)
+    radius_.push_back(radius_[k - distinct]);
+  compute_integrals(rays);
+}
+
+void DensitySupport::compute_integrals(const std::vector<RayCoefficients>& rays) {
+  for (std::size_t k = 0; k < radius_.size(); ++k) {
+    const double radius = radius_[k];
+    sector_.push_back(std::min(radius, radius_[(k + 1) % radius_.size()]));
+    x1_max_ = std::max(x1_max_, radius * std::abs(scan_directions()[k].x1) * sigma_.x1);
+    x2_max_ = std::max(x2_max_, radius * std::abs(scan_directions()[k].x2) * sigma_.x2);
+  }
+  const auto [least, greatest] = std::ranges::minmax(radius_);
+  least_radius_ = least;
+  greatest_radius_ = greatest;
+
+  const auto unit = numerics::composite_gauss_points(0.0, 1.0, kRadialPanels);
+  double edge_sum = 0, sum = 0;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const double radius = radius_[k];
+    const auto relative = [&](double rho) { return std::exp(horner(rays[k], rho) - peak_); };
+    const double at_edge = relative(radius);
+    edge_ratio_ = std::max(edge_ratio_, at_edge);
+    edge_sum += at_edge;
+    for (const auto& [share, weight] : unit) {
+      sum += radius * radius * weight * share * relative(radius * share);
+    }
+  }
+  const double element =
+      sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
+  integral_ = sum * element;
+  // cut_off uses int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1.
+  cut_off_ = edge_sum / sum;
+}
+
+bool DensitySupport::contains(double x1, double x2) const {
+  const double u1 = x1 / sigma_.x1, u2 = x2 / sigma_.x2;
+  const double square = u1 * u1 + u2 * u2;
+  if (square < least_radius_ * least_radius_) return true;
+  if (square > greatest_radius_ * greatest_radius_) return false;
+  double turn = std::atan2(u2, u1) / (2 * std::numbers::pi);
+  if (turn < 0) turn += 1;
+  const auto count = static_cast<double>(sector_.size());
+  const auto k = static_cast<std::size_t>(turn * count) % sector_.size();
+  return square < sector_[k] * sector_[k];
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "epc/form/polynomial.hpp"
+#include "epc/form/rays.hpp"
+
+namespace fpkcheck::epc::gaussian {
+
+/// Star-shaped set in the plane on which C exp(Q_n) is used as a density. Outside of this set the
+/// density is 0.
+///
+/// Along each direction the set ends at the first of these radii:
+///  (a) the radius at which the density has fallen to kNegligible of its peak;
+///  (b) the radius of a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
+///  (c) the radius at which Q_n is smallest before Q_n exceeds its peak again, up to kLargestRadius
+///      deviations of the weights (25)-(26).
+/// Therefore a shallow minimum of Q_n inside the density is not an edge. If condition (19) is
+/// violated, the set ends before Q_n rises.
+class DensitySupport {
+ public:
+  static constexpr double kNegligible = 1e-14;
+
+  DensitySupport(const Polynomial& q, const StandardDeviations& sigma);
+
+  bool contains(double x1, double x2) const;
+  /// Smallest radius of the edge in the scaled plane.
+  double min_edge_radius() const { return least_radius_; }
+  /// Largest radius of the edge in the scaled plane.
+  double max_edge_radius() const { return greatest_radius_; }
+  /// Half-width in x1 of the bounding box.
+  double x1_max() const { return x1_max_; }
+  /// Half-width in x2 of the bounding box.
+  double x2_max() const { return x2_max_; }
+
+  /// Largest Q_n on the set.
+  double peak_exponent() const { return peak_; }
+  /// Integral of exp(Q_n - peak_exponent()) over the set, by panels in polar coordinates.
+  double integral_relative_to_peak() const { return integral_; }
+  /// Largest density on the edge of the set, relative to the peak of the density.
+  double edge_density_ratio() const { return edge_ratio_; }
+  /// Estimated probability outside the set, relative to the probability inside. The estimate
+  /// assumes that the density decays beyond the edge like the weights (25)-(26):
+  /// sigma_1 sigma_2 oint p(edge) dtheta.
+  double cut_off_probability() const { return cut_off_; }
+
+ private:
+  void compute_integrals(const std::vector<RayCoefficients>& rays);
+
+  StandardDeviations sigma_;
+  std::vector<double> radius_;  // radius of the edge in each direction of scan_directions()
+  std::vector<double> sector_;  // radius of the set in the sector between two successive directions
+  double least_radius_ = 0, greatest_radius_ = 0;
+  double x1_max_ = 0, x2_max_ = 0;
+  double peak_ = 0, integral_ = 0, edge_ratio_ = 0, cut_off_ = 0;
+};
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,97 @@
+#include "epc/gaussian/jump_integral_remainder.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "epc/gaussian/impulse_quadrature_rule.hpp"
+#include "numerics/quadrature/composite_gauss.hpp"
+#include "problem/impulse_train.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Number of ten-point panels in each of radius and angle on a half-plane.
+constexpr int kPanels = 3;
+// Number of points of the quadrature rule of the impulse law.
+constexpr int kJumpPoints = 20;
+
+// Quadrature rule with the weights f1 f2 on both half-discs; x1 has one sign on each half-disc. For
+// a point-symmetric integrand both half-discs give the same integral, and the rule uses one of
+// them.
+PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bool symmetric) {
+  const double half_turn = std::numbers::pi / 2;
+  PlaneQuadratureRule rule;
+  for (const auto& [rho, rho_weight] : numerics::composite_gauss_points(0, radius, kPanels)) {
+    const double ring = rho_weight * rho * std::exp(-rho * rho / 2) / (2 * std::numbers::pi);
+    for (const auto& [angle, width] :
+         numerics::composite_gauss_points(-half_turn, half_turn, kPanels)) {
+      const double x1 = sigma.x1 * rho * std::cos(angle), x2 = sigma.x2 * rho * std::sin(angle);
+      rule.add_point(x1, x2, (symmetric ? 2 : 1) * ring * width);
+      if (!symmetric) rule.add_point(-x1, -x2, ring * width);
+    }
+  }
+  return rule;
+}
+
+RateTimesMoments series_terms(const problem::ImpulseTrain& impulses) {
+  RateTimesMoments moments{};
+  for (int j = 1; j <= 4; ++j) moments[j] = impulses.rate_times_moment(j);
+  return moments;
+}
+
+}  // namespace
+
+JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
+                                             const problem::ImpulseTrain& impulses, double radius)
+    : rate_(impulses.arrival_rate()),
+      series_(series_terms(impulses)),
+      nodes_(disc_rule(basis.sigma(), radius, basis.monomial_set() == MonomialSet::point_symmetric),
+             basis) {
+  const QuadratureRule law = impulse_quadrature_rule(impulses.law(), kJumpPoints);
+  jumps_ = static_cast<Eigen::Index>(law.nodes.size());
+  Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
+  jump_weights_.resize(x1.size());
+  const auto& [sigma1, sigma2] = basis.sigma();
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    for (Eigen::Index j = 0; j < jumps_; ++j) {
+      const Eigen::Index row = i * jumps_ + j;
+      x1[row] = nodes_.x1(i);
+      x2[row] = nodes_.x2(i) - sign_of_x1(i) * law.nodes[j];
+      const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kJumpMargin;
+      jump_weights_[row] = reached ? law.weights[j] : 0;
+    }
+  }
+  increments_ = basis.basis_values(x1, x2);
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    increments_.middleRows(i * jumps_, jumps_).rowwise() -= nodes_.basis().value.row(i);
+  }
+}
+
+Eigen::VectorXd JumpIntegralRemainder::weighted_density_ratios(const Eigen::VectorXd& a) const {
+  return jump_weights_.array() * (increments_ * a).array().exp();
+}
+
+Eigen::VectorXd JumpIntegralRemainder::projected_remainder(const Eigen::VectorXd& a) const {
+  const Eigen::VectorXd weighted = weighted_density_ratios(a);
+  const std::vector<ExponentDerivatives> q = nodes_.exponent_derivatives(a);
+  return nodes_.project_on_basis(
+      Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
+        const double expectation = weighted.segment(i * jumps_, jumps_).sum();
+        return rate_ * (expectation - 1) - series_residual_part(series_, sign_of_x1(i), q[i]);
+      }).eval());
+}
+
+Eigen::MatrixXd JumpIntegralRemainder::jacobian(const Eigen::VectorXd& a) const {
+  const Eigen::VectorXd weighted = weighted_density_ratios(a);
+  Eigen::MatrixXd rows(nodes_.size(), a.size());
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
+    rows.row(i).noalias() = rate_ * weighted.segment(i * jumps_, jumps_).transpose() *
+                            increments_.middleRows(i * jumps_, jumps_);
+  }
+  std::vector<ExponentDerivatives> series = nodes_.exponent_derivatives(a);
+  for (Eigen::Index i = 0; i < nodes_.size(); ++i)
+    series[i] = series_residual_gradient(series_, sign_of_x1(i), series[i]);
+  return nodes_.project_on_basis(rows) - nodes_.project_gradients_on_basis(series);
+}
+
+}  // namespace fpkcheck::epc::gaussian

@@ -1,0 +1,145 @@
+#include "epc/gaussian/projected_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "epc/gaussian/quadrature_rules.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+// Degree, in each of x1 and x2, of the product of a part of F and a projection function. The
+// derivative Q_2 has degree n-1, and the force has at most degree 5.
+constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
+int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
+int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
+int impact_degree(int n) { return n + n; }
+
+PlaneQuadratureRule product_rule(const QuadratureRule& u1, const QuadratureRule& u2,
+                                 const StandardDeviations& sigma) {
+  PlaneQuadratureRule rule;
+  for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
+    for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
+      rule.add_point(sigma.x1 * u1.nodes[i], sigma.x2 * u2.nodes[j], u1.weights[i] * u2.weights[j]);
+    }
+  }
+  return rule;
+}
+
+// Quadrature rule on the wall x1 = 0: int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
+PlaneQuadratureRule wall_line_rule(const QuadratureRule& absolute,
+                                   const StandardDeviations& sigma) {
+  const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
+  PlaneQuadratureRule rule;
+  for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
+    rule.add_point(0, sigma.x2 * absolute.nodes[j], at_wall * sigma.x2 * absolute.weights[j]);
+  }
+  return rule;
+}
+
+// Nodes of a quadrature rule. If Q_n is even under (x1, x2) -> (-x1, -x2), then F is even, and the
+// rule can be folded.
+ProjectionNodes projection_nodes(const PlaneQuadratureRule& rule, const Basis& basis) {
+  const bool even = basis.monomial_set() == MonomialSet::point_symmetric;
+  return {even ? fold_symmetric_rule(rule) : rule, basis};
+}
+
+// The values of a part of F at all nodes.
+template <class Part>
+Eigen::VectorXd values_at_nodes(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
+                                const Part& part) {
+  const std::vector<ExponentDerivatives> q = nodes.exponent_derivatives(a);
+  return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
+}
+
+// The gradients of a part of F at all nodes, with respect to the derivatives of Q_n.
+template <class Gradient>
+std::vector<ExponentDerivatives> gradients_at_nodes(const ProjectionNodes& nodes,
+                                                    const Eigen::VectorXd& a,
+                                                    const Gradient& gradient) {
+  std::vector<ExponentDerivatives> q = nodes.exponent_derivatives(a);
+  for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
+  return q;
+}
+
+bool has_signed_part(const ResidualCoefficients& f) {
+  const bool even_force = f.even_force.degree() > 0 || f.even_force.coefficient(0) != 0;
+  return even_force || f.rate_times_moment[1] != 0 || f.rate_times_moment[3] != 0;
+}
+
+}  // namespace
+
+ProjectedEquations::ProjectedEquations(Basis basis)
+    : basis_(std::move(basis)),
+      smooth_(projection_nodes(
+          product_rule(normal_quadrature_rule(smooth_degree(basis_.order())),
+                       normal_quadrature_rule(smooth_degree(basis_.order())), basis_.sigma()),
+          basis_)),
+      signed_(projection_nodes(
+          product_rule(sign_weighted_normal_rule(signed_degree(basis_.order())),
+                       normal_quadrature_rule(signed_degree(basis_.order())), basis_.sigma()),
+          basis_)),
+      impact_(projection_nodes(
+          wall_line_rule(absolute_weighted_normal_rule(impact_degree(basis_.order())),
+                         basis_.sigma()),
+          basis_)) {}
+
+ProjectedEquations::ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,
+                                       double jump_radius)
+    : ProjectedEquations(std::move(basis)) {
+  jump_.emplace(basis_, impulses, jump_radius);
+}
+
+Eigen::VectorXd ProjectedEquations::residual(const ResidualCoefficients& f,
+                                             const Eigen::VectorXd& a) const {
+  if (!f.folded) {
+    return smooth_.project_on_basis(
+        values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+          return unfolded_residual(f, smooth_.x1(i), smooth_.x2(i), q);
+        }));
+  }
+  Eigen::VectorXd result = smooth_.project_on_basis(
+      values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+        return smooth_residual_part(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result += signed_.project_on_basis(
+        values_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+          return signed_residual_part(f, signed_.x1(i), q);
+        }));
+  }
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().projected_remainder(a);
+  return result + impact_.project_on_basis(values_at_nodes(
+                      impact_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+                        return impact_residual_part(f, impact_.x2(i), q);
+                      }));
+}
+
+Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
+                                             const Eigen::VectorXd& a) const {
+  if (!f.folded) {
+    return smooth_.project_gradients_on_basis(
+        gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+          return unfolded_residual_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+        }));
+  }
+  Eigen::MatrixXd result = smooth_.project_gradients_on_basis(
+      gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+        return smooth_residual_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
+      }));
+  if (has_signed_part(f)) {
+    result += signed_.project_gradients_on_basis(
+        gradients_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+          return signed_residual_gradient(f, signed_.x1(i), q);
+        }));
+  }
+  if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().jacobian(a);
+  return result + impact_.project_gradients_on_basis(gradients_at_nodes(
+                      impact_, a, [&](Eigen::Index i, const ExponentDerivatives&) {
+                        return impact_residual_gradient(f, impact_.x2(i));
+                      }));
+}
+
+}  // namespace fpkcheck::epc::gaussian

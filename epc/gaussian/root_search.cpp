@@ -1,0 +1,184 @@
+#include "epc/gaussian/root_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "epc/form/acceptance_limits.hpp"
+#include "epc/gaussian/continuation.hpp"
+#include "epc/gaussian/density_support.hpp"
+#include "epc/gaussian/projected_equations.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::gaussian {
+namespace {
+
+using numerics::NewtonResult;
+using problem::Equation;
+
+// Limit on the relative change of the coefficients between two discs of the jump integral. For
+// roots that are insensitive to the disc, this change is below 0.01.
+constexpr double kDiscSensitivityLimit = 0.05;
+
+// Exponent of the Gaussian density with the standard deviations of the weights.
+std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {
+  return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
+}
+
+// Set of monomials for the basis. Without a wall, asymmetric forces or impulses need all monomials.
+MonomialSet monomials_of(const problem::Problem& problem, const Options& options) {
+  if (problem.system.left_wall()) return options.monomials;
+  const numerics::Polynomial& force = problem.system.restoring_force();
+  const bool symmetric = force.coefficient(0) == 0 && force.coefficient(2) == 0 &&
+                         problem.impulses.rate_times_moment(1) == 0 &&
+                         problem.impulses.law().is_symmetric();
+  return symmetric ? options.monomials : MonomialSet::general;
+}
+
+ProjectedEquations projection_of(const problem::Problem& problem, const Options& options) {
+  const Basis basis(options.order, monomials_of(problem, options), weight_deviations(problem));
+  if (equation_of(options) == Equation::kf) return ProjectedEquations(basis, problem.impulses);
+  return ProjectedEquations(basis);
+}
+
+std::string branch_end_text(const SolutionBranch& branch) {
+  switch (branch.end) {
+    case SolutionBranchEnd::white_noise:
+      return "turns back to another root of the white-noise equations";
+    case SolutionBranchEnd::far_away:
+      return "diverges after a fold";
+    default:
+      break;
+  }
+  const bool turned = std::ranges::any_of(branch.points, &SolutionBranchPoint::fold);
+  return turned ? "is lost after a fold" : "ends there";
+}
+
+class RootSearch {
+ public:
+  RootSearch(const problem::Problem& problem, const Options& options)
+      : problem_(problem),
+        options_(options),
+        projection_(projection_of(problem, options)),
+        coefficients_(residual_coefficients(problem, equation_of(options))),
+        gaussian_coefficients_(projection_.basis().scaled_coefficients(
+            gaussian_exponent(projection_.basis().sigma()))) {}
+
+  RootSearchResult search() {
+    if (options_.order > 2) search_.previous = previous();
+    const NewtonResult plain = newton_from(gaussian_coefficients_, false);
+    search_.plain_newton_converges = plain.converged;
+    record_attempt(plain) || record_attempt(newton_from(gaussian_coefficients_, true)) ||
+        (search_.previous && record_attempt(newton_from(previous_coefficients(), true))) ||
+        try_branch() ||
+        (search_.previous &&
+         record_attempt(follow_newton_homotopy(projection_, coefficients_, previous_coefficients(),
+                                               options_.tolerance)));
+    if (!search_.root) {
+      search_.failure = failure();
+      return search_;
+    }
+    search_.condition = condition();
+    if (equation_of(options_) == Equation::kf) check_disc_sensitivity();
+    return search_;
+  }
+
+ private:
+  std::optional<Polynomial> previous() const {
+    Options lower = options_;
+    lower.order -= 2;
+    return find_root(problem_, lower).root;
+  }
+  Eigen::VectorXd previous_coefficients() const {
+    return projection_.basis().scaled_coefficients(search_.previous->terms());
+  }
+
+  NewtonResult newton_from(const Eigen::VectorXd& start, bool damped) const {
+    return solve_by_newton(projection_, coefficients_, start,
+                           {.tolerance = options_.tolerance,
+                            .max_iterations = options_.max_iterations,
+                            .damped = damped});
+  }
+
+  // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
+  // root ends the search, as in the paper. Beyond n = 6 only a root whose density decays on the
+  // edge ends the search. The first root without this decay is kept until such a root is found.
+  bool record_attempt(const NewtonResult& result) {
+    search_.iterations += result.iterations;
+    if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
+    if (!result.converged) return false;
+    const Polynomial root = projection_.basis().exponent_polynomial(result.a);
+    const bool settled =
+        options_.order <= 6 ||
+        DensitySupport(root, projection_.basis().sigma()).edge_density_ratio() < kEdgeDensityLimit;
+    if (settled || !search_.root) search_.root = root;
+    return settled;
+  }
+
+  bool try_branch() {
+    const BranchAndRoot followed =
+        follow_solution_branch(projection_, coefficients_, options_.tolerance);
+    search_.branch = followed.branch;
+    NewtonResult root = followed.root;
+    if (!root.converged) root.residual = std::numeric_limits<double>::infinity();
+    return record_attempt(root);
+  }
+
+  // Discards a root that depends on the radius of the disc.
+  void check_disc_sensitivity() {
+    const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
+    const ProjectedEquations smaller(projection_.basis(), problem_.impulses,
+                                     JumpIntegralRemainder::kRadius - 1);
+    const NewtonResult there = solve_by_newton(smaller, coefficients_, a,
+                                               {.tolerance = options_.tolerance,
+                                                .max_iterations = options_.max_iterations,
+                                                .damped = false});
+    search_.iterations += there.iterations;
+    if (there.converged) search_.disc_sensitivity = (there.a - a).norm() / a.norm();
+    if (search_.disc_sensitivity && *search_.disc_sensitivity <= kDiscSensitivityLimit) return;
+    search_.root.reset();
+    search_.failure = fmt::format(
+        "the root depends on the disc of the jump integral: between radii of {} and {} deviations "
+        "{} (limit {}); the equations with the full integral are ill-defined",
+        JumpIntegralRemainder::kRadius - 1, JumpIntegralRemainder::kRadius,
+        search_.disc_sensitivity ? fmt::format("its coefficients change by {:.3f} of their norm",
+                                               *search_.disc_sensitivity)
+                                 : "Newton's method failed",
+        kDiscSensitivityLimit);
+  }
+
+  double condition() const {
+    const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
+    const Eigen::VectorXd values =
+        numerics::singular_values(projection_.jacobian(coefficients_, a));
+    return values[0] / values[values.size() - 1];
+  }
+
+  std::string failure() const {
+    return fmt::format(
+        "Newton's method from equivalent linearisation{}, plain and damped, found no root in {} "
+        "iterations (least residual {:.1e}, tolerance {:.1e}); the branch from white noise with "
+        "elastic impacts reaches {:.1f} % of the way and {}",
+        search_.previous ? fmt::format(" and from n = {}", options_.order - 2) : "",
+        search_.iterations, search_.residual, options_.tolerance, 100 * search_.branch.furthest,
+        branch_end_text(search_.branch));
+  }
+
+  const problem::Problem& problem_;
+  const Options& options_;
+  ProjectedEquations projection_;
+  ResidualCoefficients coefficients_;
+  Eigen::VectorXd gaussian_coefficients_;
+  RootSearchResult search_;
+  int attempts_ = 0;
+};
+
+}  // namespace
+
+RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
+  return RootSearch(problem, options).search();
+}
+
+}  // namespace fpkcheck::epc::gaussian

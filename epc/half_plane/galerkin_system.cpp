@@ -1,0 +1,67 @@
+#include "epc/half_plane/galerkin_system.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace fpkcheck::epc::half_plane {
+
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd& a) const {
+  const ArrayXd exponent = tables_.members * a + tables_.confinement_terms;
+  const ArrayXd wall_exponent = tables_.wall_members * a + tables_.wall_confinement_terms;
+  DensityAtPoints density;
+  density.peak = exponent.maxCoeff();
+  density.mass = tables_.weight.array() * (exponent - density.peak).exp();
+  const double integral = density.mass.sum();
+  density.log_normalisation = std::log(integral) + density.peak;
+  density.mass /= integral;
+  density.wall_mass =
+      tables_.wall_weight.array() * (wall_exponent - density.log_normalisation).exp();
+  density.finite = std::isfinite(density.log_normalisation) && density.wall_mass.allFinite();
+  return density;
+}
+
+VectorXd GalerkinSystem::residual(const DensityAtPoints& density) const {
+  return tables_.generator_terms.transpose() * density.mass +
+         tables_.impact_terms.transpose() * density.wall_mass;
+}
+
+MatrixXd GalerkinSystem::centred_members(const MatrixXd& members,
+                                         const DensityAtPoints& density) const {
+  const Eigen::RowVectorXd mean = density.mass.transpose() * tables_.members;
+  return members.rowwise() - mean;
+}
+
+MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density) const {
+  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall
+  const MatrixXd change = density.mass.asDiagonal() * centred_members(tables_.members, density);
+  const MatrixXd wall_change =
+      density.wall_mass.asDiagonal() * centred_members(tables_.wall_members, density);
+  MatrixXd result(size(), size());
+  result.noalias() = tables_.generator_terms.transpose() * change;
+  result.noalias() += tables_.impact_terms.transpose() * wall_change;
+  return result;
+}
+
+MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
+  const MatrixXd members =
+      density.mass.cwiseSqrt().asDiagonal() * centred_members(tables_.members, density);
+  MatrixXd result = MatrixXd::Zero(size(), size());
+  result.selfadjointView<Eigen::Lower>().rankUpdate(members.transpose());
+  return result.selfadjointView<Eigen::Lower>();
+}
+
+VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const VectorXd& mass) const {
+  // Q_n has no constant term: the column of ones represents the constant term of the exponent.
+  MatrixXd columns(tables_.members.rows(), tables_.members.cols() + 1);
+  columns << VectorXd::Ones(tables_.members.rows()), tables_.members;
+  const MatrixXd weighted = mass.asDiagonal() * columns;
+  const VectorXd solution =
+      (columns.transpose() * weighted).ldlt().solve(weighted.transpose() * exponent);
+  return solution.tail(size());
+}
+
+}  // namespace fpkcheck::epc::half_plane

@@ -1,0 +1,296 @@
+#include "epc/half_plane/root_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "epc/half_plane/newton.hpp"
+#include "epc/half_plane/norms.hpp"
+#include "epc/half_plane/try_confinement_levels.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
+
+namespace fpkcheck::epc::half_plane {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using numerics::NewtonOptions;
+using numerics::NewtonResult;
+
+constexpr double kRoughTolerance = 1e-4;
+constexpr int kMaxRefinements = 4;
+constexpr double kLongestSeconds = 1e9;  // seconds; the clock can represent this duration
+
+// Refined numbers of quadrature points: more than twice as many points in the plane.
+QuadratureSize refined_size(const QuadratureSize& size) {
+  return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
+}
+
+class RootSearch {
+ public:
+  RootSearch(const ClosureFormulation& formulation, const Options& options)
+      : formulation_(formulation),
+        options_(options),
+        unit_(formulation.rate_of_change_unit()),
+        deadline_(
+            std::chrono::steady_clock::now() +
+            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                std::chrono::duration<double>(std::min(options.max_seconds, kLongestSeconds)))) {}
+
+  RootSearchResult run() {
+    solve_orders();
+    root_.newton.iterations = iterations_;
+    root_.homotopies = homotopies_;
+    return std::move(root_);
+  }
+
+ private:
+  // The equations of an order, and the coefficients from which Newton's method starts.
+  struct StartingPoint {
+    ClosureEquations equations;
+    VectorXd a;
+  };
+
+  void solve_orders() {
+    ClosureDensity guess = formulation_.initial_density();
+    const int first = formulation_.first_order(options_.order);
+    for (int n = first; n <= options_.order; n += 2) {
+      if (n == options_.order && n > first) root_.previous = guess;
+      std::optional<ClosureDensity> next = solve_order(guess, n);
+      if (!next && n > first && formulation_.can_start_at_any_order()) {
+        next = solve_order(formulation_.initial_density(), n);
+      }
+      // Order 2 is solved twice: under strong impact losses equivalent linearisation overestimates
+      // the deviations, which set the domain and the basis of the first solution.
+      if (next && n == 2) next = solve_order(*next, n);
+      if (!next) return;
+      guess = *next;
+    }
+    solve_requested_order(guess);
+  }
+
+  // Whether the deadline has passed. If so, the reason of failure is recorded once.
+  bool is_past_deadline() {
+    if (std::chrono::steady_clock::now() < deadline_) return false;
+    if (std::exchange(deadline_reported_, true)) return true;
+    root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
+                                root_.failure.empty() ? "" : "; last failure: " + root_.failure);
+    return true;
+  }
+
+  // Candidates for the confinement level: the levels of the formulation, then the level of the
+  // guess. At the level of the guess, the Q_n of the guess is a start without a fit. At another
+  // level, a Q_n that rises may have all its probability on the edge of the domain.
+  std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
+    std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
+    if (guess.level > 0) confinement_levels.push_back(guess.level);
+    return confinement_levels;
+  }
+
+  // Solves order n from the guess, with an accuracy that suffices to start the next order.
+  std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
+      if (is_past_deadline()) return std::nullopt;
+      const StartingPoint start =
+          start_of(guess, n, level, initial_size(guess, n, level, SearchStage::rough));
+      const NewtonResult result = solve(start, SearchStage::rough);
+      if (!result.converged) return std::nullopt;
+      const ClosureDensity closure = closure_density_of(start.equations, result.a, level);
+      return std::pair{closure, formulation_.decay_ratio(closure, SearchStage::rough)};
+    };
+    return try_confinement_levels<ClosureDensity>(
+        confinement_levels(guess, SearchStage::rough),
+        formulation_.decay_ratio_limit(SearchStage::rough), attempt);
+  }
+
+  // Solves the requested order to the tolerance of the options.
+  void solve_requested_order(const ClosureDensity& guess) {
+    const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
+      if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
+      // The accurate root may allow a better confinement level than the guess.
+      const RootSearchResult first_root = root_;
+      const auto improved_confinement_level =
+          formulation_.improved_confinement_level(guess, first_root.closure);
+      if (improved_confinement_level &&
+          !solve_at_level(first_root.closure, *improved_confinement_level))
+        root_ = first_root;
+      return std::pair{root_, root_.decay_ratio};
+    };
+    const auto best = try_confinement_levels<RootSearchResult>(
+        confinement_levels(guess, SearchStage::last),
+        formulation_.decay_ratio_limit(SearchStage::last), attempt);
+    if (best) root_ = *best;
+  }
+
+  // Solves the requested order at a confinement level. The number of quadrature points is increased
+  // until the quadrature error is small.
+  bool solve_at_level(const ClosureDensity& guess, double level) {
+    const QuadratureRefinement refinement = formulation_.quadrature_refinement();
+    const bool estimated = refinement.rule == QuadratureRefinement::ChangeMeasure::estimated;
+    QuadratureSize size = initial_size(guess, options_.order, level, SearchStage::last);
+    StartingPoint at = start_of(guess, options_.order, level, size);
+    NewtonResult result = solve(at, SearchStage::last);
+    for (int left = kMaxRefinements; result.converged; --left) {
+      const QuadratureSize finer = refined_size(size);
+      StartingPoint fine{equations_of(at.equations.basis(), level, finer), result.a};
+      if (estimated) {
+        const double change = change_on_finer_points(fine.equations, at.equations, result.a);
+        if (change < refinement.tolerance || left == 0) {
+          return store_root(at.equations, result, level, size, change);
+        }
+      }
+      result = solve(fine, SearchStage::last);
+      if (!estimated && result.converged) {
+        const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
+        if (change < refinement.tolerance || left == 1) {
+          return store_root(fine.equations, result, level, finer, change);
+        }
+      }
+      at = std::move(fine);
+      size = finer;
+    }
+    return false;
+  }
+
+  QuadratureSize initial_size(const ClosureDensity& guess, int n, double level,
+                              SearchStage stage) const {
+    return formulation_.quadrature_size(n, level / guess.temperature, stage);
+  }
+
+  ClosureEquations equations_of(const Basis& basis, double level,
+                                const QuadratureSize& size) const {
+    const double support = support_energy(level, options_.tail);
+    return formulation_.closure_equations(support, confinement_of(level, options_.tail), basis,
+                                          formulation_.points_below_energy(support, size), size);
+  }
+
+  // The equations of order n in a basis that is orthonormal under the guess, and the coefficients
+  // of the fit of Q_n to the guess.
+  StartingPoint start_of(const ClosureDensity& guess, int n, double level,
+                         const QuadratureSize& size) const {
+    const double support = support_energy(level, options_.tail);
+    const Confinement confinement = confinement_of(level, options_.tail);
+    const QuadraturePoints points = formulation_.points_below_energy(support, size);
+    VectorXd exponent(points.size()), mass(points.size());
+    for (Index i = 0; i < points.size(); ++i) {
+      exponent[i] = level == guess.level
+                        ? guess.q(points.s[i], points.t[i])
+                        : formulation_.exponent_of_guess(guess, points.s[i], points.t[i]);
+      mass[i] = exponent[i] + confinement(points.energy[i]);
+    }
+    mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
+    mass /= mass.sum();
+    ClosureEquations equations =
+        formulation_.closure_equations(support, confinement, Basis(n, points, mass), points, size);
+    VectorXd a = equations.fit_coefficients(
+        exponent, formulation_.fit_weights(guess, support, points, exponent, mass));
+    return {std::move(equations), std::move(a)};
+  }
+
+  NewtonOptions newton_options(SearchStage stage) const {
+    const bool last = stage == SearchStage::last;
+    return {.tolerance = last ? options_.tolerance : kRoughTolerance,
+            .max_iterations = options_.max_iterations,
+            .polish = last};
+  }
+
+  // Solves the equations by Newton's method. If Newton's method fails, a homotopy is followed, and
+  // Newton's method starts from the end of the homotopy.
+  NewtonResult solve(const StartingPoint& start, SearchStage stage) {
+    const NewtonOptions options = newton_options(stage);
+    NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
+    iterations_ += result.iterations;
+    if (result.converged) return result;
+    const numerics::SolutionCurve homotopy_curve = follow_homotopy(
+        start.equations, start.a, [this] { return std::chrono::steady_clock::now() >= deadline_; });
+    const bool end_reached = homotopy_curve.end == numerics::TerminationReason::end_reached;
+    ++homotopies_;
+    iterations_ += homotopy_curve.iterations;
+    if (end_reached) {
+      result = solve_by_newton(start.equations, homotopy_curve.points.back().a, unit_, options);
+      iterations_ += result.iterations;
+    }
+    if (!result.converged) {
+      root_.newton = result;
+      root_.failure = fmt::format(
+          "Newton's method failed at order {} after {} iterations (least residual {:.1e}): a "
+          "homotopy {}",
+          start.equations.basis().order(), result.iterations, result.residual,
+          end_reached ? std::string("led to no root")
+                      : fmt::format("ended at {:.0f} % of its path",
+                                    100 * homotopy_curve.point_with_largest_t().t));
+    }
+    return result;
+  }
+
+  ClosureDensity closure_density_of(const ClosureEquations& equations, const VectorXd& a,
+                                    double level) const {
+    const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(a);
+    const QuadraturePoints& points = equations.points();
+    ClosureDensity closure{.q = equations.basis().exponent_polynomial(a),
+                           .temperature = density.mass.dot(points.v.cwiseAbs2()),
+                           .level = level,
+                           .support = support_energy(level, options_.tail)};
+    // The constant term of Q_n differs between the basis and the monomials.
+    const double constant =
+        closure.q(points.s[0], points.t[0]) -
+        equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);
+    closure.log_normalisation = density.log_normalisation + constant;
+    closure.peak = density.peak + constant;
+    closure.decay_extent = formulation_.decay_extent(closure.q, closure.temperature);
+    return closure;
+  }
+
+  static Eigen::MatrixXd covariance_at(const ClosureEquations& equations, const VectorXd& a) {
+    return equations.covariance(equations.evaluate_density(a));
+  }
+
+  // Norm of the Newton step of the equations on more points, from the root on fewer points.
+  static double change_on_finer_points(const ClosureEquations& fine, const ClosureEquations& coarse,
+                                       const VectorXd& a) {
+    const GalerkinSystem::DensityAtPoints density = coarse.evaluate_density(a);
+    const numerics::LuFactors factors(coarse.jacobian(density));
+    const VectorXd step = factors.solve(fine.residual(fine.evaluate_density(a)));
+    return step_norm(step, coarse.covariance(density));
+  }
+
+  bool store_root(const ClosureEquations& equations, const NewtonResult& result, double level,
+                  const QuadratureSize& size, double quadrature_change) {
+    const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(result.a);
+    root_.newton = result;
+    root_.failure.clear();
+    root_.closure = closure_density_of(equations, result.a, level);
+    root_.decay_ratio = formulation_.decay_ratio(root_.closure, SearchStage::last);
+    root_.quadrature = size;
+    root_.quadrature_change = quadrature_change;
+    root_.condition = condition_number(equations.jacobian(density), equations.covariance(density));
+    return true;
+  }
+
+  const ClosureFormulation& formulation_;
+  const Options& options_;
+  double unit_;
+  std::chrono::steady_clock::time_point deadline_;
+  RootSearchResult root_;
+  int iterations_ = 0, homotopies_ = 0;
+  bool deadline_reported_ = false;
+};
+
+}  // namespace
+
+double support_energy(double level, TailTreatment tail) {
+  return tail == TailTreatment::confined ? level * Confinement::support_ratio() : level;
+}
+
+Confinement confinement_of(double level, TailTreatment tail) {
+  return tail == TailTreatment::confined ? Confinement{level} : Confinement{};
+}
+
+RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
+  return RootSearch(formulation, options).run();
+}
+
+}  // namespace fpkcheck::epc::half_plane

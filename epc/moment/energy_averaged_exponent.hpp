@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "problem/energy_averaging.hpp"
+#include "problem/problem.hpp"
+
+namespace fpkcheck::epc::moment {
+
+/// Exponent -Phi(h) of the density by energy averaging (problem/energy_averaging.hpp), as a
+/// function of y and v. At energies below a maximum of the potential, each well has a separate
+/// function Phi.
+class EnergyAveragedExponent {
+ public:
+  /// @pre the problem is confined
+  explicit EnergyAveragedExponent(const problem::Problem& problem);
+
+  /// Value of the exponent at a state. Between the bands of energy averaging, the exponent is
+  /// interpolated linearly in the energy; beyond the last band, the exponent is extrapolated.
+  double operator()(double y, double v) const;
+
+  /// Mean square velocity E[v^2] of the averaged density.
+  double temperature() const { return temperature_; }
+  /// Smallest energy above which Phi exceeds a depth. As in EnergyDomain, energies are relative to
+  /// min V.
+  double energy_at_depth(double depth) const;
+  /// Energy below which 95 % of the probability lies.
+  double bulk_energy() const { return bulk_; }
+  /// Largest energy at which the potential has several wells; 0 for a single well.
+  double barrier_energy() const { return barrier_; }
+
+ private:
+  using Band = problem::EnergyAveraging::EnergyBand;
+  explicit EnergyAveragedExponent(const problem::EnergyAveraging& averaging);
+  const Band& nearest_band(double y, double energy) const;
+  double slope_of_phi_above(const Band& band) const;
+
+  numerics::Polynomial potential_;
+  double bottom_;  // min V
+  std::vector<Band> bands_;
+  std::vector<std::size_t> levels_;  // index of the first band of each energy, then the end
+  double step_;                      // difference of successive energies
+  double temperature_ = 0, bulk_ = 0, barrier_ = 0;
+};
+
+}  // namespace fpkcheck::epc::moment

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "epc/amplitude/half_circle.hpp"
+#include "epc/half_plane/root_search_result.hpp"
+#include "epc/options.hpp"
+#include "epc/polar/coordinates.hpp"
+
+namespace fpkcheck::epc::polar {
+
+/// Searches for the root by half_plane::find_root() in the coordinates amplitude and phase.
+half_plane::RootSearchResult find_root(const problem::Problem& problem,
+                                       const Coordinates& coordinates, const Options& options);
+
+/// Function of amplitude and phase that evaluates Q_n, a polynomial of rho and theta. The returned
+/// function keeps a reference to q.
+inline amplitude::PolarExponent polar_exponent(const Polynomial& q) {
+  return [&q](double rho, double theta) { return q(rho, theta); };
+}
+
+}  // namespace fpkcheck::epc::polar

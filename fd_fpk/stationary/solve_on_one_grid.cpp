@@ -1,0 +1,169 @@
+#include "fd_fpk/stationary/solve_on_one_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "fd_fpk/operator/impact_rate.hpp"
+#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/resolution_limits.hpp"
+#include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/stationary/direct_solution.hpp"
+#include "fd_fpk/stationary/pseudo_transient.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
+#include "problem/features.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+using transform::Status;
+
+// The stationary density by the method of Options::stepper; empty if there is no density. Sets the
+// status of the result.
+std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
+                                                  const problem::Problem& problem,
+                                                  const Options& options, const Deadline& deadline,
+                                                  Result& result) {
+  auto& [solution, summary] = result;
+  if (!direct.averages) {
+    solution.status = Status::failed;
+    solution.reason = direct.failure;
+    return std::nullopt;
+  }
+  const double frequency = direct.scales.frequency;
+  // Number of CVODE steps for which time must remain. CVODE solves linear systems with the same
+  // solver as the direct solution, so each step may take as long as the direct solution.
+  constexpr double kStepsInFull = 20;
+  std::optional<PseudoTransientResult> march;
+  if (options.stepper == StationarySolver::cvode && direct.converged &&
+      deadline.has_time_for(kStepsInFull * direct.krylov_seconds)) {
+    march = march_to_stationarity(
+        direct.op, *direct.preconditioner,
+        initial_gaussian(direct.discretisation.grid, problem, direct.scales),
+        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay_rate, deadline);
+  }
+  std::optional<Eigen::VectorXd> averages;
+  if (!march || march->out_of_time) {
+    summary.krylov_iterations = direct.krylov_iterations;
+    summary.krylov_seconds = direct.krylov_seconds;
+    summary.residual = direct.op.stationarity_residual(*direct.averages) / frequency;
+    averages = direct.averages;
+  } else {
+    summary.steps = march->steps;
+    summary.rhs_evaluations = march->rhs_evaluations;
+    summary.krylov_iterations = march->krylov_iterations;
+    summary.krylov_seconds = march->krylov_seconds;
+    summary.residual = march->residual / frequency;
+    summary.stepped_against_direct =
+        (march->averages - *direct.averages).cwiseAbs().maxCoeff() / direct.averages->maxCoeff();
+    solution.reason = march->reason;
+    if (march->averages.allFinite()) averages = std::move(march->averages);
+  }
+  summary.factorisations = direct.preconditioner->factorisation_count();
+  summary.factor_seconds = direct.preconditioner->factor_seconds();
+  solution.status = Status::ok;
+  if (!(summary.residual <= options.residual_tolerance)) {
+    solution.status = Status::not_converged;
+    if (solution.reason.empty()) {
+      solution.reason = fmt::format(
+          "residual {:.1e} after {} steps and {} factorisations, requested {:.1e}",
+          summary.residual, summary.steps, summary.factorisations, options.residual_tolerance);
+    }
+  }
+  return averages;
+}
+
+void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
+                 const Options& options, const DirectSolution& direct,
+                 const Eigen::VectorXd& averages, Result& result) {
+  auto& [solution, summary] = result;
+  const auto& [grid, excitation, length, failure, cells] = direct.discretisation;
+  const int order = transport_order(options);
+  solution.density = grid_density(grid, averages);
+  solution.moments = physical_moments(problem.frame, grid, averages, order);
+  solution.mass = grid.cell_areas().dot(averages);
+  solution.min_density = averages.minCoeff() / averages.maxCoeff();
+  summary.wall = relative_wall_density(scales, grid, averages);
+  summary.impact_rate = impact_rate(problem.system, excitation, options.impact, grid, averages,
+                                    direct.op * averages, order);
+  solution.energy_residual = energy_residual(problem, options.impact, grid, averages, order);
+  summary.balances =
+      balance_residuals(problem, grid, averages, order,
+                        wall_momentum_transfer(problem.system, grid, averages, order));
+}
+
+// A box enlarged by half in each direction in which the density at the end of the box is
+// significant; empty if the density is negligible in both directions. Example of a significant
+// density: for rare impulses, with 1e-6 of the peak at an end 8 standard deviations away, the mass
+// beyond this end contributes 4e-4 of E[y^4].
+std::optional<BoxExtension> make_enlarged_box(const problem::Problem& problem,
+                                              const Options& options, const Grid& grid,
+                                              const WallDensity& wall) {
+  constexpr double kMinLevelRatio = 1.5, kNegligible = 1e-9;
+  const double in_x1 = wall.x1 > kNegligible ? kMinLevelRatio : 1;
+  const double in_x2 = wall.x2 > kNegligible ? kMinLevelRatio : 1;
+  if (in_x1 == 1 && in_x2 == 1) return std::nullopt;
+  return extend_box(problem, options, grid, in_x1, in_x2);
+}
+
+void set_grid_data(const Discretisation& discretisation, Summary& summary) {
+  const Grid& grid = discretisation.grid;
+  summary.nx = grid.nx();
+  summary.nv = grid.nv();
+  summary.x1_max = grid.x1_max();
+  summary.x2_max = grid.x2_max();
+  summary.regularisation_length = discretisation.regularisation_length;
+}
+
+}  // namespace
+
+Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
+                         const Options& options, const Deadline& deadline) {
+  Result result;
+  auto& [solution, summary] = result;
+  // Growth rates depend only on the velocity step, so the stability check precedes the solution.
+  const auto first =
+      discretise(problem, options, initial_box(problem, scales_and_box.scales, options));
+  set_grid_data(first, summary);
+  if (!first.failure.empty()) {
+    solution.status = Status::failed;
+    solution.reason = first.failure;
+    return result;
+  }
+  const auto [growth, ill_posed] = check_well_posedness(problem, options, first);
+  summary.growth_rate = growth.rate;
+  summary.growth_wavenumber = growth.wavenumber;
+  if (!ill_posed.empty()) {
+    solution.status = Status::ill_posed;
+    solution.reason = ill_posed;
+    return result;
+  }
+
+  DirectSolution direct = solve_directly(problem, scales_and_box, options, deadline);
+  set_grid_data(direct.discretisation, summary);
+  summary.order = transport_order(options);
+  summary.refinement = direct.refinement;
+  summary.origin_refinement = direct.origin_refinement;
+  if (direct.averages) {
+    summary.nonzeros = direct.op.local.nonZeros();
+    summary.leak = direct.op.max_mass_loss_rate();
+    summary.factor_entries = direct.preconditioner->factor_entry_count();
+  }
+  const auto density = stationary_density(direct, problem, options, deadline, result);
+  if (density) {
+    const Grid& grid = direct.discretisation.grid;
+    set_results(problem, scales_and_box.scales, options, direct, *density, result);
+    if (problem::is_paper_oscillator(problem)) {
+      summary.enlarged_box = make_enlarged_box(problem, options, grid, summary.wall);
+    } else {
+      summary.moments_outside_box = moments_outside_box(problem, grid, *density, solution.moments);
+    }
+    check_box(problem.frame, grid, result);
+    check_resolution(options, result);
+    if (!problem::is_paper_oscillator(problem)) check_balances(result);
+  }
+  return result;
+}
+
+}  // namespace fpkcheck::fd_fpk

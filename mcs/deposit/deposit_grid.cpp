@@ -1,0 +1,201 @@
+#include "mcs/deposit/deposit_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/input_error.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr int kDegree = DepositGrid::kDegree;
+constexpr int kEight = SplinePieces::kWidth;
+constexpr double kMostCells = 1e5;
+
+void require(bool holds, const std::string& message) {
+  if (!holds) throw InputError("mcs.deposit: " + message);
+}
+
+std::vector<double> distinct_knots(const std::vector<double>& knots) {
+  std::vector<double> breaks(knots);
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+double shortest_span(const std::vector<double>& breaks) {
+  double least = breaks[1] - breaks[0];
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
+    least = std::min(least, breaks[k + 1] - breaks[k]);
+  }
+  return least;
+}
+
+void require_knots(const std::string& name, const std::vector<double>& knots) {
+  const auto repeated = [&](double x) { return std::ranges::count(knots, x); };
+  require(knots.size() > 2 * kDegree + 2 && std::ranges::is_sorted(knots) &&
+              std::isfinite(knots.front()) && std::isfinite(knots.back()) &&
+              knots.front() < knots.back() && repeated(knots.front()) == kDegree + 1 &&
+              repeated(knots.back()) == kDegree + 1,
+          fmt::format("{1} knots of {0}: must be sorted, with ends of multiplicity six", name,
+                      knots.size()));
+  const std::vector<double> breaks = distinct_knots(knots);
+  for (std::size_t k = 1; k + 1 < breaks.size(); ++k) {
+    require(repeated(breaks[k]) <= kDegree,
+            fmt::format("knots of {}: an inner knot has a multiplicity above five", name));
+  }
+  require(shortest_span(breaks) * kMostCells > breaks.back() - breaks.front(),
+          fmt::format("knots of {}: too close together", name));
+}
+
+void require_bins(const std::string& name, const SmoothBins& bins) {
+  require(bins.count >= 1 && bins.spacing > 0 && std::isfinite(bins.first) &&
+              std::isfinite(bins.spacing),
+          fmt::format("{} smooth bins of {} with spacing {}: both must be positive", bins.count,
+                      name, bins.spacing));
+}
+
+using Coefficients = std::vector<double>;  // coefficients of 1, t, t^2, ..
+
+/// The polynomial a p + (b + c t) q.
+Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
+                                 const Coefficients& q) {
+  Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
+  for (std::size_t n = 0; n < p.size(); ++n) sum[n] += a * p[n];
+  for (std::size_t n = 0; n < q.size(); ++n) {
+    sum[n] += b * q[n];
+    sum[n + 1] += c * q[n];
+  }
+  return sum;
+}
+
+/// The six splines of a span as polynomials of t = (x - begin)/width, by the recursion of Cox and
+/// de Boor, shape (6, 6).
+/// @param last_knot index of the last knot at the beginning of the span
+std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::size_t last_knot) {
+  const double begin = knots[last_knot], width = knots[last_knot + 1] - begin;
+  std::vector<Coefficients> functions{{1.0}};
+  for (int p = 1; p <= kDegree; ++p) {
+    std::vector<Coefficients> next(functions.size() + 1, Coefficients{0.0});
+    for (std::size_t l = 0; l < functions.size(); ++l) {
+      // Degree p - 1, on the knots i .. i + p.
+      const std::size_t i = last_knot - static_cast<std::size_t>(p - 1) + l;
+      const double low = knots[i], length = knots[i + static_cast<std::size_t>(p)] - low;
+      const double at = (begin - low) / length, slope = width / length;
+      next[l + 1] = combine_polynomials(1, next[l + 1], at, slope, functions[l]);
+      next[l] = combine_polynomials(1, next[l], 1 - at, -slope, functions[l]);
+    }
+    functions = std::move(next);
+  }
+  for (Coefficients& f : functions) f.resize(kDegree + 1);
+  return functions;
+}
+
+/// Appends the coefficients of the polynomials: highest power first, and for each power the
+/// coefficients of all polynomials.
+void append(std::vector<double>& table, const std::vector<Coefficients>& functions, int highest) {
+  for (int n = highest; n >= 0; --n) {
+    for (int l = 0; l < kEight; ++l) {
+      const bool there = l < static_cast<int>(functions.size());
+      table.push_back(there ? functions[static_cast<std::size_t>(l)][static_cast<std::size_t>(n)]
+                            : 0.0);
+    }
+  }
+}
+
+Coefficients multiply_by_linear(const Coefficients& p, double constant, double slope) {
+  return combine_polynomials(0, {}, constant, slope, p);
+}
+
+std::vector<double> lagrange_polynomials() {
+  std::vector<Coefficients> polynomials;
+  for (int q = -3; q <= 4; ++q) {
+    Coefficients polynomial{1.0};
+    for (int p = -3; p <= 4; ++p) {
+      if (p != q) polynomial = multiply_by_linear(polynomial, -p / double(q - p), 1.0 / (q - p));
+    }
+    polynomials.push_back(std::move(polynomial));
+  }
+  std::vector<double> table;
+  append(table, polynomials, DepositGrid::kStencil - 1);
+  return table;
+}
+
+std::vector<double> cubic_pieces() {
+  // Coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  std::vector<double> table;
+  append(table,
+         {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
+          {4. / 6, 0, -1, 1. / 2},
+          {1. / 6, 1. / 2, 1. / 2, -1. / 2},
+          {0, 0, 0, 1. / 6}},
+         3);
+  return table;
+}
+
+}  // namespace
+
+void require_valid_deposit_grid(const DepositGrid& grid) {
+  require_knots("y", grid.y_knots);
+  require_knots("v", grid.v_knots);
+  require(grid.y_knots.front() == 0, "the knots of y must begin at 0");
+  require(grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
+              std::isfinite(grid.lattice_begin),
+          fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
+                      grid.lattice_points, DepositGrid::kStencil));
+  require_bins("y", grid.y_bins);
+  require_bins("v", grid.v_bins);
+}
+
+SplinePieces::SplinePieces(const std::vector<double>& knots)
+    : begin_(knots.front()), end_(knots.back()) {
+  for (std::size_t k = kDegree; k + kDegree + 1 < knots.size(); ++k) {
+    if (knots[k] == knots[k + 1]) continue;
+    const auto functions = span_splines(knots, k);
+    const double width = knots[k + 1] - knots[k];
+    std::vector<Coefficients> slopes;
+    for (const Coefficients& f : functions) {
+      Coefficients slope;
+      for (int n = 1; n <= kDegree; ++n)
+        slope.push_back(n * f[static_cast<std::size_t>(n)] / width);
+      slopes.push_back(slope);
+    }
+    std::vector<double> table;
+    append(table, functions, kDegree);
+    append(table, slopes, kDegree - 1);
+    // Spans whose coefficients agree up to rounding share one table.
+    int place = 0;
+    const auto has_same_coefficients = [&](int from) {
+      return std::equal(table.begin(), table.end(), coefficients_.begin() + from,
+                        [&](double a, double b) { return std::abs(a - b) <= 1e-12 / width; });
+    };
+    const int stored = static_cast<int>(coefficients_.size());
+    while (place < stored && !has_same_coefficients(place)) place += static_cast<int>(table.size());
+    if (place == stored) coefficients_.insert(coefficients_.end(), table.begin(), table.end());
+    first_.push_back(static_cast<int>(k) - kDegree);
+    place_.push_back(place);
+    breaks_.push_back(knots[k]);
+    per_length_.push_back(1 / width);
+  }
+  breaks_.push_back(end_);
+  const auto cells = static_cast<int>(std::ceil((end_ - begin_) / shortest_span(breaks_)));
+  cells_per_length_ = cells / (end_ - begin_);
+  for (int cell = 0, span = 0; cell < cells; ++cell) {
+    const double from = begin_ + cell / cells_per_length_;
+    while (span + 1 < spans() && breaks_[static_cast<std::size_t>(span) + 1] <= from) ++span;
+    span_of_cell_.push_back(span);
+  }
+}
+
+DepositPlan::DepositPlan(const DepositGrid& g, double lambda, double interval)
+    : grid((require_valid_deposit_grid(g), g)),
+      y(g.y_knots),
+      v(g.v_knots),
+      rate(lambda),
+      sampling_interval(interval),
+      lagrange(lagrange_polynomials()),
+      cubics(cubic_pieces()) {}
+
+}  // namespace fpkcheck::mcs

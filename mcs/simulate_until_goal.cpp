@@ -1,0 +1,116 @@
+#include "mcs/simulate_until_goal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "mcs/estimate/density_estimate.hpp"
+#include "mcs/estimate/stream_averages.hpp"
+#include "mcs/estimate/stream_weights.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+/// Sampling errors of the estimates from the rounds so far.
+struct SamplingErrors {
+  double y_l1, ydot_l1;  ///< expected L1 sampling errors
+  double target;         ///< the error that Options::target_error limits
+};
+
+SamplingErrors current_sampling_errors(const Simulation& simulation) {
+  const StreamWeights weights(excess_powers(simulation));
+  const auto l1 = [&](transform::Variable variable) {
+    return expected_l1_error(estimate_marginal(simulation, weights, variable, 1).errors);
+  };
+  SamplingErrors now{
+      .y_l1 = l1(transform::Variable::y), .ydot_l1 = l1(transform::Variable::ydot), .target = 0};
+  now.target = std::max(now.y_l1, now.ydot_l1);
+  for (const auto& [p, q] : {std::pair{2, 0}, std::pair{0, 2}}) {
+    const Estimate e = weights.estimate(stream_moments(simulation, p, q));
+    now.target = std::max(now.target, e.standard_error / e.mean);
+  }
+  if (!std::isfinite(now.target)) now.target = std::numeric_limits<double>::infinity();
+  return now;
+}
+
+/// Progress of a simulation towards the requested precision or time.
+struct RunProgress {
+  double fraction;                       ///< fraction of the required work; may exceed 1
+  std::optional<SamplingErrors> errors;  ///< only if an option or the caller needs them
+  bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
+};
+
+RunProgress run_progress(const Simulation& simulation, const Options& options) {
+  RunProgress now{.fraction = static_cast<double>(simulation.rounds()) /
+                              static_cast<double>(simulation.plan().rounds),
+                  .errors = {},
+                  .goal_reached = false};
+  if (simulation.rounds() == 0) return now;
+  now.goal_reached = options.target_error || options.samples;
+  // Each of several processes has only a part of the streams, from which the errors of the complete
+  // result cannot be computed.
+  if (options.team.parts > 1) return now;
+  if (options.target_error || options.progress) now.errors = current_sampling_errors(simulation);
+  if (options.target_error) {
+    now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.errors->target, 2));
+    now.goal_reached = now.goal_reached && now.errors->target <= *options.target_error;
+  }
+  if (options.samples) {
+    const double samples = effective_sample_count(simulation, 0, 2);
+    now.fraction = std::max(now.fraction, samples / *options.samples);
+    now.goal_reached = now.goal_reached && samples >= *options.samples;
+  }
+  return now;
+}
+
+/// The outcome if the simulation has to end now; empty if the simulation has to continue.
+std::optional<RunOutcome> run_outcome(const Simulation& simulation, const Options& options,
+                                      const RunProgress& now) {
+  if (now.goal_reached) return RunOutcome{};
+  if (simulation.rounds() >= simulation.plan().rounds) {
+    if (!options.target_error && !options.samples) return RunOutcome{};
+    return RunOutcome{.unreached_reason =
+                          "simulated time too short: samples or target error not reached; increase "
+                          "--time"};
+  }
+  // Options::stop is ignored with several processes, since all of them must simulate the same time.
+  // A stop request then ends the process.
+  if (simulation.rounds() > 0 && options.team.parts == 1 && options.stop && options.stop()) {
+    return RunOutcome{
+        .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
+                                        "complete",
+                                        100 * std::min(now.fraction, 1.0)),
+        .interrupted = true};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
+                               CheckpointWriter& checkpoints, const std::string& fingerprint) {
+  checkpoints.write(fingerprint, simulation);
+  for (bool first = true;; first = false) {
+    const RunProgress now = run_progress(simulation, options);
+    if (options.progress && !first) {
+      Progress at{.fraction = std::min(now.fraction, 1.0)};
+      if (now.errors) {
+        at.y_l1 = now.errors->y_l1;
+        at.ydot_l1 = now.errors->ydot_l1;
+      }
+      options.progress(at);
+    }
+    if (auto end = run_outcome(simulation, options, now)) {
+      checkpoints.write_last(fingerprint, simulation);
+      return *std::move(end);
+    }
+    simulation.run_round();
+    checkpoints.write_when_due(fingerprint, simulation);
+  }
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "mcs/options.hpp"
+#include "mcs/simulation/checkpoint.hpp"
+#include "mcs/simulation/simulation.hpp"
+
+namespace fpkcheck::mcs {
+
+/// Whether a simulation reached its goal, and if not, why it ended.
+struct RunOutcome {
+  /// Reason why the goal was not reached, in one sentence; empty if the goal was reached.
+  std::string unreached_reason{};
+  bool interrupted = false;  ///< whether Options::stop ended the simulation
+};
+
+/// Simulates round by round until the requested time, samples or error are reached, or until
+/// Options::stop returns true. Writes checkpoints and reports progress between rounds.
+/// @param fingerprint text that simulation_fingerprint() returns, for the checkpoints
+RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
+                               CheckpointWriter& checkpoints, const std::string& fingerprint);
+
+}  // namespace fpkcheck::mcs

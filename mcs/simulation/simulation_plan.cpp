@@ -1,0 +1,165 @@
+#include "mcs/simulation/simulation_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/input_error.hpp"
+#include "mcs/simulation/parallel_for.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
+
+namespace fpkcheck::mcs {
+namespace {
+
+constexpr double kMostSamples = 1e15;  // samples per stream
+
+constexpr int kAutomaticBins = 140;
+constexpr double kAutomaticExtent = 7;        // standard deviations
+constexpr double kAutomaticWhiteStep = 0.05;  // radians
+// 50 samples per period would reduce the sampling noise of the bins by a seventh, at a higher cost.
+constexpr double kSamplesPerPeriod = 25;
+// Progress reports and interruptions occur between rounds. A round takes the least of a fortieth of
+// the default time, an eighth of the requested time, and about a tenth of a second.
+constexpr double kAutomaticRounds = 40;
+constexpr double kFewestRounds = 8;
+constexpr double kMostEvents = 2e7;  // impulses and flights per round in all streams
+
+std::vector<double> evenly_spaced(double from, double to) {
+  std::vector<double> edges;
+  for (int k = 0; k <= kAutomaticBins; ++k) {
+    edges.push_back(from + (to - from) * k / kAutomaticBins);
+  }
+  return edges;
+}
+
+BinFinder bins(const std::vector<double>& edges, double from, double to) {
+  return BinFinder(edges.empty() ? evenly_spaced(from, to) : edges);
+}
+
+struct Rounds {
+  std::uint64_t samples, rounds;
+};
+
+/// @param events impulses, kicks and flights per unit time
+Rounds choose_rounds(const Options& options, const Durations& durations, double interval,
+                     double events) {
+  const double time = durations.time;
+  const double round_time = std::min(
+      {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
+  // The length of a round is independent of the requested time, unless the requested time is short.
+  // A longer simulation can therefore resume from the checkpoint of a shorter simulation.
+  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
+  const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
+  if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
+    throw InputError(fmt::format(
+        "mcs.time = {}: each of {} streams would have {:.0e} samples, at most {:.0e} are "
+        "possible; reduce the time",
+        time, options.streams, samples * rounds, kMostSamples));
+  }
+  return {static_cast<std::uint64_t>(samples), static_cast<std::uint64_t>(rounds)};
+}
+
+/// Checks the options of a problem whose domain is not y >= 0: bin edges may begin anywhere.
+void validate_for_any_domain(const Options& options) {
+  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
+  Options others = options;
+  others.y_edges.clear();
+  validate(others);
+}
+
+SimulationPlan make_plan_for_any_oscillator(const problem::Problem& problem,
+                                            const Options& options) {
+  validate_for_any_domain(options);
+  GeneralPlan general = make_general_plan(problem, options);
+  const auto& s = general.scales;
+  // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
+  // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
+  // lower limit of the sampling interval.
+  constexpr double kSamplesPerRest = 50;
+  const double least =
+      general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
+  const double step = options.step.value_or(kAutomaticStep);
+  const double kicks = general.kicks.is_present() ? 1 / general.kicks.longest_interval : 0;
+  const bool white = options.equation == Equation::white;
+  const double impulses = white ? 0 : problem.impulses.arrival_rate();
+  const EventRates rates{.decay = s.slowest_decay_rate,
+                         .impulses = impulses,
+                         .flights = kicks + s.frequency / step,
+                         .any_oscillator = true,
+                         .wells = general.wells};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
+  Excitation excitation = poisson_excitation(problem.impulses);
+  if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
+  excitation.power = general.power;
+  // The expected work of the kicks alone is 0; see apply_kick().
+  if (impulses == 0) excitation.work = 0;
+  return {.streams = options.streams,
+          .threads = std::min(number_of_threads(options.threads), options.streams),
+          .seed = options.seed,
+          .frame = problem.frame,
+          .step = step,
+          .burn_in = durations.burn_in,
+          .short_burn_in_cause = durations.short_burn_in_cause,
+          .sampling_interval = interval,
+          .samples_per_round = samples,
+          .rounds = rounds,
+          .displacement_deviation = s.displacement_deviation,
+          .velocity_deviation = s.velocity_deviation,
+          .excitation = excitation,
+          .y_bins = bins(options.y_edges, s.y_low, s.y_high),
+          .v_bins = bins(options.v_edges, -s.v_high, s.v_high),
+          .deposit = {},
+          .general = general};
+}
+
+}  // namespace
+
+SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
+  if (!problem::is_paper_oscillator(problem)) return make_plan_for_any_oscillator(problem, options);
+  validate(options);
+  const auto linear = problem::equivalent_linearisation(problem);
+  const double decay = problem::slowest_decay_rate(linear);
+  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
+  const double frequency = std::sqrt(linear.stiffness);
+  const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
+  const Excitation excitation =
+      options.equation == Equation::white
+          ? white_noise_excitation(problem.impulses,
+                                   options.white_step.value_or(kAutomaticWhiteStep) / frequency)
+          : poisson_excitation(problem.impulses);
+  const double step = options.step.value_or(kAutomaticStep);
+  const EventRates rates{
+      .decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
+  std::optional<DepositPlan> deposit;
+  if (options.deposit) {
+    deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
+  }
+  return {.streams = options.streams,
+          .threads = std::min(number_of_threads(options.threads), options.streams),
+          .seed = options.seed,
+          .frame = problem.frame,
+          .step = step,
+          .burn_in = durations.burn_in,
+          .short_burn_in_cause = durations.short_burn_in_cause,
+          .sampling_interval = interval,
+          .samples_per_round = samples,
+          .rounds = rounds,
+          .displacement_deviation = s1,
+          .velocity_deviation = s2,
+          .excitation = excitation,
+          .y_bins =
+              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
+          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2),
+          .deposit = deposit,
+          .general = {}};
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "mcs/impulses/excitation.hpp"
+#include "mcs/options.hpp"
+#include "mcs/simulation/durations.hpp"
+#include "mcs/simulation/general_plan.hpp"
+#include "mcs/streams/histogram.hpp"
+#include "transform/marginal.hpp"
+
+namespace fpkcheck::problem {
+struct Problem;
+}
+
+namespace fpkcheck::mcs {
+
+/// Default limit of the Taylor step in radians. The errors of the flights are below those of the
+/// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
+inline constexpr double kAutomaticStep = 0.9;
+
+/// All parameters of a simulation, with the default values computed.
+struct SimulationPlan {
+  int streams;
+  int threads;
+  std::uint64_t seed;
+  problem::Frame frame;  ///< maps the results to physical coordinates
+  double step;
+  double burn_in;
+  ShortBurnInCause short_burn_in_cause;
+  double sampling_interval;
+  /// Number of samples of each stream per round.
+  std::uint64_t samples_per_round;
+  std::uint64_t rounds;           ///< upper limit of the number of rounds
+  double displacement_deviation;  ///< sigma_1 of the initial Gaussian
+  double velocity_deviation;      ///< sigma_2
+  Excitation excitation;
+  BinFinder y_bins;
+  BinFinder v_bins;
+  std::optional<DepositPlan> deposit{};
+  /// Additional members for oscillators outside the paper's class, advanced by
+  /// GeneralMotionParameters.
+  std::optional<GeneralPlan> general{};
+
+  /// Simulated time of one stream per round.
+  double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
+
+  const BinFinder& bin_finder(transform::Variable variable) const {
+    return variable == transform::Variable::y ? y_bins : v_bins;
+  }
+};
+
+/// @throws InputError as validate() and make_general_plan()
+SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options);
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,125 @@
+#include "mcs/streams/importance_splitting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace fpkcheck::mcs {
+namespace {
+
+/// Energy bins over eight decades; the width grows by 2 % from one bin to the next.
+std::vector<double> energy_edges(double largest) {
+  constexpr int kBins = 930;
+  std::vector<double> edges;
+  for (int k = kBins; k >= 0; --k) edges.push_back(largest * std::pow(1.02, -k));
+  return edges;
+}
+
+/// Value of Branch::split in which the bits of the thresholds first + 1 .. last are set.
+std::uint64_t bits(int first, int last) {
+  return (std::uint64_t{1} << last) - (std::uint64_t{1} << first);
+}
+
+}  // namespace
+
+ImportanceSplitting::ImportanceSplitting(const numerics::Polynomial& potential,
+                                         std::vector<double> thresholds, double largest_energy)
+    : potential_(potential),
+      thresholds_(std::move(thresholds)),
+      energy_bins_(energy_edges(largest_energy)) {
+  if (thresholds_.size() > kMostThresholds) thresholds_.resize(kMostThresholds);
+  for (std::size_t i = 0; i <= thresholds_.size(); ++i) {
+    weights_.push_back(std::pow(kCopies, -static_cast<double>(i)));
+  }
+}
+
+double ImportanceSplitting::energy(const Branch& b) const {
+  return b.v * b.v / 2 + potential_(b.y);
+}
+
+int ImportanceSplitting::energy_level(double energy) const {
+  return static_cast<int>(std::ranges::upper_bound(thresholds_, energy) - thresholds_.begin());
+}
+
+bool ImportanceSplitting::may_split(const StreamRecord& record) const {
+  const auto most = static_cast<std::uint64_t>(kImpulsesPerThreshold * threshold_count());
+  return record.branch_impulses < kImpulseAllowance + most * record.impulses;
+}
+
+void ImportanceSplitting::split(Stream& stream, int from, bool at_impulse) const {
+  const int to = stream.branch.energy_level, first = std::max(from, to - kMostSplits);
+  if (!may_split(stream.record)) return;
+  stream.branch.split |= bits(first, to);
+  const Branch origin = stream.branch;
+  const GeneralBranch general = stream.general;
+  stream.pending_branches.push_back({.branch = origin, .general = general});
+  // At threshold i + 1 each of the present branches becomes kCopies branches.
+  int branches = 1;
+  for (int i = first; i < to; ++i) {
+    Branch copy = origin;
+    copy.floor_level = i + 1;
+    stream.pending_branches.push_back({.branch = copy,
+                                       .general = general,
+                                       .copies = branches * (kCopies - 1),
+                                       .at_impulse = at_impulse});
+    branches *= kCopies;
+  }
+  resume_next_branch(stream);
+}
+
+void ImportanceSplitting::update_after_impulse(Stream& stream) const {
+  Branch& branch = stream.branch;
+  const double now = energy(branch);
+  const int before = branch.energy_level;
+  branch.energy_level = energy_level(now);
+  branch.split &= bits(0, branch.energy_level);
+  // Counts the state once, before the branch is split.
+  stream.record.energies[energy_bins_(now)] += branch_weight(branch);
+  if (branch.energy_level > before) {
+    split(stream, before, true);
+  } else if (branch.energy_level < branch.floor_level) {
+    resume_next_branch(stream);
+  }
+}
+
+void ImportanceSplitting::split_initial_state(Stream& stream) const {
+  stream.record.energies.resize(energy_bins_.bin_count() + 2);
+  stream.branch.energy_level = energy_level(energy(stream.branch));
+  stream.branch.floor_level = 0;
+  stream.branch.split = 0;
+  if (stream.branch.energy_level > 0) split(stream, 0, false);
+}
+
+void resume_next_branch(Stream& stream) {
+  PendingBranch& next = stream.pending_branches.back();
+  stream.branch = next.branch;
+  stream.general = next.general;
+  if (next.copies > 0) {
+    const Impulse impulse = stream.source.next_impulse();
+    // Copies made between impulses have the time of the next impulse in common, but not the
+    // amplitude.
+    if (next.at_impulse) stream.branch.until_impulse = impulse.waiting;
+    stream.branch.amplitude = impulse.amplitude;
+    --next.copies;
+  }
+  if (next.copies == 0) stream.pending_branches.pop_back();
+}
+
+std::vector<double> choose_thresholds(const BinFinder& bins, const std::vector<double>& energies,
+                                      double fewest_visits, double rarest) {
+  double total = 0;
+  for (const double weight : energies) total += weight;
+  std::vector<double> thresholds;
+  double above = total, next = total / ImportanceSplitting::kCopies;
+  for (std::size_t b = 0;
+       b + 1 < energies.size() && next >= std::max(fewest_visits, rarest * total); ++b) {
+    above -= energies[b];
+    if (above > next) continue;
+    thresholds.push_back(bins.edges()[b]);
+    while (next >= above) next /= ImportanceSplitting::kCopies;
+  }
+  return thresholds;
+}
+
+}  // namespace fpkcheck::mcs

@@ -1,0 +1,98 @@
+#include "methods/external/external_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <system_error>
+
+#include "base/input_error.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
+#include "results/output_directory.hpp"
+
+namespace fpkcheck::methods {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool file_exists(const std::string& text) {
+  std::error_code ignored;
+  return fs::exists(text, ignored);
+}
+
+int parse_order(const std::string& value) {
+  constexpr int kMaxOrder = 99;
+  int order = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), order);
+  if (error != std::errc{} || end != value.data() + value.size() || order < 1 ||
+      order > kMaxOrder) {
+    throw InputError(fmt::format("--against: order = {} (must be an integer, 1 .. {})",
+                                 base::in_quotes(value), kMaxOrder));
+  }
+  return order;
+}
+
+void set(const std::string& key, const std::string& value, ExternalArgument& argument) {
+  if (key == "equation") {
+    argument.equation = base::parse_enum<problem::Equation>("--against: equation =", value);
+  } else if (key == "impact") {
+    argument.impact = base::parse_enum<problem::Impact>("--against: impact =", value);
+  } else if (key == "order") {
+    argument.order = parse_order(value);
+  } else if (key == "solution") {
+    argument.solution = value;
+  } else if (key == "case") {
+    argument.case_name = value;
+  } else {
+    throw InputError(
+        fmt::format("--against: unknown key {}; use equation, impact, order, solution or case",
+                    base::in_quotes(key)));
+  }
+}
+
+// Position of the comma of the last ",KEY=VALUE"; npos if there is none.
+std::size_t last_setting_position(const std::string& text) {
+  const auto comma = text.rfind(',');
+  if (comma == std::string::npos) return comma;
+  const auto equals = text.find('=', comma);
+  if (equals == std::string::npos || equals == comma + 1) return std::string::npos;
+  const bool word =
+      std::all_of(text.begin() + static_cast<std::ptrdiff_t>(comma) + 1,
+                  text.begin() + static_cast<std::ptrdiff_t>(equals),
+                  [](unsigned char c) { return std::islower(c) != 0 || c == '_' || c == '-'; });
+  return word ? comma : std::string::npos;
+}
+
+}  // namespace
+
+ExternalArgument parse_external_argument(const std::string& text) {
+  ExternalArgument argument;
+  std::string rest = text;
+  while (!file_exists(rest)) {
+    const auto comma = last_setting_position(rest), colon = rest.rfind(':');
+    if (comma == std::string::npos) break;
+    const bool is_in_file_name = colon != std::string::npos && colon > comma;
+    if (is_in_file_name && file_exists(rest.substr(0, colon))) break;
+    const auto equals = rest.find('=', comma);
+    set(rest.substr(comma + 1, equals - comma - 1), rest.substr(equals + 1), argument);
+    rest.erase(comma);
+  }
+  if (argument.impact && !argument.equation) {
+    throw InputError(
+        fmt::format("--against: impact = {} lacks an equation; give both", name(*argument.impact)));
+  }
+  const auto colon = rest.rfind(':');
+  if (colon == std::string::npos || file_exists(rest)) {
+    argument.file = rest;
+    argument.label = results::file_stem(argument.file.stem().string());
+    argument.has_label = false;
+  } else {
+    argument.file = rest.substr(0, colon);
+    argument.label = rest.substr(colon + 1);
+  }
+  return argument;
+}
+
+}  // namespace fpkcheck::methods

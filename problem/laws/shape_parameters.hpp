@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace fpkcheck::problem {
+
+/// Parameters of an amplitude law in addition to its mean and standard deviation, read from the
+/// case file. Most laws have no such parameters.
+struct LawShapeParameters {
+  /// The skewness E[(Y - mean)^3] / deviation^3.
+  std::optional<double> skewness = {};
+  /// A table literal of amplitudes (problem/amplitude_table.hpp); empty for laws without a table.
+  std::string table = {};
+};
+
+}  // namespace fpkcheck::problem

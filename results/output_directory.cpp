@@ -1,0 +1,100 @@
+#include "results/output_directory.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <system_error>
+#include <vector>
+
+#include "base/files/atomic_file.hpp"
+#include "base/files/journal.hpp"
+#include "base/input_error.hpp"
+
+namespace fpkcheck::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The missing directories of a path, outermost first.
+std::vector<fs::path> missing_directories(const fs::path& directory) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path part = fs::absolute(directory).lexically_normal();
+       part.has_relative_path() && !fs::exists(part, error); part = part.parent_path()) {
+    missing.insert(missing.begin(), part);
+  }
+  return missing;
+}
+
+void recover_interrupted_run(const fs::path& directory) {
+  base::complete_interrupted_commit(directory);
+  base::remove_abandoned_partial_files(directory);
+}
+
+// Creates an empty hidden file, to test that the directory is writable. First removes a hidden file
+// of the same name, which an earlier process with the same process id may have left.
+fs::path create_probe_file(const fs::path& directory) {
+  fs::path file = base::partial_file_path(directory / "run");
+  fs::remove(file);
+  base::write_new_file(file, "");
+  return file;
+}
+
+OutputDirectoryLock try_prepare_directory(const fs::path& directory) {
+  const fs::path figures = directory / "figures";
+  std::vector<fs::path> missing = missing_directories(directory);
+  const OutputDirectoryLock made({}, missing);  // removes empty directories if the next lines throw
+  fs::create_directories(directory);
+  recover_interrupted_run(directory);
+  OutputDirectoryLock held(create_probe_file(directory), std::move(missing));
+  if (fs::exists(figures)) {
+    fs::create_directories(figures);  // throws if `figures` is a file
+    recover_interrupted_run(figures);
+    fs::remove(create_probe_file(figures));
+  }
+  return held;
+}
+
+}  // namespace
+
+std::string file_stem(const std::string& case_name) {
+  std::string stem;
+  bool replaced = false;
+  for (const unsigned char c : case_name) {
+    const bool kept = std::isalnum(c) || c == '-' || c == '_' || c == '.';
+    if (kept || !replaced) stem += kept ? static_cast<char>(c) : '_';
+    replaced = !kept;
+  }
+  return stem;
+}
+
+OutputDirectoryLock::~OutputDirectoryLock() {
+  std::error_code not_empty;
+  if (!lock_file_.empty()) fs::remove(lock_file_, not_empty);
+  for (auto part = created_.rbegin(); part != created_.rend(); ++part) fs::remove(*part, not_empty);
+}
+
+OutputDirectoryLock prepare_output_directory(const fs::path& directory) {
+  if (directory.empty()) throw InputError("--out is empty; give a directory");
+  try {
+    // Another run may end now and remove the directories that it created. Only the hidden file of
+    // this run prevents the removal. Hence the attempts are repeated until the hidden file exists.
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      try {
+        return try_prepare_directory(directory);
+      } catch (const std::system_error& error) {
+        if (error.code() != std::errc::no_such_file_or_directory) throw;
+      }
+    }
+    return try_prepare_directory(directory);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    const auto* system_error = dynamic_cast<const std::system_error*>(&error);
+    throw InputError(fmt::format(
+        "cannot write into directory '{}': {}; choose another with --out", directory.string(),
+        system_error != nullptr ? system_error->code().message() : error.what()));
+  }
+}
+
+}  // namespace fpkcheck::results

@@ -1,0 +1,78 @@
+#include "workflows/paper/closure_distance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compare/reference.hpp"
+#include "workflows/paper/claims.hpp"
+#include "workflows/paper/criteria.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The number of bins in the tail of a budget row. A row has only the bins in which its closure is
+// positive: a closure with fewer bins than other closures is 0 in a part of the tail.
+int tail_bin_count(const results::CaseResult& one, transform::Variable variable) {
+  int most = 0;
+  for (const auto& row : one.budget) {
+    if (row.variable == variable) most = std::max(most, row.tail_bins);
+  }
+  return most;
+}
+
+// The total distance of a budget may refer to a Richardson limit, which is not a solution of the
+// case. If the total distance refers to a limit, the error estimate of the case's reference is
+// used.
+double error_estimate(const results::CaseResult& one, const compare::ErrorBudgetRow& row) {
+  const auto* reference = one.find(row.reference);
+  if (reference == nullptr) reference = compare::select_reference(one.solutions);
+  return reference == nullptr ? kInfinity : compare::l1_error_estimate(*reference, row.variable);
+}
+
+}  // namespace
+
+std::optional<Distance> distance_to_simulation(const results::CaseResult& one, int order,
+                                               transform::Variable variable, std::string& missing) {
+  const auto row = std::ranges::find_if(one.budget, [&](const compare::ErrorBudgetRow& of) {
+    return of.solution == paper_closure_id(order) && of.variable == variable;
+  });
+  if (row == one.budget.end()) {
+    const auto* closure = one.find(paper_closure_id(order));
+    missing = closure != nullptr && closure->has_density()
+                  ? fmt::format("{} has no reference solution", one.name())
+                  : fmt::format("{} has no density of {}", one.name(), paper_closure_id(order));
+    return std::nullopt;
+  }
+  Distance distance{
+      .l1 = row->total, .tail = row->total_tail, .l1_error = error_estimate(one, *row)};
+  if (row->tail_bins < tail_bin_count(one, variable)) distance.tail = kInfinity;
+  if (!row->parts.empty() && row->parts.back().is_reference_error()) {
+    distance.tail_error = row->parts.back().tail;
+  }
+  if (!std::isfinite(distance.l1)) {
+    missing = fmt::format("the distance of {} in {} is not a number", paper_closure_id(order),
+                          one.name());
+    return std::nullopt;
+  }
+  if (!(distance.l1_error <= kMaxReferenceErrorFraction * kAgreementL1)) {
+    missing = fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
+                          one.name(), distance.l1_error);
+    return std::nullopt;
+  }
+  return distance;
+}
+
+Distance larger_distances(const Distance& one, const Distance& other) {
+  const auto larger = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
+  return {.l1 = std::max(one.l1, other.l1),
+          .tail = larger(one.tail, other.tail),
+          .l1_error = std::max(one.l1_error, other.l1_error),
+          .tail_error = std::max(one.tail_error, other.tail_error)};
+}
+
+}  // namespace fpkcheck::paper

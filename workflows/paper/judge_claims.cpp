@@ -1,0 +1,213 @@
+#include "workflows/paper/judge_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "workflows/paper/closure_distance.hpp"
+#include "workflows/paper/criteria.hpp"
+#include "workflows/paper/linearisation_distance.hpp"
+#include "workflows/paper/measured_text.hpp"
+
+namespace fpkcheck::paper {
+namespace {
+
+using results::CaseResult;
+using transform::Solution;
+using transform::Status;
+
+class Judge {
+ public:
+  Judge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
+
+  Judgement judgement() {
+    record_status();
+    const std::optional<bool> holds = missing_reason_.empty() ? evaluate_claim() : std::nullopt;
+    if (!holds) {
+      judgement_.outcome = ClaimOutcome::unjudged;
+      judgement_.note = missing_reason_;
+    } else if (claim().relation == ClaimedRelation::not_found) {
+      judge_search(*holds);
+    } else {
+      judge_distances(*holds);
+    }
+    return judgement_;
+  }
+
+ private:
+  const Claim& claim() const { return judgement_.claim; }
+
+  const CaseResult* find_case(int number) {
+    const auto found = std::ranges::find(run_.cases, paper_case_name(number), &CaseResult::name);
+    if (found != run_.cases.end()) return &*found;
+    missing_reason_ = fmt::format("the run has no {}", paper_case_name(number));
+    return nullptr;
+  }
+
+  // The status of a claim about several cases is the status in the first case in which the closure
+  // is not ok.
+  void record_status() {
+    for (const int number : claim().cases) {
+      const CaseResult* case_result = find_case(number);
+      if (case_result == nullptr) return;
+      const Solution* closure = case_result->find(paper_closure_id(claim().order));
+      if (closure == nullptr || closure->status == Status::failed) {
+        missing_reason_ =
+            closure == nullptr
+                ? fmt::format("{} has no {}", case_result->name(), paper_closure_id(claim().order))
+                : fmt::format("{} failed in {}", closure->id(), case_result->name());
+        return;
+      }
+      if (judgement_.status && *judgement_.status != Status::ok) continue;
+      judgement_.status = closure->status;
+      judgement_.reason = closure->reason;
+    }
+  }
+
+  // The distance with the maximum of each number over the given cases and the variables of the
+  // claim.
+  std::optional<Distance> distance(int order, const std::vector<int>& cases) {
+    Distance worst;
+    for (const int number : cases) {
+      const CaseResult* case_result = find_case(number);
+      if (case_result == nullptr) return std::nullopt;
+      for (const auto variable : claim().variables) {
+        const auto next = distance_to_simulation(*case_result, order, variable, missing_reason_);
+        if (!next) return std::nullopt;
+        worst = larger_distances(worst, *next);
+      }
+    }
+    return worst;
+  }
+
+  // Whether the tail distance exists; sets the reason if the tail distance does not exist.
+  bool has_tail(const Distance& distance) {
+    if (!std::isnan(distance.tail)) return true;
+    missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
+    return false;
+  }
+
+  // Sets the measured numbers and their limits. Returns whether the claim holds, or nothing if a
+  // number is missing.
+  std::optional<bool> evaluate_claim() {
+    using enum ClaimedRelation;
+    const ClaimedRelation relation = claim().relation;
+    if (relation == not_found) return !newton_converges();
+    if (relation == is_linearisation) return is_same_gaussian();
+
+    const auto closure_distance = distance(claim().order, claim().cases);
+    if (!closure_distance) return std::nullopt;
+    auto& l1 = judgement_.l1;
+    auto& tail = judgement_.tail;
+    l1.value = closure_distance->l1;
+    if (!std::isnan(closure_distance->tail)) tail.value = closure_distance->tail;
+
+    if (relation == further_than_in_case_1) {
+      const auto first = distance(claim().order, {1});
+      if (!first) return std::nullopt;
+      l1 = {closure_distance->l1, first->l1 + closure_distance->l1_error + first->l1_error, true};
+      return l1.satisfies_limit();
+    }
+    const bool uses_l1 =
+        relation != agrees_in_tail && relation != differs_in_tail && relation != closer_in_tail;
+    const bool uses_tail = relation != closer_in_l1;
+    if (uses_tail && !has_tail(*closure_distance)) return std::nullopt;
+    const bool differ = relation == differs || relation == differs_in_tail;
+    Distance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
+    if (claim().rival != 0) {
+      const auto rival = distance(claim().rival, claim().cases);
+      if (!rival || (uses_tail && !has_tail(*rival))) return std::nullopt;
+      // The difference between both distances must exceed the error estimate of the reference.
+      limit = {.l1 = rival->l1 - closure_distance->l1_error,
+               .tail = rival->tail - closure_distance->tail_error};
+    }
+    if (uses_l1) l1 = {closure_distance->l1, limit.l1, differ};
+    if (uses_tail) tail = {closure_distance->tail, limit.tail, differ};
+    if (differ) return l1.satisfies_limit() || tail.satisfies_limit();
+    return (!uses_l1 || l1.satisfies_limit()) && (!uses_tail || tail.satisfies_limit());
+  }
+
+  std::optional<bool> is_same_gaussian() {
+    double largest = 0;
+    for (const int number : claim().cases) {
+      const CaseResult* case_result = find_case(number);
+      if (case_result == nullptr) return std::nullopt;
+      for (const auto variable : claim().variables) {
+        const auto* curve = case_result->curve(paper_closure_id(claim().order), variable);
+        if (curve == nullptr) {
+          missing_reason_ = fmt::format("{} has no density of {}", case_result->name(),
+                                        paper_closure_id(claim().order));
+          return std::nullopt;
+        }
+        largest = std::max(largest, l1_to_linearisation(*curve, case_result->problem));
+      }
+    }
+    judgement_.l1 = {largest, kSameGaussianL1};
+    return judgement_.l1.satisfies_limit();
+  }
+
+  // Runs of older programs lack the metric: for such runs the plain Newton steps are assumed to
+  // have converged.
+  bool newton_converges() {
+    const Solution* closure =
+        find_case(claim().cases.front())->find(paper_closure_id(claim().order));
+    if (closure->status == Status::not_converged) return false;
+    const auto* observed = transform::find_metric(closure->metrics, "plain_newton_converges");
+    const auto* converges = observed == nullptr ? nullptr : std::get_if<bool>(&observed->value);
+    return converges == nullptr || *converges;
+  }
+
+  void judge_search(bool holds) {
+    judgement_.outcome = holds ? ClaimOutcome::established : ClaimOutcome::not_established;
+    if (judgement_.status == Status::not_converged) return;
+    judgement_.note = fmt::format("{} a root{}",
+                                  holds ? "plain Newton steps find no root, but other methods find"
+                                        : "plain Newton steps from equivalent linearisation find",
+                                  is_no_density() ? fmt::format(", which {}", kNoDensity) : "");
+  }
+
+  void judge_distances(bool holds) {
+    judgement_.outcome = holds ? ClaimOutcome::established : ClaimOutcome::not_established;
+    const bool claims_accuracy = claim().relation != ClaimedRelation::differs &&
+                                 claim().relation != ClaimedRelation::differs_in_tail;
+    if (!holds) judgement_.note = unmet_limits_text();
+    if (!claims_accuracy || !is_no_density()) return;
+    if (holds) judgement_.outcome = ClaimOutcome::qualified;
+    judgement_.note += fmt::format("{}n={} {}", holds ? "" : "; and ", claim().order, kNoDensity);
+  }
+
+  bool is_no_density() const { return judgement_.status == Status::inadmissible; }
+
+  std::string unmet_limits_text() const {
+    std::string text;
+    const auto add = [&](const char* what, const MeasuredNumber& of, const std::string& value,
+                         const std::string& limit) {
+      if (!of.limit || of.satisfies_limit()) return;
+      text += fmt::format("{}{} {} is {} {}", text.empty() ? "" : ", ", what, value,
+                          of.above ? "not above" : "above", limit);
+    };
+    const auto& [l1, tail] = std::tie(judgement_.l1, judgement_.tail);
+    add("L1", l1, l1_text(l1.value), l1_text(l1.limit));
+    add("tail", tail, tail_text(tail.value), tail_text(tail.limit));
+    return text;
+  }
+
+  static constexpr const char* kNoDensity =
+      "solves its equations but is no probability density (inadmissible)";
+
+  const results::Run& run_;
+  Judgement judgement_;
+  std::string missing_reason_;
+};
+
+}  // namespace
+
+std::vector<Judgement> judge_claims(const results::Run& run) {
+  std::vector<Judgement> all;
+  for (const auto& claim : paper_claims()) all.push_back(Judge(run, claim).judgement());
+  return all;
+}
+
+}  // namespace fpkcheck::paper

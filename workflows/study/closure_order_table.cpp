@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+#include "workflows/study/closure_order.hpp"
+
+namespace fpkcheck::study {
+namespace {
+
+using report::wrap_text;
+
+std::string name_of(const ClosureOrderRow& row) {
+  return fmt::format("{} n = {}", row.formulation, row.order);
+}
+
+// The sign of the leading form of Q_n without the confinement term, even if this term makes the
+// density decay.
+std::string leading_form(const ClosureOrderRow& row) {
+  const auto& metrics = row.solution.metrics;
+  auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
+  if (!form) form = transform::metric_text(metrics, "leading_form");
+  if (!form) return report::kAbsent;
+  return *form == "negative" ? "falls" : "rises";
+}
+
+std::string rows(const ClosureOrderStudy& study, const report::TextFormat& format) {
+  const std::string l1 = "L1 to " + study.reference.id();
+  auto rows = records(study.rows);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].push_back({"leading", leading_form(study.rows[k])});
+    rows[k].push_back({"ms", study.rows[k].solution.seconds * 1000});
+  }
+  return table_text(rows,
+                    {{"", "formulation", "formulation", "", report::kAlwaysShown, true},
+                     {"", "n", "order", ""},
+                     {"", "status", "status", ""},
+                     {"", "steps", "iterations", "{:.0f}", 3},
+                     {"", "cond.", "condition", "{:.0e}", 1},
+                     {"", "residual", "residual", "{:.0e}", 4},
+                     {"", "Q_n", "leading", "", 2, true},
+                     {"", "edge", "support.edge_density", "{:.0e}", 2},
+                     {"", "to n-2", "distance_to_previous", "{:.5f}", 1},
+                     {l1, "p(y)", "l1_y", "{:.5f}"},
+                     {l1, "p(y')", "l1_ydot", "{:.5f}"},
+                     {"tail", "p(y)", "tail_y", "{:.2f}", 5},
+                     {"tail", "p(y')", "tail_ydot", "{:.2f}", 5},
+                     {"", "ms", "ms", "{:.0f}"}},
+                    format);
+}
+
+std::string branch_end_text(const std::string& end) {
+  if (end == "full_problem") return "reaches the full problem";
+  if (end == "white_noise") return "returns to white noise at another root";
+  if (end == "far_away") return "ends where its coefficients grow without bound";
+  return "is lost by the continuation";
+}
+
+// The text on the folds and on the end of a branch of solutions that begins at the exact density.
+std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& branch) {
+  std::vector<std::string> folds;
+  for (const auto& point : branch.points) {
+    if (point.fold) folds.push_back(fmt::format("{:.1f} %", 100 * point.fraction));
+  }
+  return fmt::format(
+      "  {}: the branch of solutions from the exact density of white noise without impact losses "
+      "{}{}, covers {:.1f} % of the way, and {}.",
+      name_of(row), folds.empty() ? "has no fold" : "folds at ", fmt::join(folds, ", "),
+      100 * branch.largest_fraction, branch_end_text(branch.end));
+}
+
+// The mean factor by which the distances decrease if the order n increases by 2. A convergent
+// closure converges geometrically, so that a power of n does not describe the convergence.
+std::string convergence_rate_sentence(const ClosureOrderRow& first, const ClosureOrderRow& last) {
+  const double steps = (last.order - first.order) / 2.0;
+  const auto factor = [&](double MarginalL1Distances::*of) {
+    return std::pow((*first.l1).*of / (*last.l1).*of, 1 / steps);
+  };
+  return fmt::format(" On average each n + 2 divides it by {:.1f} and {:.1f}.",
+                     factor(&MarginalL1Distances::y), factor(&MarginalL1Distances::ydot));
+}
+
+// The summary of a formulation: the orders with status ok, and the decrease of the distances with
+// the order.
+// @param good the rows of the formulation with status ok
+std::string convergence_sentence(const std::string& formulation,
+                                 const std::vector<const ClosureOrderRow*>& good) {
+  if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);
+  std::vector<std::string> orders;
+  for (const ClosureOrderRow* row : good) orders.push_back(std::to_string(row->order));
+  const ClosureOrderRow &first = *good.front(), &last = *good.back();
+  std::string text = fmt::format("{} is ok at n = {}", formulation, join_with_and(orders));
+  if (good.size() == 1) {
+    return text + fmt::format(": L1 {:.2g} in p(y), {:.2g} in p(y').", first.l1->y, first.l1->ydot);
+  }
+  return text +
+         fmt::format(
+             "; from n = {} to {} the L1 distance changes from {:.2g} to {:.2g} in p(y) "
+             "and from {:.2g} to {:.2g} in p(y').",
+             first.order, last.order, first.l1->y, last.l1->y, first.l1->ydot, last.l1->ydot) +
+         convergence_rate_sentence(first, last);
+}
+
+std::string convergence(const ClosureOrderStudy& study, std::size_t width) {
+  std::string text;
+  for (auto row = study.rows.begin(); row != study.rows.end();) {
+    const std::string& formulation = row->formulation;
+    std::vector<const ClosureOrderRow*> good;
+    for (; row != study.rows.end() && row->formulation == formulation; ++row) {
+      if (row->solution.is_ok() && row->l1) good.push_back(&*row);
+    }
+    text += wrap_text("  " + convergence_sentence(formulation, good), width, 2);
+  }
+  return text;
+}
+
+constexpr const char* kLegend =
+    "steps: Newton steps, summed over all orders and attempts. cond.: condition number of Newton's "
+    "matrix in scaled functions. residual: largest residual of the equations relative to the "
+    "damping c. Q_n: falls in every direction at infinity, or rises in some. edge: largest density "
+    "on the edge of the support relative to the peak. to n-2: sum of the L1 distances of both "
+    "marginals to those of order n-2. L1: integral of |p - reference|. tail: mean "
+    "|log10 p - log10 reference| over reference densities 1e-5 .. 1e-4. ms: wall-clock time.";
+
+}  // namespace
+
+std::string table(const ClosureOrderStudy& study, const report::TextFormat& format) {
+  const std::size_t width = format.width;
+  std::string text = wrap_text(report::case_title(study.problem), width, 2) + rows(study, format);
+  for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, width);
+  text +=
+      reason_text(fmt::format("The reference {} is", study.reference.id()), study.reference, width);
+  for (const auto& row : study.rows) {
+    const auto followed = solution_branch(row.solution.metrics);
+    if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);
+  }
+  return text + convergence(study, width) + '\n' + wrap_text(kLegend, width);
+}
+
+}  // namespace fpkcheck::study
