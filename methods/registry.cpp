@@ -50,11 +50,12 @@ std::vector<std::string> selected_ids(const Registry& registry, const std::strin
 }  // namespace
 
 void Registry::add(Solver solver) {
+  if (find_solver(solver.name) != nullptr) {
+    throw std::logic_error("solver '" + std::string(solver.name) + "' is registered twice");
+  }
   const auto known = families();
   for (const auto& family : solver.families) {
-    const bool taken = std::ranges::any_of(
-        known, [&](const MethodFamily* other) { return other->name == family.name; });
-    if (taken || find_solver(solver.name) != nullptr) {
+    if (std::ranges::find(known, family.name, &MethodFamily::name) != known.end()) {
       throw std::logic_error("methods '" + family.name + "' are registered twice");
     }
   }

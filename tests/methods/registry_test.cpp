@@ -139,6 +139,12 @@ TEST(Registry, AnnotatesTheSolutionsOfAnOlderRun) {
 TEST(Registry, RefusesDuplicateNames) {
   Registry registry = builtin_registry();
   EXPECT_THROW(registry.add(epc_solver()), std::logic_error);
+  Solver same_families = epc_solver();
+  same_families.name = "another";
+  EXPECT_THROW(registry.add(same_families), std::logic_error);
+  Solver same_name = epc_solver();
+  same_name.families.clear();
+  EXPECT_THROW(registry.add(same_name), std::logic_error);
 }
 
 }  // namespace
