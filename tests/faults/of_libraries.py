@@ -20,7 +20,7 @@ COMMANDS = {
                         "impulse.rate=0.05"],
     "transient": ["fd", "case1", "--until", "3", "--snapshots", "3"],
     "epc": ["epc", "case1", "--formulation", "moment", "--order", "4"],
-    "bounds": ["bounds", "case1", "--max-seconds", "1"],
+    "bounds": ["bounds", "case1", "--seconds", "1"],
     "mcs": ["mcs", "case1", "--time", "2e4", "--accuracy", "1"],
     "controlled": ["mcs", "case1", "--controlled", "--time", "2e4"],
     "run": ["run", "case1", "--methods", "epc-moment-n4,fd-kf,mcs", "--time", "2e4"],
@@ -91,7 +91,10 @@ def main(program, library, every, verbose):
     for name, command in COMMANDS.items():
         if not every and name not in FEW:
             continue
-        true = ok_moments(run(program, command))
+        plain = run(program, command)
+        if plain.returncode > 1:
+            sys.exit(f"{' '.join(command)}: fails without a fault: {plain.stderr.strip()}")
+        true = ok_moments(plain)
         for function in [*FUNCTIONS.get(name, []), "malloc"]:
             faulty = {"LD_PRELOAD": library, "FAULT_FUNCTION": function}
             numbers, calls = [1, 30, 300] if function == "malloc" else [1], "?"
