@@ -71,7 +71,7 @@ struct Options {
   /// paper's class the frequency of equivalent linearisation defines the radians, and the default
   /// is 0.05. Outside that class (NoiseKicks) the mean frequency and the damping together define
   /// the radians, and the default is 0.2 or, at strong impact losses, 0.05
-  /// (simulation/general_plan.cpp).
+  /// (simulation/simulation_plan.cpp).
   std::optional<double> white_step{};
   /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities down to 1e-8
   /// of their peak and beyond.

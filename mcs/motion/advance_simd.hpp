@@ -3,6 +3,7 @@
 #include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/motion/flight.hpp"
+#include "mcs/motion/general_simd.hpp"
 #include "mcs/motion/sample_simd.hpp"
 #include "numerics/simd/simd.hpp"
 
@@ -266,8 +267,8 @@ void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
 }
 
 /// Calls advance_in_lanes() for `width`, which must be one of Widths.
-template <int... Widths>
-void advance_with_width(const MotionParameters& motion, Stream* const* streams, int width) {
+template <int... Widths, class Parameters>
+void advance_with_width(const Parameters& motion, Stream* const* streams, int width) {
   ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);
 }
 

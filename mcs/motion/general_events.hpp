@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mcs/motion/general_motion.hpp"
+#include "mcs/motion/advance.hpp"
 #include "numerics/simd/elementary.hpp"
 
 // Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.

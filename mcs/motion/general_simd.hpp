@@ -340,19 +340,12 @@ struct GeneralLaneState {
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>
-void advance_general_in_lanes(const GeneralMotionParameters& motion, Stream* const* streams) {
+void advance_in_lanes(const GeneralMotionParameters& motion, Stream* const* streams) {
   if (motion.kicks.is_present()) {
     GeneralLaneState<W, kOrderBetweenKicks>(motion, streams).advance_streams();
   } else {
     GeneralLaneState<W, kOrderOfFlights>(motion, streams).advance_streams();
   }
-}
-
-/// Calls advance_general_in_lanes() for `width`, which must be one of Widths.
-template <int... Widths>
-void advance_any_oscillator(const GeneralMotionParameters& motion, Stream* const* streams,
-                            int width) {
-  ((width == Widths ? advance_general_in_lanes<Widths>(motion, streams) : void()), ...);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "mcs/motion/advance.hpp"
-#include "mcs/motion/general_motion.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 
 namespace fpkcheck::mcs {

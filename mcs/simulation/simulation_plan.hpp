@@ -4,21 +4,29 @@
 #include <optional>
 
 #include "mcs/impulses/excitation.hpp"
+#include "mcs/motion/general_oscillator.hpp"
 #include "mcs/options.hpp"
 #include "mcs/simulation/durations.hpp"
-#include "mcs/simulation/general_plan.hpp"
 #include "mcs/streams/histogram.hpp"
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
 #include "transform/marginal.hpp"
-
-namespace fpkcheck::problem {
-struct Problem;
-}
 
 namespace fpkcheck::mcs {
 
 /// Default limit of the Taylor step in radians. The errors of the flights are below those of the
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
+
+/// Additional members of a simulation plan for an oscillator outside the paper's class.
+struct GeneralPlan {
+  problem::MotionScales scales;
+  GeneralOscillator oscillator;
+  NoiseKicks kicks;
+  double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
+  bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
+  int wells;               ///< number of potential wells, ProblemFeatures::wells
+};
 
 /// All parameters of a simulation, with the default values computed.
 struct SimulationPlan {
@@ -51,7 +59,7 @@ struct SimulationPlan {
   }
 };
 
-/// @throws InputError as validate() and make_general_plan()
+/// @throws InputError as validate(), and for options that are not supported for the problem
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::mcs

@@ -1,4 +1,4 @@
-#include "mcs/motion/general_motion.hpp"
+#include "mcs/motion/advance.hpp"
 
 #include <gtest/gtest.h>
 
