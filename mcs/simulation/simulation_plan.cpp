@@ -111,10 +111,21 @@ void validate_for_any_domain(const Options& options) {
   validate(others);
 }
 
-SimulationPlan make_plan_for_any_oscillator(const problem::Problem& problem,
-                                            const Options& options) {
+/// Properties of a motion and its excitation that determine the plan of its simulation.
+struct PlanInputs {
+  double sampling_interval;
+  double step;
+  EventRates rates;
+  double displacement_deviation, velocity_deviation;
+  Excitation excitation;
+  double y_low, y_high, v_high;  ///< ends of the automatic bins
+  std::optional<DepositPlan> deposit{};
+  std::optional<GeneralPlan> general{};
+};
+
+PlanInputs inputs_of_general_motion(const problem::Problem& problem, const Options& options) {
   validate_for_any_domain(options);
-  GeneralPlan general = make_general_plan(problem, options);
+  const GeneralPlan general = make_general_plan(problem, options);
   const auto& s = general.scales;
   // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
   // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
@@ -122,49 +133,38 @@ SimulationPlan make_plan_for_any_oscillator(const problem::Problem& problem,
   constexpr double kSamplesPerRest = 50;
   const double least =
       general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
-  const double interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least);
   const double step = options.step.value_or(kAutomaticStep);
   const double kicks = general.kicks.is_present() ? 1 / general.kicks.longest_interval : 0;
   const bool white = options.equation == Equation::white;
   const double impulses = white ? 0 : problem.impulses.arrival_rate();
-  const EventRates rates{.decay = s.slowest_decay_rate,
-                         .impulses = impulses,
-                         .flights = kicks + s.frequency / step,
-                         .any_oscillator = true,
-                         .wells = general.wells};
-  const Durations durations = choose_durations(options, rates);
-  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
   Excitation excitation = poisson_excitation(problem.impulses);
-  if (impulses == 0) excitation.interval = std::numeric_limits<double>::infinity();
   excitation.power = general.power;
-  // The expected work of the kicks alone is 0; see apply_kick().
-  if (impulses == 0) excitation.work = 0;
-  return {.streams = options.streams,
-          .threads = std::min(number_of_threads(options.threads), options.streams),
-          .seed = options.seed,
-          .frame = problem.frame,
-          .step = step,
-          .burn_in = durations.burn_in,
-          .short_burn_in_cause = durations.short_burn_in_cause,
-          .sampling_interval = interval,
-          .samples_per_round = samples,
-          .rounds = rounds,
-          .displacement_deviation = s.displacement_deviation,
-          .velocity_deviation = s.velocity_deviation,
-          .excitation = excitation,
-          .y_bins = bins(options.y_edges, s.y_low, s.y_high),
-          .v_bins = bins(options.v_edges, -s.v_high, s.v_high),
-          .deposit = {},
-          .general = general};
+  if (impulses == 0) {
+    excitation.interval = std::numeric_limits<double>::infinity();
+    // The expected work of the kicks alone is 0; see apply_kick().
+    excitation.work = 0;
+  }
+  return {
+      .sampling_interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least),
+      .step = step,
+      .rates = {.decay = s.slowest_decay_rate,
+                .impulses = impulses,
+                .flights = kicks + s.frequency / step,
+                .any_oscillator = true,
+                .wells = general.wells},
+      .displacement_deviation = s.displacement_deviation,
+      .velocity_deviation = s.velocity_deviation,
+      .excitation = excitation,
+      .y_low = s.y_low,
+      .y_high = s.y_high,
+      .v_high = s.v_high,
+      .general = general};
 }
 
-}  // namespace
-
-SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
-  if (!has_energy_bounded_flights(problem)) return make_plan_for_any_oscillator(problem, options);
+PlanInputs inputs_of_energy_bounded_motion(const problem::Problem& problem,
+                                           const Options& options) {
   validate(options);
   const auto linear = problem::equivalent_linearisation(problem);
-  const double decay = problem::slowest_decay_rate(linear);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double frequency = std::sqrt(linear.stiffness);
   const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
@@ -174,32 +174,50 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
                                    options.white_step.value_or(kAutomaticWhiteStep) / frequency)
           : poisson_excitation(problem.impulses);
   const double step = options.step.value_or(kAutomaticStep);
-  const EventRates rates{
-      .decay = decay, .impulses = 1 / excitation.interval, .flights = frequency / step};
-  const Durations durations = choose_durations(options, rates);
-  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
   std::optional<DepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
   }
+  return {.sampling_interval = interval,
+          .step = step,
+          .rates = {.decay = problem::slowest_decay_rate(linear),
+                    .impulses = 1 / excitation.interval,
+                    .flights = frequency / step},
+          .displacement_deviation = s1,
+          .velocity_deviation = s2,
+          .excitation = excitation,
+          .y_low = 0,
+          .y_high = problem::static_deflection(problem) + kAutomaticExtent * s1,
+          .v_high = kAutomaticExtent * s2,
+          .deposit = deposit};
+}
+
+}  // namespace
+
+SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
+  const PlanInputs inputs = has_energy_bounded_flights(problem)
+                                ? inputs_of_energy_bounded_motion(problem, options)
+                                : inputs_of_general_motion(problem, options);
+  const Durations durations = choose_durations(options, inputs.rates);
+  const auto [samples, rounds] =
+      choose_rounds(options, durations, inputs.sampling_interval, inputs.rates.total_rate());
   return {.streams = options.streams,
           .threads = std::min(number_of_threads(options.threads), options.streams),
           .seed = options.seed,
           .frame = problem.frame,
-          .step = step,
+          .step = inputs.step,
           .burn_in = durations.burn_in,
           .short_burn_in_cause = durations.short_burn_in_cause,
-          .sampling_interval = interval,
+          .sampling_interval = inputs.sampling_interval,
           .samples_per_round = samples,
           .rounds = rounds,
-          .displacement_deviation = s1,
-          .velocity_deviation = s2,
-          .excitation = excitation,
-          .y_bins =
-              bins(options.y_edges, 0, problem::static_deflection(problem) + kAutomaticExtent * s1),
-          .v_bins = bins(options.v_edges, -kAutomaticExtent * s2, kAutomaticExtent * s2),
-          .deposit = deposit,
-          .general = {}};
+          .displacement_deviation = inputs.displacement_deviation,
+          .velocity_deviation = inputs.velocity_deviation,
+          .excitation = inputs.excitation,
+          .y_bins = bins(options.y_edges, inputs.y_low, inputs.y_high),
+          .v_bins = bins(options.v_edges, -inputs.v_high, inputs.v_high),
+          .deposit = inputs.deposit,
+          .general = inputs.general};
 }
 
 }  // namespace fpkcheck::mcs
