@@ -9,7 +9,6 @@
 
 #include "base/input_error.hpp"
 #include "mcs/estimate/estimate.hpp"
-#include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/parallel_for.hpp"
 #include "mcs/simulation/simulation_plan.hpp"

@@ -3,13 +3,21 @@
 #include "numerics/simd/instruction_set.hpp"
 
 namespace fpkcheck::mcs {
+namespace {
 
-void ImpulseSource::make_impulse_block() {
+/// Makes a block of impulses with the best instruction set of this processor.
+ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformNumbers& uniforms) {
   static const auto make = simd::select_variant(
       simd::available_code_variants().back().instructions, baseline::make_impulse_block,
       avx2::make_impulse_block, avx512::make_impulse_block);
+  return make(excitation, uniforms);
+}
+
+}  // namespace
+
+void ImpulseSource::make_impulse_block() {
   const UniformNumbers u = uniform_numbers(seed_, stream_, RandomNumberPurpose::impulses, number_);
-  block_ = make(excitation_, u);
+  block_ = make_block_of_impulses(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
     block_.waiting[0] = u.first[0] * excitation_.interval;
   }
@@ -26,6 +34,18 @@ std::array<double, 2> ImpulseSource::standard_normals() const {
   const ImpulseBlock block = baseline::make_impulse_block(
       normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::start, 0));
   return {block.amplitude[0], block.amplitude[1]};
+}
+
+void NoiseSource::make_impulse_block() {
+  static const Excitation normal = standard_normal_impulses();
+  block_ = make_block_of_impulses(
+      normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::noise, number_));
+}
+
+void NoiseSource::continue_from(std::uint64_t number) {
+  number_ = number - number % kBlockSize;
+  if (number_ < number) make_impulse_block();
+  number_ = number;
 }
 
 }  // namespace fpkcheck::mcs

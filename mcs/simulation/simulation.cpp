@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "mcs/motion/initial_state.hpp"
+#include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/binary_io.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
 #include "mcs/simulation/parallel_for.hpp"

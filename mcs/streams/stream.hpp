@@ -9,7 +9,6 @@
 
 #include "mcs/deposit/deposit.hpp"
 #include "mcs/impulses/impulse_source.hpp"
-#include "mcs/impulses/noise_source.hpp"
 #include "mcs/streams/histogram.hpp"
 
 namespace fpkcheck::mcs {

@@ -5,7 +5,6 @@
 
 #include "control_variates/solution.hpp"
 #include "mcs/deposit/deposit_simd.hpp"
-#include "mcs/motion/initial_state.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "prepared_case.hpp"
 
