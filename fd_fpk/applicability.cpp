@@ -17,10 +17,9 @@ bool has_diffusion(const problem::ProblemFeatures& features, const Options& opti
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
   const auto features = problem::features(problem);
-  if (features.is_paper_oscillator) return "";
   const bool noise = has_diffusion(features, options);
-  if (noise) {
-    std::string collapse = problem::inelastic_collapse_reason(problem, Equation::white);
+  if (noise && options.impact == Impact::map) {
+    std::string collapse = problem::inelastic_collapse_reason(problem, options.equation);
     if (!collapse.empty()) return collapse;
   }
   if (options.impact != Impact::map &&

@@ -11,8 +11,8 @@
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -141,7 +141,7 @@ std::optional<double> RegularisationRow::growth_rate(const problem::Problem& pro
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const RegularisationStudyOptions& options,
                                          const std::function<void(int, int)>& progress) {
-  if (!problem::is_paper_oscillator(problem)) {
+  if (!has_linearisation_scales(problem)) {
     throw InputError(
         "study of the regularisation: requires one wall at the equilibrium, constant damping and "
         "impulses without noise; choose a case of that class");

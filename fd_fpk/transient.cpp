@@ -14,9 +14,9 @@
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/features.hpp"
 #include "problem/scales.hpp"
 #include "problem/undamped_orbits.hpp"
 #include "transform/change_of_frame.hpp"
@@ -39,7 +39,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
       .displacement_deviation =
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
-      .mean_displacement = problem::is_paper_oscillator(problem) ? 0 : scales.centre};
+      .mean_displacement = has_linearisation_scales(problem) ? 0 : scales.centre};
   // In a symmetric well the mean is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
@@ -100,16 +100,11 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
 // The options with cells refined for the initial density. An initial density narrower than the
 // stationary density requires narrower cells in both directions, since the flow rotates the initial
 // density in the phase plane.
-Options refine_for_initial_density(const problem::Problem& problem,
-                                   const problem::MotionScales& scales, Options options,
-                                   const LengthScales& of_stationary, const Gaussian& start) {
+Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
+                                   const Gaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
-  const LengthScales lengths =
-      problem::is_paper_oscillator(problem)
-          ? LengthScales{.x1 = scales.displacement_deviation, .x2 = scales.velocity_deviation}
-          : of_stationary;
-  const double narrowness =
-      std::max(lengths.x1 / start.displacement_deviation, lengths.x2 / start.velocity_deviation);
+  const double narrowness = std::max(of_stationary.x1 / start.displacement_deviation,
+                                     of_stationary.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kCellsPerDeviation / kCells);
   // Time steps are short compared with the period. The narrow cells of an automatic grading would
   // make the equations stiff and improve the accuracy only at the origin.
@@ -257,7 +252,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
 
   const Deadline deadline(options.max_seconds);
   const Box box = transient_box(problem, scales, options, start, deadline);
-  Options on_grid = refine_for_initial_density(problem, scales, options, box.lengths, start);
+  Options on_grid = refine_for_initial_density(options, box.lengths, start);
   const Discretisation on = discretise_within_limit(problem, box, on_grid);
   const Grid& grid = on.grid;
   result.regularisation_length = on.regularisation_length;

@@ -6,6 +6,7 @@
 
 #include "fd_fpk/characteristics/flow.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {

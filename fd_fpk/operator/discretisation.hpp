@@ -1,20 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "fd_fpk/operator/operator.hpp"
 #include "fd_fpk/options.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "problem/problem.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-/// Lengths over which the density varies in x1 and in x2; 0 for a length that is not yet
-/// determined.
-struct LengthScales {
-  double x1 = 0, x2 = 0;
-};
 
 /// The box of the phase plane in which the density is computed. Each impact wall is an end of the
 /// box.
@@ -22,7 +16,7 @@ struct Box {
   double x1_max;
   double x2_max;
   double x1_min = 0;
-  LengthScales lengths = {};  ///< unit of the cell widths, for problems outside the paper's class
+  LengthScales lengths = {};  ///< unit of the cell widths; 0: standard deviations
 };
 
 /// Maximum number of cells of a grid. At this number the factors of the preconditioner and the
@@ -39,37 +33,6 @@ struct Discretisation {
   std::string failure = {};
   double cells = 0;  ///< number of cells of the grid, or the number that the grid would need
 };
-
-/// Whether the joint density is unbounded at the rest point (problem::impulses_per_decay_time).
-bool is_unbounded_at_origin(const problem::Problem& problem);
-
-/// Whether there is a wall at which the relative jump of the density at x2 = 0, 1/r^2 - 1, exceeds
-/// a tenth.
-bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
-
-/// Whether a nonzero mean of the impulses keeps the oscillator so far from the wall that impacts
-/// are rare.
-bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem);
-
-/// Automatic ratio of the cell width far from the origin to the cell width at the origin, for grids
-/// refined at the origin.
-inline constexpr double kOriginRefinement = 16;
-/// Automatic ratio of the cell widths of x2 far from the origin and at the origin, under white
-/// noise with losses at the impact. There the density at the wall is proportional to u^-beta, and
-/// the cells of x1 are graded as the cube of the cells of x2 (orders 3 and 5).
-inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
-
-/// Automatic order of the transport terms for problems outside the paper's class in which no wall
-/// dissipates energy. Then the density has no jump along the orbit that grazes the wall, and order
-/// 7 with wider cells is more accurate than order 5 at equal cost (docs/performance.md).
-inline constexpr int kHighOrder = 7;
-inline constexpr double kHighOrderWidthFactor = 1.2;
-
-/// Automatic order of the transport terms for the stationary density.
-int automatic_order(const problem::Problem& problem);
-
-/// The value of options.origin_refinement, or the automatic value if the option is not set.
-double origin_refinement(const problem::Problem& problem, const Options& options);
 
 /// The grid and the excitation on the grid. The cell widths are about 1/7 (x1) and 1/6 (x2) of a
 /// standard deviation of equivalent linearisation, or of the length scales of the box. On a graded
@@ -105,8 +68,8 @@ ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
 
 /// The box before any widening. Ends that the options set are kept. The automatic box extends over
 /// 6 standard deviations of equivalent linearisation in x1, from the static deflection, and over 7
-/// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Outside the paper's
-/// class the box has the limits of problem::MotionScales, or ends at the walls.
+/// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Without
+/// has_linearisation_scales() the box has the limits of problem::MotionScales, or ends at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options);

@@ -8,7 +8,6 @@
 
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
-#include "problem/features.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -249,11 +248,9 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, for_virial).residual()};
-  if (!problem::is_paper_oscillator(problem)) {
-    for (int i = 0; i < grid.nx(); ++i) {
-      for_momentum.mean_absolute_force +=
-          y[i] * grid.x1.cell_width(i) * std::abs(force(grid.x1.cell_centre(i)));
-    }
+  for (int i = 0; i < grid.nx(); ++i) {
+    for_momentum.mean_absolute_force +=
+        y[i] * grid.x1.cell_width(i) * std::abs(force(grid.x1.cell_centre(i)));
   }
   if (system.left_wall() || system.right_wall() || problem.impulses.rate_times_moment(1) != 0) {
     residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
@@ -293,20 +290,11 @@ Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {
   return averages / grid.cell_areas().dot(averages);
 }
 
-Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
-                                double velocity_deviation) {
-  return cell_averages({displacement_deviation, velocity_deviation}, grid);
-}
-
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem) {
-  return initial_gaussian(grid, problem, problem::scales(problem));
+  return initial_gaussian(grid, problem::scales(problem));
 }
 
-Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem,
-                                 const problem::MotionScales& scales) {
-  if (problem::is_paper_oscillator(problem)) {
-    return folded_gaussian(grid, scales.displacement_deviation, scales.velocity_deviation);
-  }
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales) {
   return cell_averages({scales.displacement_deviation, scales.velocity_deviation, scales.centre},
                        grid);
 }

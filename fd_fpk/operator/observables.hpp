@@ -108,17 +108,9 @@ struct Gaussian {
 /// Cell averages of the Gaussian, truncated at the ends of the grid and normalised to mass 1.
 Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
 
-/// Cell averages, normalised to mass 1, of a Gaussian density of (z, z') folded to the half-plane:
-/// twice the density on y >= 0. The Gaussian has mean zero and the given standard deviations.
-Eigen::VectorXd folded_gaussian(const Grid& grid, double displacement_deviation,
-                                double velocity_deviation);
-
-/// Cell averages, normalised to mass 1, of the density of equivalent linearisation on the
-/// half-plane. This density is the initial density of time steps and of iterations. Outside the
-/// paper's class the initial density is the Gaussian of problem::MotionScales, truncated at the
-/// walls.
+/// Cell averages, normalised to mass 1, of the Gaussian of problem::MotionScales, truncated at the
+/// walls. This density is the initial density of time steps and of iterations.
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem);
-Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem,
-                                 const problem::MotionScales& scales);
+Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,7 +6,7 @@
 #include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
-#include "problem/features.hpp"
+#include "fd_fpk/selection_policy.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -28,7 +28,7 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
   Preconditioner preconditioner(problem.system, scales.slowest_decay_rate,
                                 discretisation.excitation, options.impact, grid,
                                 transport_order(options));
-  const Eigen::VectorXd start = initial_gaussian(grid, problem, scales);
+  const Eigen::VectorXd start = initial_gaussian(grid, scales);
   auto [averages, iterations, failure, krylov_seconds] =
       null_vector(op, preconditioner, start, deadline);
   const bool converged = averages && op.stationarity_residual(*averages) <
@@ -86,7 +86,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Finds the box and the length scales for problems outside the paper's class. For a density of
+// Finds the box and the length scales of the density. For a density of
 // several wells or of a ring, standard deviations overestimate the length scales. A grid based on
 // standard deviations then smooths the density and causes ripples at the ends of the box. The
 // function therefore solves again on grids based on the computed length scales, until these
@@ -128,11 +128,11 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
                    const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
-  const bool are_lengths_needed = !problem::is_paper_oscillator(problem);
+  const bool are_lengths_needed = !has_linearisation_scales(problem);
   if (!options.x1_max || !options.x2_max || are_lengths_needed) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
-    coarse.refinement = are_lengths_needed ? kCoarse * kHighOrderWidthFactor : kCoarse;
+    coarse.refinement = kCoarse * kHighOrderWidthFactor;
     coarse.order = kHighOrder;  // schemes of lower order smooth the tails on such a coarse grid
     coarse.origin_refinement = 1;
     if (are_lengths_needed) {

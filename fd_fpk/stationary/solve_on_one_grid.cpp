@@ -9,10 +9,10 @@
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -21,10 +21,8 @@ using transform::Status;
 
 // The stationary density by the method of Options::stepper; empty if there is no density. Sets the
 // status of the result.
-std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
-                                                  const problem::Problem& problem,
-                                                  const Options& options, const Deadline& deadline,
-                                                  Result& result) {
+std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const Options& options,
+                                                  const Deadline& deadline, Result& result) {
   auto& [solution, summary] = result;
   if (!direct.averages) {
     solution.status = Status::failed;
@@ -38,10 +36,10 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct,
   std::optional<PseudoTransientResult> march;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
       deadline.has_time_for(kStepsInFull * direct.krylov_seconds)) {
-    march = march_to_stationarity(
-        direct.op, *direct.preconditioner,
-        initial_gaussian(direct.discretisation.grid, problem, direct.scales),
-        options.residual_tolerance * frequency, 1 / direct.scales.slowest_decay_rate, deadline);
+    march = march_to_stationarity(direct.op, *direct.preconditioner,
+                                  initial_gaussian(direct.discretisation.grid, direct.scales),
+                                  options.residual_tolerance * frequency,
+                                  1 / direct.scales.slowest_decay_rate, deadline);
   }
   std::optional<Eigen::VectorXd> averages;
   if (!march || march->out_of_time) {
@@ -150,18 +148,18 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
     summary.leak = direct.op.max_mass_loss_rate();
     summary.factor_entries = direct.preconditioner->factor_entry_count();
   }
-  const auto density = stationary_density(direct, problem, options, deadline, result);
+  const auto density = stationary_density(direct, options, deadline, result);
   if (density) {
     const Grid& grid = direct.discretisation.grid;
     set_results(problem, scales_and_box.scales, options, direct, *density, result);
-    if (problem::is_paper_oscillator(problem)) {
+    if (has_linearisation_scales(problem)) {
       summary.enlarged_box = make_enlarged_box(problem, options, grid, summary.wall);
     } else {
       summary.moments_outside_box = moments_outside_box(problem, grid, *density, solution.moments);
     }
     check_box(problem.frame, grid, result);
     check_resolution(options, result);
-    if (!problem::is_paper_oscillator(problem)) check_balances(result);
+    if (!has_linearisation_scales(problem)) check_balances(result);
   }
   return result;
 }

@@ -27,7 +27,7 @@ struct TransportSetup {
 
   // A smooth density of mass 1 inside the box.
   Eigen::VectorXd masses() const {
-    return folded_gaussian(grid, 0.4, 0.5).cwiseProduct(grid.cell_areas());
+    return cell_averages({0.4, 0.5}, grid).cwiseProduct(grid.cell_areas());
   }
   Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
     return TransportOperator(characteristics, problem.impulses.law())(q, slopes(q), impacts);

@@ -31,7 +31,7 @@ Rates rates(const Problem& given, Impact impact, double origin_refinement,
   const Discretisation on = discretise(p, options, initial_box(p, scales, options));
   const auto op = fokker_planck_operator(p, options, on);
   Preconditioner preconditioner(p, on.excitation, impact, on.grid);
-  const auto found = null_vector(op, preconditioner, initial_gaussian(on.grid, p, scales)).averages;
+  const auto found = null_vector(op, preconditioner, initial_gaussian(on.grid, scales)).averages;
   if (!found) return {NAN, NAN};
   const int order = transport_order(options);
   return {
@@ -83,9 +83,9 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
     const auto scales = problem::scales(p);
     const Discretisation on = discretise(p, options, initial_box(p, scales, options));
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(on.grid.size(), 0, 1).array().sin() + 0.3;
-    Eigen::VectorXd averages = initial_gaussian(on.grid, p, scales).cwiseProduct(x);
+    Eigen::VectorXd averages = initial_gaussian(on.grid, scales).cwiseProduct(x);
     if (mirrored) {
-      averages = initial_gaussian(on.grid, p, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
+      averages = initial_gaussian(on.grid, scales).cwiseProduct(Eigen::VectorXd(x.reverse()));
     }
     const auto op = fokker_planck_operator(p, options, on);
     return impact_rate(p.system, on.excitation, Impact::map, on.grid, averages, op * averages,

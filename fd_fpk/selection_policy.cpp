@@ -1,0 +1,200 @@
+#include "fd_fpk/selection_policy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem/equivalent_linearisation.hpp"
+
+namespace fpkcheck::fd_fpk {
+namespace {
+
+// Mean acceleration towards the wall due to impulses of nonzero mean, relative to the acceleration
+// of the spring at one standard deviation. If this ratio exceeds 1, the oscillator makes short
+// flights between impacts instead of half-cycles, and the height of the flights decreases with the
+// energy loss at an impact.
+double mean_force_ratio(const problem::Problem& problem) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  return -problem.impulses.rate_times_moment(1) /
+         problem.system.restoring_force()(linear.displacement_deviation);
+}
+
+bool has_short_flights(const problem::Problem& problem) {
+  constexpr double kBouncing = 1, kLosses = 0.7;
+  return mean_force_ratio(problem) > kBouncing && problem.system.restitution() < kLosses;
+}
+
+// Whether a nonzero mean of the impulses keeps the oscillator so far from the wall that impacts
+// are rare.
+bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem) {
+  constexpr double kDeviations = 4;
+  return problem::static_deflection(problem) >
+         kDeviations * problem::equivalent_linearisation(problem).displacement_deviation;
+}
+
+bool has_dissipative_wall(const problem::System& system) {
+  return has_dissipative_impacts(system.left_wall()) ||
+         has_dissipative_impacts(system.right_wall());
+}
+
+// Whether the cells of x1 may be graded as the cube of the cells of x2. On such uneven cells,
+// schemes of even orders and of order 7 oscillate.
+bool can_grade_cubically(const Options& options) {
+  return transport_order(options) == 3 || transport_order(options) == 5;
+}
+
+// Whether single impulses are so small that the density at a wall has the singularity of white
+// noise down to lengths that cells resolve. Cells graded as under white noise are better if the
+// impulses are below an eighth of the standard deviation of velocity. This threshold was measured
+// by the estimated error and the limit of the finest grids for case 1 with r = 0.3 .. 0.7, rates 30
+// .. 1e6, gaussian and exponential (build/release/benchmarks/fpkcheck_rates --restitutions
+// 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+bool are_impulses_small(const problem::Problem& problem) {
+  constexpr double kShort = 1.0 / 8;
+  if (!problem.impulses.is_present()) return false;
+  return std::sqrt(problem.impulses.law().moment(2)) <
+         kShort * problem::scales(problem).velocity_deviation;
+}
+
+// The coefficient of p'' in the terms that act on the shortest lengths that cells resolve. White
+// noise, the truncated series, and small impulses act at these lengths.
+double diffusion_coefficient(const problem::Problem& problem, Equation equation) {
+  const bool local =
+      equation == Equation::km4 || equation == Equation::white || are_impulses_small(problem);
+  return problem.noise.diffusion() + (local ? problem.impulses.rate_times_moment(2) / 2 : 0);
+}
+
+// Whether the density at a wall with losses has the singularity u^-beta (exact::wall_exponent) and
+// cells are graded to this singularity: under white noise, or under impulses that act as white
+// noise. Outside the class of equivalent linearisation also under the truncated series km4.
+bool has_wall_singularity(const problem::Problem& problem, const Options& options) {
+  if (!has_linearisation_scales(problem)) {
+    return diffusion_coefficient(problem, options.equation) > 0;
+  }
+  return options.impact == Impact::map && problem.system.restitution() < 1 &&
+         can_grade_cubically(options) &&
+         (options.equation == Equation::white || are_impulses_small(problem));
+}
+
+double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
+  if (!has_dissipative_wall(problem.system)) return 1;
+  const bool singular = has_wall_singularity(problem, options);
+  // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
+  // cell represents the spike as a mass. Under white noise the density has no spike.
+  if (!singular && is_unbounded_at_origin(problem)) return 1;
+  if (has_linearisation_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
+  return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
+}
+
+}  // namespace
+
+bool has_linearisation_scales(const problem::Problem& problem) {
+  const problem::System& system = problem.system;
+  const auto& left = system.left_wall();
+  const numerics::Polynomial& force = system.restoring_force();
+  const bool hardening = force.degree() > 0 && force.degree() <= 3 && force.coefficient(0) == 0 &&
+                         force.coefficient(1) >= 0 && force.coefficient(2) == 0 &&
+                         force.coefficient(3) >= 0;
+  return hardening && left && left->position == 0 && !system.right_wall() &&
+         system.has_constant_damping() && system.damping() > 0 && problem.impulses.is_present() &&
+         !problem.noise.is_present();
+}
+
+// The thresholds are empirical, from random problems (docs/limits.md).
+bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time) {
+  constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
+  constexpr double kStrongLosses = 0.4;
+  constexpr double kMaxDeflection = 2;  // static deflection, in standard deviations
+  if (per_decay_time < kRare) return true;
+  if (!has_linearisation_scales(problem)) return false;
+  const auto linear = problem::equivalent_linearisation(problem);
+  const bool losses =
+      problem.system.restitution() < kStrongLosses &&
+      problem::static_deflection(problem) < kMaxDeflection * linear.displacement_deviation;
+  return (losses && per_decay_time < kFrequent) || has_short_flights(problem);
+}
+
+bool are_characteristics_required(const problem::Problem& problem) {
+  constexpr double kStronglyBouncing = 5;
+  if (!has_linearisation_scales(problem)) return false;
+  return is_unbounded_at_origin(problem) ||
+         (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
+}
+
+int automatic_order(const problem::Problem& problem) {
+  return has_dissipative_wall(problem.system) || has_linearisation_scales(problem) ? kDefaultOrder
+                                                                                   : kHighOrder;
+}
+
+// A box with the default wall density truncates the tails due to impulses. The truncated tails
+// contribute a fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due
+// to the fourth cumulant. With the scales of equivalent linearisation the error of the moments
+// outside the box is estimated by an enlarged box instead.
+double wall_density_factor(const problem::Problem& problem) {
+  constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
+  if (has_linearisation_scales(problem)) return 1;
+  return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
+}
+
+bool has_automatic_grid(const Options& options) {
+  const Options defaults;
+  return options.error_estimate && options.refine_unresolved && !options.nx && !options.nv &&
+         options.refinement == defaults.refinement;
+}
+
+bool is_unbounded_at_origin(const problem::Problem& problem) {
+  return has_linearisation_scales(problem) && problem::impulses_per_decay_time(problem) <= 2;
+}
+
+bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
+  constexpr double kSmallJump = 0.1;
+  return wall && 1 / (wall->restitution * wall->restitution) - 1 > kSmallJump;
+}
+
+double origin_refinement(const problem::Problem& problem, const Options& options) {
+  return options.origin_refinement.value_or(automatic_origin_refinement(problem, options));
+}
+
+// Under white noise with losses the density near the origin is v^-beta times a function of D2 y /
+// v^3 (Cornell, Swift, Bray 1998), whatever the force, since noise dominates slow motion at the
+// wall. If cells resolve x2 down to the length `core`, cells must resolve x1 down to core^3 / D2.
+// If x1 is graded like x2, the computed density at the wall is flat, and the impact rate is too
+// small (by 1 % at r = 0.6). Separate impulses cause only a step of the density at the origin. If
+// the widths of neighbouring cells differ by more than a quarter, a grid-scale ripple is amplified,
+// up to 4 % of p(y). The long reach keeps the differences below a quarter, also on grids twice as
+// coarse, as for an error estimate.
+Gradings gradings(const problem::Problem& problem, const Options& options,
+                  const LengthScales& lengths) {
+  // Distances from the refinement point, in length scales, at which cells have half of their full
+  // width.
+  constexpr double kLongReach = 2, kReach = 0.75;
+  const double factor = origin_refinement(problem, options);
+  if (factor == 1) return {};
+  const bool linearised = has_linearisation_scales(problem);
+  const double diffusion = diffusion_coefficient(problem, options.equation);
+  const bool cubic = has_wall_singularity(problem, options) && can_grade_cubically(options);
+  const auto grading = [factor](double reach) {
+    return Grading{.reach = reach, .core = reach / (factor - 1)};
+  };
+  const double reach = linearised ? kReach : kLongReach;
+  Gradings result{.x1 = grading((cubic ? kLongReach : reach) * lengths.x1),
+                  .x2 = grading(reach * lengths.x2),
+                  .at_left_wall = linearised || has_dissipative_impacts(problem.system.left_wall()),
+                  .at_right_wall = has_dissipative_impacts(problem.system.right_wall())};
+  if (cubic) result.x1.core = std::min(result.x1.core, std::pow(result.x2.core, 3) / diffusion);
+  return result;
+}
+
+LengthScales cell_widths(const problem::Problem& problem, const Options& options,
+                         const LengthScales& lengths) {
+  // In length scales. The steep tail of p(y) requires the narrower cells.
+  constexpr double kX1Step = 0.15, kX2Step = 0.16;
+  // Wider cells far from the refinement points compensate the narrow cells near these points in the
+  // total number of cells.
+  constexpr double kGradedWidth = 1.6;
+  double factor =
+      (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
+  if (transport_order(options) == kHighOrder) factor *= kHighOrderWidthFactor;
+  return {factor * kX1Step * lengths.x1, factor * kX2Step * lengths.x2};
+}
+
+}  // namespace fpkcheck::fd_fpk

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+
+#include "fd_fpk/axis/axis.hpp"
+#include "fd_fpk/options.hpp"
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
+
+/// The selection policy of the solver: all choices of algorithm, order, grid and box that depend on
+/// the problem. Each choice has its thresholds, and the reason or experiment for each threshold, in
+/// selection_policy.cpp. The options may override each choice.
+namespace fpkcheck::fd_fpk {
+
+/// Whether equivalent linearisation gives the scales of the density: one wall, at the equilibrium;
+/// constant positive damping; a linear or hardening cubic spring; impulses without noise. Then the
+/// density has one peak and one length scale for each axis, and box, grid and transport are chosen
+/// by these scales. For all other problems they are chosen by the density on a coarse grid.
+bool has_linearisation_scales(const problem::Problem& problem);
+
+// Transport.
+
+/// Number of impulses per decay time above which the density is not computed along characteristics,
+/// because characteristics would visit too many cells.
+inline constexpr double kMostImpulsesOfCharacteristics = 3000;
+/// Whether characteristics are the first choice at this number of impulses per decay time.
+bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time);
+/// Whether upwind differences cannot resolve the density, because the density is unbounded or
+/// because flights between impacts are shorter than a cell.
+bool are_characteristics_required(const problem::Problem& problem);
+
+// Order.
+
+/// Automatic order if no wall dissipates energy and the density may have several length scales.
+/// Then the density has no jump along the orbit that grazes the wall, and order 7 with wider cells
+/// is more accurate than order 5 at equal cost (docs/performance.md).
+inline constexpr int kHighOrder = 7;
+/// Factor of the cell widths of schemes of order kHighOrder.
+inline constexpr double kHighOrderWidthFactor = 1.2;
+/// Automatic order of the transport terms for the stationary density.
+int automatic_order(const problem::Problem& problem);
+
+// Box.
+
+/// Factor of Options::wall_density for the stationary density on upwind grids.
+double wall_density_factor(const problem::Problem& problem);
+
+// Grid.
+
+/// Whether the options permit the solver to choose finer grids.
+bool has_automatic_grid(const Options& options);
+
+/// Whether the joint density is unbounded at the rest point (problem::impulses_per_decay_time).
+bool is_unbounded_at_origin(const problem::Problem& problem);
+
+/// Whether there is a wall at which the relative jump of the density at x2 = 0, 1/r^2 - 1, exceeds
+/// a tenth.
+bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
+
+/// Automatic ratio of the cell width far from the origin to the cell width at the origin, for grids
+/// refined at the origin.
+inline constexpr double kOriginRefinement = 16;
+/// Automatic ratio of the cell widths of x2 far from the origin and at the origin, under white
+/// noise with losses at the impact. There the density at the wall is proportional to u^-beta, and
+/// the cells of x1 are graded as the cube of the cells of x2 (orders 3 and 5).
+inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
+
+/// The value of options.origin_refinement, or the automatic value if the option is not set.
+double origin_refinement(const problem::Problem& problem, const Options& options);
+
+/// Lengths over which the density varies in x1 and in x2; 0 for a length that is not yet
+/// determined.
+struct LengthScales {
+  double x1 = 0, x2 = 0;
+};
+
+/// Gradings of the cells of x1 towards walls, and of x2 towards 0.
+struct Gradings {
+  Grading x1, x2;
+  bool at_left_wall = false, at_right_wall = false;
+};
+Gradings gradings(const problem::Problem& problem, const Options& options,
+                  const LengthScales& lengths);
+
+/// Cell widths far from the refinement points.
+LengthScales cell_widths(const problem::Problem& problem, const Options& options,
+                         const LengthScales& lengths);
+
+}  // namespace fpkcheck::fd_fpk
