@@ -39,6 +39,15 @@ double mean_tangent_stiffness(const System& system, double s) {
 
 }  // namespace
 
+bool has_equivalent_linearisation(const Problem& problem) {
+  const System& system = problem.system;
+  const auto& g = system.restoring_force().coefficients();
+  return system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
+         system.has_constant_damping() && system.damping() > 0 && g[0] == 0 && g[1] >= 0 &&
+         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.is_present() &&
+         !problem.noise.is_present();
+}
+
 EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const System& system = problem.system;
   const double d2 = problem.impulses.intensity() / 2;

@@ -13,6 +13,12 @@ struct EquivalentLinearisation {
   double velocity_deviation = 0;      ///< standard deviation sigma_2 of z', paper (26)
 };
 
+/// Whether the formulas of equivalent_linearisation() hold: one wall, at y = 0 on the left, at the
+/// equilibrium of a restoring force g = k y + mu y^3 with k, mu >= 0, which therefore is an odd
+/// function in Zhuravlev's coordinates; damping force f = c y' with c > 0; impulses without noise.
+/// The conditions apply to the coordinates of wall_frame().
+bool has_equivalent_linearisation(const Problem& problem);
+
 /// Solves the equations of equivalent linearisation, with D2 = lambda E[Y^2] / 2:
 ///
 ///     c_eq = c + (1-r) (2/pi) sigma_2 / sigma_1       (the impulsive damping term of paper (13))

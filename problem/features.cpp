@@ -1,18 +1,12 @@
 #include "problem/features.hpp"
 
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/inelastic_collapse.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::problem {
 
-bool is_paper_oscillator(const Problem& problem) {
-  const System& system = problem.system;
-  const auto& g = system.restoring_force().coefficients();
-  return system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
-         system.has_constant_damping() && system.damping() > 0 && g[0] == 0 && g[1] >= 0 &&
-         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.is_present() &&
-         !problem.noise.is_present();
-}
+bool is_paper_oscillator(const Problem& problem) { return has_equivalent_linearisation(problem); }
 
 ProblemFeatures features(const Problem& problem) {
   const System& system = problem.system;

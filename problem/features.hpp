@@ -27,9 +27,8 @@ struct ProblemFeatures {
 
 ProblemFeatures features(const Problem& problem);
 
-/// Whether the problem is in the class of the paper: one wall, at y = 0 on the left; damping force
-/// f = c y' with c > 0; restoring force g = k y + mu y^3 with k, mu >= 0; impulses without noise.
-/// The conditions apply to the coordinates of wall_frame(). The function reads only the
+/// Whether the problem is in the class of the paper, the oscillators for which equivalent
+/// linearisation holds (problem/equivalent_linearisation.hpp). The function reads only the
 /// coefficients and does not search for minima of the potential, unlike features().
 bool is_paper_oscillator(const Problem& problem);
 

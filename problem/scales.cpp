@@ -6,7 +6,6 @@
 
 #include "problem/energy_averaging.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -115,7 +114,7 @@ MotionScales by_averaging(const Problem& problem) {
 }  // namespace
 
 MotionScales scales(const Problem& problem) {
-  return is_paper_oscillator(problem) ? by_linearisation(problem) : by_averaging(problem);
+  return has_equivalent_linearisation(problem) ? by_linearisation(problem) : by_averaging(problem);
 }
 
 double impulses_per_decay_time(const Problem& problem, const MotionScales& scales) {
