@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "problem/features.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::compare {
@@ -16,6 +16,13 @@ namespace {
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;
+
+// Whether the marginal densities are unbounded at the state of rest, in the equilibrium on a wall at
+// 0 (problem/equivalent_linearisation.hpp): the oscillator decays to rest before the next impulse.
+bool has_unbounded_marginals(const problem::Problem& problem, const problem::MotionScales& scales) {
+  return problem::has_equivalent_linearisation(problem) &&
+         problem::impulses_per_decay_time(problem, scales) < 1;
+}
 
 std::vector<double> make_uniform_bins(double from, double to) {
   std::vector<double> edges;
@@ -56,12 +63,10 @@ std::vector<double> undivided_edges(const std::vector<double>& edges, int divisi
 
 ComparisonAxes comparison_axes(const problem::Problem& problem) {
   const auto scales = problem::scales(problem);
-  if (!problem::is_paper_oscillator(problem)) {
-    return {make_uniform_bins(scales.y_low, scales.y_high),
-            make_divided_bins(scales.v_high, true, 0), 0};
-  }
-  const int divisions = problem::impulses_per_decay_time(problem, scales) < 1 ? kDivisions : 0;
-  return {make_divided_bins(scales.y_high, false, divisions),
+  const bool divided = has_unbounded_marginals(problem, scales);
+  const int divisions = divided ? kDivisions : 0;
+  return {divided ? make_divided_bins(scales.y_high, false, divisions)
+                  : make_uniform_bins(scales.y_low, scales.y_high),
           make_divided_bins(scales.v_high, true, divisions), divisions};
 }
 
