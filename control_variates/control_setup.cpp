@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "backward/control/control_fit_paper_class.hpp"
+#include "backward/control/control_fit.hpp"
 #include "backward/control/control_functions.hpp"
 #include "backward/control/impulse_means.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -29,7 +29,8 @@ DepositLayout make_deposit_layout(const problem::Problem& problem, const Control
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem);
-  auto splines = backward::control_splines_paper_class(problem, {.y = cells.y, .v = cells.v});
+  auto splines =
+      backward::control_splines(problem, {.y = cells.y, .v = cells.v}, backward::CellWidths::even);
   DepositLayout p{
       .y = std::move(splines.y), .v = std::move(splines.v), .grid = {}, .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
@@ -59,8 +60,8 @@ DepositLayout make_deposit_layout(const problem::Problem& problem, const Control
 
 ControlSetup make_control_setup(const problem::Problem& problem,
                                 const DepositLayout& deposit_layout, double sampling_interval) {
-  const auto control = backward::control_fit_paper_class(problem, deposit_layout.y,
-                                                         deposit_layout.v, 1 / sampling_interval);
+  const auto control =
+      backward::control_fit(problem, deposit_layout.y, deposit_layout.v, 1 / sampling_interval);
   auto functions =
       backward::fit_control_functions(control, deposit_layout.functionals.integrands());
   return {.problem = problem,

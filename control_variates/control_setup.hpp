@@ -15,7 +15,7 @@ struct ControlCells {
 };
 
 /// Layout of the deposits, determined by the problem alone. The splines are the default splines of
-/// the control functions (backward/control/control_fit_paper_class.hpp). The spacing of the
+/// the control functions (backward/control/control_fit.hpp). The spacing of the
 /// velocity lattice is an eighth of the standard deviation of the impulses. The smooth bins of y
 /// and y' have spacings of 0.15 and 0.3 standard deviations of the variable, a width of four
 /// spacings, and extend to 7 standard deviations.

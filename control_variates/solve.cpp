@@ -7,7 +7,7 @@
 #include "backward/generator/normal_equations.hpp"
 #include "control_variates/solution.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
-#include "problem/features.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::control_variates {
 namespace {
@@ -47,7 +47,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     return solve_plain(problem, options,
                        "control functions exist for impulses without splitting only");
   }
-  if (!problem::is_paper_oscillator(problem) || !problem.frame.is_identity()) {
+  if (!problem::has_equivalent_linearisation(problem) || !problem.frame.is_identity()) {
     return solve_plain(
         problem, options,
         "control functions exist only for one left wall at the equilibrium, constant damping and "

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "backward/control/control_fit_any_oscillator.hpp"
+#include "backward/control/control_fit.hpp"
 #include "backward/residual/spline_fractions.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
@@ -23,11 +23,9 @@ WeakResiduals make_weak_residuals(const problem::Problem& problem, ControlSpline
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlFitProblem control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  const auto control =
-      problem::is_paper_oscillator(problem) ? control_fit_paper_class : control_fit_any_oscillator;
+ControlFitProblem residual_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
   const double wall_weight = kWallWeight * problem::scales(problem).frequency;
-  return control(problem, residuals.y(), residuals.v(), wall_weight);
+  return control_fit(problem, residuals.y(), residuals.v(), wall_weight);
 }
 
 const ControlCells& cells_for(const problem::ProblemFeatures& features) {
@@ -79,10 +77,11 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem)
     : DensityResiduals(problem, cells_for(problem::features(problem))) {}
 
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
-    : residuals_(make_weak_residuals(problem, residual_splines(problem, cells))),
+    : residuals_(make_weak_residuals(
+          problem, control_splines(problem, cells, CellWidths::narrower_at_walls))),
       functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)),
-      h_(fit_control_functions(control_fit(problem, residuals_), functions_.all)),
-      unresolved_(control_fit(problem, residuals_), functions_.all, h_) {}
+      h_(fit_control_functions(residual_fit(problem, residuals_), functions_.all)),
+      unresolved_(residual_fit(problem, residuals_), functions_.all, h_) {}
 
 Eigen::MatrixXd DensityResiduals::backward_solution(Eigen::Index goal_function) const {
   return h_.coefficients.col(goal_function).reshaped<Eigen::RowMajor>(y().size(), v().size());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "backward/control/control_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "backward/residual/weak_residuals.hpp"

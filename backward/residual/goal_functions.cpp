@@ -4,15 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "backward/control/control_fit_any_oscillator.hpp"
-#include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
-
 namespace fpkcheck::backward {
 namespace {
-
-constexpr int kGradedCells = 12;          // cells graded towards the wall and towards v = 0
-constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations
 
 double constant_one(double) { return 1; }
 
@@ -40,13 +33,6 @@ std::vector<std::function<double(double)>> bin_functions(const numerics::Quintic
 }
 
 }  // namespace
-
-ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells) {
-  if (!problem::is_paper_oscillator(problem)) return control_splines_any_oscillator(problem, cells);
-  const double deviation = problem::equivalent_linearisation(problem).displacement_deviation;
-  const bool is_off_wall = problem::static_deflection(problem) > kOffWallDeflection * deviation;
-  return control_splines_paper_class(problem, cells, is_off_wall ? 0 : kGradedCells);
-}
 
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
                              const problem::Frame& frame) {

@@ -2,19 +2,11 @@
 
 #include <vector>
 
-#include "backward/control/control_fit_paper_class.hpp"
 #include "backward/control/control_functions.hpp"
-#include "problem/problem.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
+#include "problem/frame.hpp"
 
 namespace fpkcheck::backward {
-
-/// Splines for the solutions of the backward equation that weight the residuals. Errors of
-/// densities concentrate where impacts are slow and the motion has decayed. In these regions the
-/// cells are narrower by a factor of 40. The ends and the triple knot at v = 0 are those of
-/// control_splines_paper_class(). If the mean of the impulses keeps the oscillator off the wall,
-/// the splines are control_splines_paper_class(). Outside the paper's class the splines are
-/// control_splines_any_oscillator().
-ControlSplines residual_splines(const problem::Problem& problem, const ControlCells& cells);
 
 /// The goal functions: functions of the phase plane whose expectations have error estimates.
 struct GoalFunctions {

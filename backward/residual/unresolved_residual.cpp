@@ -67,7 +67,7 @@ Eigen::MatrixXd well_averages(const problem::Problem& problem, const numerics::Q
                               const std::function<double(double)>& weight) {
   if (problem::features(problem).wells < 2) return {};
   // Fraction of the integral of the fit weight below which a well is omitted. With several wells
-  // the weight of control_fit_any_oscillator() is narrower than the density; such a well has less
+  // the weight of control_fit() is narrower than the density; such a well has less
   // than 1e-4 of the mass.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> tops = barrier_positions(problem, rule.points);

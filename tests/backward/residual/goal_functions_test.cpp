@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "backward/control/control_fit.hpp"
 #include "exact/linear_problem.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -11,7 +12,8 @@ namespace fpkcheck::backward {
 namespace {
 
 TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
-  const auto splines = residual_splines(tests::paper_case(1), {.y = 32, .v = 64});
+  const auto splines =
+      control_splines(tests::paper_case(1), {.y = 32, .v = 64}, CellWidths::narrower_at_walls);
   const auto goal = goal_functions(splines.y, splines.v);
   ASSERT_EQ(goal.moments, 6);
   ASSERT_EQ(goal.all.size(), static_cast<std::size_t>(goal.moments + goal.y_bins + goal.v_bins));
@@ -34,7 +36,8 @@ TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
 }
 
 TEST(GoalFunctions, ArePowersOfThePhysicalCoordinates) {
-  const auto splines = residual_splines(tests::paper_case(1), {.y = 32, .v = 64});
+  const auto splines =
+      control_splines(tests::paper_case(1), {.y = 32, .v = 64}, CellWidths::narrower_at_walls);
   const auto goal = goal_functions(splines.y, splines.v, {.origin = 0.5, .mirrored = true});
   const auto value = [&](std::size_t k, double y, double v) {
     return goal.all[k].y_factor(y) * goal.all[k].v_factor(v);
@@ -45,19 +48,19 @@ TEST(GoalFunctions, ArePowersOfThePhysicalCoordinates) {
   EXPECT_DOUBLE_EQ(value(4, 2, 7), 49);
 }
 
-TEST(ResidualSplines, AreGradedAtTheWallUnlessTheMotionIsOffTheWall) {
+TEST(ControlSplines, AreNarrowerAtTheWallUnlessTheMotionIsOffTheWall) {
   const ControlCells cells{.y = 40, .v = 88};
-  const auto paper_class = control_splines_paper_class(tests::paper_case(1), cells);
-  const auto splines = residual_splines(tests::paper_case(1), cells);
-  EXPECT_LT(splines.y.breaks()[1], paper_class.y.breaks()[1] / 8);
-  EXPECT_EQ(splines.y.end(), paper_class.y.end());
-  EXPECT_EQ(splines.v.begin(), paper_class.v.begin());
-  EXPECT_EQ(splines.v.size(), paper_class.v.size());
+  const auto even = control_splines(tests::paper_case(1), cells, CellWidths::even);
+  const auto splines = control_splines(tests::paper_case(1), cells, CellWidths::narrower_at_walls);
+  EXPECT_LT(splines.y.breaks()[1], even.y.breaks()[1] / 8);
+  EXPECT_EQ(splines.y.end(), even.y.end());
+  EXPECT_EQ(splines.v.begin(), even.v.begin());
+  EXPECT_EQ(splines.v.size(), even.v.size());
   const auto pushed = tests::make_problem({.rate = 300, .mean = 0.9 * std::sqrt(0.1 / 300)});
   ASSERT_GT(problem::static_deflection(pushed),
             4 * problem::equivalent_linearisation(pushed).displacement_deviation);
-  EXPECT_EQ(residual_splines(pushed, cells).y.breaks(),
-            control_splines_paper_class(pushed, cells).y.breaks());
+  EXPECT_EQ(control_splines(pushed, cells, CellWidths::narrower_at_walls).y.breaks(),
+            control_splines(pushed, cells, CellWidths::even).y.breaks());
 }
 
 }  // namespace

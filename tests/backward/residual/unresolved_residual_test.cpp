@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "backward/control/control_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "paper_cases.hpp"
 #include "residual/bell.hpp"
@@ -17,12 +18,12 @@ using tests::kSigmaV;
 using tests::kSigmaY;
 
 WeakResiduals weak_residuals(const problem::Problem& problem) {
-  auto splines = residual_splines(problem, {.y = 40, .v = 88});
+  auto splines = control_splines(problem, {.y = 40, .v = 88}, CellWidths::narrower_at_walls);
   return {problem, std::move(splines.y), std::move(splines.v)};
 }
 
-ControlFitProblem control_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  return control_fit_paper_class(problem, residuals.y(), residuals.v(), 1);
+ControlFitProblem unit_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
+  return control_fit(problem, residuals.y(), residuals.v(), 1);
 }
 
 double constant_one(double) { return 1; }
@@ -46,16 +47,14 @@ TEST(UnresolvedResidual, IsZeroForExactSolutions) {
   const std::vector<SeparableFunction> f{{constant_one, identity_function}};
   const auto weak = residuals(gaussian_density());
   EXPECT_NEAR(weak.cells.sum(), 1, 1e-12);
-  const UnresolvedResidual solved(control_fit(problem, residuals), f,
+  const UnresolvedResidual solved(unit_fit(problem, residuals), f,
                                   {-linear(residuals, false), {0}});
   EXPECT_NEAR(solved.mean_residuals(weak)(0), 0, 1e-12);
   // With the wrong sign the residual is 2 v, with a wrong mean the residual is the error of the
   // mean.
-  const UnresolvedResidual wrong(control_fit(problem, residuals), f,
-                                 {linear(residuals, false), {0}});
+  const UnresolvedResidual wrong(unit_fit(problem, residuals), f, {linear(residuals, false), {0}});
   EXPECT_NEAR(wrong.mean_residuals(weak)(0), 2 * kSigmaV * std::sqrt(2 / std::numbers::pi), 5e-3);
-  const UnresolvedResidual off(control_fit(problem, residuals), f,
-                               {-linear(residuals, false), {0.3}});
+  const UnresolvedResidual off(unit_fit(problem, residuals), f, {-linear(residuals, false), {0.3}});
   EXPECT_NEAR(off.mean_residuals(weak)(0), 0.3, 1e-12);
 }
 
@@ -65,7 +64,7 @@ TEST(UnresolvedResidual, WeightsJumpsAtTheWallByTheFlux) {
     const auto problem = tests::make_problem({.restitution = restitution});
     const auto residuals = weak_residuals(problem);
     const UnresolvedResidual unresolved(
-        control_fit(problem, residuals),
+        unit_fit(problem, residuals),
         std::vector<SeparableFunction>{{zero_function, zero_function}},
         {linear(residuals, true), {0}});
     return unresolved.mean_residuals(residuals(gaussian_density()))(0);

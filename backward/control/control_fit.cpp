@@ -1,12 +1,14 @@
-#include "backward/control/control_fit_any_oscillator.hpp"
+#include "backward/control/control_fit.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
 
 #include "backward/control/generator_factors.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -34,6 +36,14 @@ constexpr double kWeightTemperature = 2;  // temperature of the weight, in varia
 // the unresolved residual is about the same at temperatures 0.5 to 0.7, and larger at 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
+
+// Cells of a nearly Gaussian density, on fractions of the extents of MotionScales, which are seven
+// deviations: even up to five deviations in y and six in v, geometrically wider beyond. Control
+// functions on cells from cell_widths() gave larger standard errors of E[y^2], E[y'] and p(y)
+// (`ctest -R baselines.case2`).
+constexpr double kGaussianCoreY = 5.0 / 7, kGaussianCoreV = 6.0 / 7;
+constexpr int kGradedCells = 12;          // cells that become narrower towards the wall and v = 0
+constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations of y
 
 /// Break points from `begin` to `end`; the width of a cell is proportional to `width`.
 std::vector<double> breaks_by_width(double begin, double end, int cells,
@@ -103,8 +113,8 @@ double box_widening(const problem::Problem& problem, const problem::MotionScales
 
 }  // namespace
 
-ControlSplines control_splines_any_oscillator(const problem::Problem& problem,
-                                              const ControlCells& cells) {
+ControlSplines control_splines(const problem::Problem& problem, const ControlCells& cells,
+                               CellWidths widths) {
   const problem::MotionScales scales = problem::scales(problem);
   const problem::System& system = problem.system;
   const double wider = box_widening(problem, scales);
@@ -123,6 +133,15 @@ ControlSplines control_splines_any_oscillator(const problem::Problem& problem,
     narrow_at.push_back(end);
   }
   const double v_end = wider * kBoxFactorV * scales.v_high;
+  if (problem::has_equivalent_linearisation(problem)) {
+    const bool off_wall = scales.centre > kOffWallDeflection * scales.displacement_deviation;
+    const int graded = widths == CellWidths::narrower_at_walls && !off_wall ? kGradedCells : 0;
+    return {.y = numerics::QuinticBSplines(numerics::graded_knots(
+                begin, end, scales.centre + kGaussianCoreY * high, cells.y, 1, graded)),
+            .v = numerics::QuinticBSplines(numerics::graded_knots(
+                -v_end, v_end, kGaussianCoreV * scales.v_high, cells.v, kCornerKnots, graded))};
+  }
+  assert(widths == CellWidths::narrower_at_walls);
   const double even_y = (high + low) / cells.y, even_v = 2 * scales.v_high / cells.v;
   const bool spike = problem.noise.is_present() &&
                      std::ranges::any_of(impact_walls(system),
@@ -144,10 +163,8 @@ ControlSplines control_splines_any_oscillator(const problem::Problem& problem,
               numerics::knots_from_breaks(v_breaks, walls ? kCornerKnots : 1))};
 }
 
-ControlFitProblem control_fit_any_oscillator(const problem::Problem& problem,
-                                             const numerics::QuinticBSplines& y,
-                                             const numerics::QuinticBSplines& v,
-                                             double wall_weight) {
+ControlFitProblem control_fit(const problem::Problem& problem, const numerics::QuinticBSplines& y,
+                              const numerics::QuinticBSplines& v, double wall_weight) {
   const problem::MotionScales scales = problem::scales(problem);
   const double temperature_factor =
       problem::features(problem).wells > 1 ? kWellWeightTemperature : kWeightTemperature;
