@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <boost/version.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
@@ -22,15 +24,30 @@
 #include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/study_subjects.hpp"
-#include "cli/version.hpp"
+#include "fd_fpk/library_versions.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
 #include "problem/unsupported_features.hpp"
 #include "report/text/wrap_text.hpp"
+#include "results/library_versions.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
 namespace {
+
+/// Text of --version: the version of the program on the first line, then one line for each library.
+std::string version_text() {
+  auto libraries = fd_fpk::library_versions();
+  for (auto& library : results::library_versions()) libraries.push_back(std::move(library));
+  libraries.emplace_back("Boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000,
+                                              BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100));
+  libraries.emplace_back("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000,
+                                            FMT_VERSION / 100 % 100, FMT_VERSION % 100));
+  const auto program = results::this_program("");
+  std::string text = fmt::format("{} {}\n", program.name, program.version);
+  for (const auto& [name, version] : libraries) text += fmt::format("  {:<14}{}\n", name, version);
+  return text;
+}
 
 using Arguments = std::vector<std::string>;
 

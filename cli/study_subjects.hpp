@@ -15,8 +15,7 @@ struct StudySubject {
 };
 const std::vector<StudySubject>& study_subjects();
 
-/// Functions that run the subjects of `study`; each function is in the source file with the
-/// function's name.
+/// Functions that run the subjects of `study`.
 /// @param call call of the command, with the arguments after the subject
 /// @return an ExitCode
 /// @throws InputError for bad input or usage, before anything is solved or written

@@ -1,0 +1,209 @@
+#include "cli/study_subjects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/input_error.hpp"
+#include "cli/command_line.hpp"
+#include "cli/figure_options.hpp"
+#include "cli/interruption.hpp"
+#include "cli/parameter_options.hpp"
+#include "cli/parse_list.hpp"
+#include "cli/program.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/solve_and_report.hpp"
+#include "cli/write_study.hpp"
+#include "fd_fpk/options.hpp"
+#include "workflows/study/closure_order.hpp"
+#include "workflows/study/grid.hpp"
+#include "workflows/study/regularisation.hpp"
+
+namespace fpkcheck::cli {
+namespace {
+
+constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
+
+Grid convergence of the finite volumes for several orders of the scheme: distances of the marginal
+densities to their Richardson limit, the observed order over each three grid levels, and limits of
+the moments. Also shows error and time of closures and simulation, for the choice of a method.
+Exit code 0 when the limit exists and the finest grids give a density.
+
+examples:
+  fpkcheck study grid case1
+  fpkcheck study grid case4 --orders 5,7 --levels 6 --out results
+  fpkcheck study grid case1 --origin-refinement 16                 (resolves the jump at the origin)
+  fpkcheck study grid case1 --equation km4 --impact delta          (the equation of the closure)
+)";
+
+}  // namespace
+
+int study_grid(const CommandCall& call) {
+  namespace po = boost::program_options;
+  const auto begin = std::chrono::steady_clock::now();
+  CommonArguments common;
+  study::GridStudyOptions options;
+  const auto& grids = fd_fpk::description();
+  base::Values grid_values{{"equation", std::string(name(options.equation))},
+                           {"impact", std::string(name(options.impact))}};
+  std::string order_list;
+  po::options_description own;
+  own.add(
+      make_command_line_options(grids, {"equation", "impact", "origin_refinement"}, grid_values));
+  own.add_options()  //
+      ("orders", po::value(&order_list)->value_name("LIST")->default_value("3,5,7"),
+       "orders of the transport terms, 2 .. 8; the highest order gives the limit")(
+          "levels", po::value(&options.levels)->value_name("N")->default_value(options.levels),
+          "number of grids for each order; cells are narrower by sqrt(2) from level to level")(
+          "coarsest",
+          po::value(&options.coarsest)->value_name("F")->default_value(options.coarsest),
+          "refinement factor of the first level; 1 is the automatic grid");
+  for (const auto& solver : call.registry.solvers()) {
+    own.add(make_command_line_options(*solver.option_descriptions, solver.run_options,
+                                      options.simulation));
+  }
+  own.add(make_figure_options(common.figures));
+  if (!parse_arguments(
+          call.arguments, kGridUsage,
+          add_common_options(own, common,
+                             "write study-grid.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
+    return kSuccess;
+  }
+  fd_fpk::Options scheme;
+  for (const auto& [key, value] : grid_values) {
+    grids.assign(scheme, *grids.find(key), value, "--" + key);
+  }
+  options.equation = scheme.equation;
+  options.impact = scheme.impact;
+  options.origin_refinement = scheme.origin_refinement;
+  options.orders = parse_integers("--orders", order_list);
+  study::validate(options);
+  const auto setup = prepare_study(common);
+
+  ProgressLine line(common.quiet);
+  const auto result = study::study_grid(setup.problem, options, call.registry,
+                                        [&](const auto& progress) { line.rewrite(progress); });
+  throw_if_interrupted();
+  line.erase();
+  write_study(common,
+              study::output(result, call.command_line, terminal_format(), common.figures.width),
+              begin);
+  return study_exit_code(common, study::has_converged(result));
+}
+
+namespace {
+
+constexpr const char* kOrderUsage = R"(usage: fpkcheck study order CASE [options]
+
+Convergence of closures in the order of their polynomial: status, steps of Newton's method,
+condition number, residual, admissibility, distance to the finite-volume solution of the full jump
+equation (L1, and in the tail), time. Also reports where the branch of solutions of a formulation
+folds before it reaches the problem.
+Exit code 0 when every order of the formulation moment gives a density.
+
+examples:
+  fpkcheck study order case1
+  fpkcheck study order case4 --formulations moment --orders 8,12,16 --out results
+  fpkcheck study order case1 --formulations gaussian,gaussian-kf,moment,moment-cut
+)";
+
+std::vector<std::string> parse_formulations(const std::string& list,
+                                            const methods::Registry& registry) {
+  const auto known = study::closure_formulations(registry);
+  auto result = parse_list("--formulations", list);
+  for (const auto& item : result) {
+    if (std::ranges::find(known, item) == known.end()) {
+      throw InputError(fmt::format("--formulations {}: '{}' is not a formulation; use {}", list,
+                                   item, fmt::join(known, ", ")));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+int study_order(const CommandCall& call) {
+  namespace po = boost::program_options;
+  const auto begin = std::chrono::steady_clock::now();
+  CommonArguments common;
+  std::string formulation_list, order_list;
+  const std::string formulations_help = fmt::format(
+      "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
+      "the unconfined exponent, cut off at an energy",
+      fmt::join(study::closure_formulations(call.registry), ", "));
+  po::options_description own;
+  own.add_options()  //
+      ("orders", po::value(&order_list)->value_name("LIST")->default_value("2,4,6,8,10,12"),
+       "orders n (degrees of the polynomial), even, from 2")(
+          "formulations",
+          po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
+          formulations_help.c_str());
+  own.add(make_figure_options(common.figures));
+  if (!parse_arguments(
+          call.arguments, kOrderUsage,
+          add_common_options(
+              own, common, "write study-order.json, .csv and a figure to DIR (default: no files)"),
+          common.cases)) {
+    return kSuccess;
+  }
+  const study::ClosureOrderStudyOptions options{parse_formulations(formulation_list, call.registry),
+                                                parse_integers("--orders", order_list)};
+  const auto setup = prepare_study(common);
+
+  ProgressLine line(common.quiet);
+  const auto result = study::study_closure_orders(
+      setup.problem, options, call.registry, [&](const auto& progress) { line.rewrite(progress); });
+  throw_if_interrupted();
+  line.erase();
+  write_study(common,
+              study::output(result, call.command_line, terminal_format(), common.figures.width),
+              begin);
+  return study_exit_code(common, study::has_converged(result));
+}
+
+namespace {
+
+constexpr const char* kRegularisationUsage = R"(usage: fpkcheck study regularisation CASE [options]
+
+The series truncated after the fourth derivative, discretised with decreasing velocity steps h:
+  literal      fourth difference over the step, l = h: ill-posed, growth rates increase as h falls
+  0.9 l*       fixed length below the threshold l* of well-posedness
+  1.1 l*       fixed length above the threshold
+  regularised  the default length, l^2 = E[Y^6] / (5 E[Y^4])
+  pade         the Pade approximant of the series, which has no length
+Each row has the largest growth rate of a wave (from the symbol), the rightmost eigenvalue of the
+matrix (shift-invert Arnoldi with KLU factors), and the distance of the null vector from the density
+of the full jump equation on the same grid.
+Exit code 0 when the default length has no growth and gives a density at the smallest step.
+
+examples:
+  fpkcheck study regularisation case1
+  fpkcheck study regularisation mine.ini --set system.restitution=0.9 --out results
+)";
+
+}  // namespace
+
+int study_regularisation(const CommandCall& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  CommonArguments common;
+  if (!parse_arguments(
+          call.arguments, kRegularisationUsage,
+          add_common_options({}, common,
+                             "write study-regularisation.json and .csv to DIR (default: no files)"),
+          common.cases)) {
+    return kSuccess;
+  }
+  const auto setup = prepare_study(common);
+  ProgressLine line(common.quiet);
+  const auto result = study::study_regularisation(
+      setup.problem, [&](const methods::RunProgress& at) { line.rewrite(at); });
+  throw_if_interrupted();
+  line.erase();
+  write_study(common, study::output(result, call.command_line, terminal_format()), begin);
+  return study_exit_code(common, study::has_converged(result));
+}
+
+}  // namespace fpkcheck::cli
