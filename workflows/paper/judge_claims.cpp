@@ -6,9 +6,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "workflows/paper/closure_distance.hpp"
 #include "workflows/paper/criteria.hpp"
-#include "workflows/paper/linearisation_distance.hpp"
+#include "workflows/paper/distances.hpp"
 #include "workflows/paper/measured_text.hpp"
 
 namespace fpkcheck::paper {

@@ -1,4 +1,4 @@
-#include "workflows/sweep/report/figure/map.hpp"
+#include "workflows/sweep/report/figure/figure_scripts.hpp"
 
 #include <gtest/gtest.h>
 

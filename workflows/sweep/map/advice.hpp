@@ -8,7 +8,7 @@
 
 namespace fpkcheck::sweep {
 
-/// Largest distance (map_coordinates.hpp) at which a point of the map is nearby a problem.
+/// Largest map_distance() at which a point of the map is nearby a problem.
 inline constexpr double kNearbyDistance = 1;
 /// Least number of points for the assessment of a method. If fewer points are nearby, the closest
 /// points at any distance are used.

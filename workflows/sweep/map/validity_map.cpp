@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
@@ -132,6 +133,30 @@ ValidityMap read_validity_map(std::string_view text, const std::string& where) {
         parse_point({lines[k], fmt::format("{}:{}", where, k + 1)}, map.methods.size()));
   }
   return map;
+}
+
+MapCoordinates map_coordinates(const problem::Problem& problem) {
+  const auto& impulses = problem.impulses.parameters();
+  const auto& law = problem.impulses.law();
+  return {.groups = dimensionless_groups(problem),
+          .restitution = problem.system.restitution(),
+          .law = law.is_symmetric()
+                     ? impulses.law
+                     : fmt::format("{} of skewness {:g}", impulses.law, law.skewness()),
+          .relative_mean = impulses.mean / std::sqrt(impulses.intensity / impulses.arrival_rate)};
+}
+
+double map_distance(const MapCoordinates& one, const MapCoordinates& other) {
+  constexpr double kRestitutionUnit = 0.1, kCubicUnit = 0.2;
+  if (one.law != other.law || one.relative_mean != other.relative_mean) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double impulses =
+      std::log(one.groups.impulses_per_decay_time / other.groups.impulses_per_decay_time);
+  const double damping = std::log(one.groups.damping_ratio / other.groups.damping_ratio);
+  const double losses = (one.restitution - other.restitution) / kRestitutionUnit;
+  const double cubic = (one.groups.cubic_share - other.groups.cubic_share) / kCubicUnit;
+  return std::hypot(std::hypot(impulses, damping), std::hypot(losses, cubic));
 }
 
 }  // namespace fpkcheck::sweep

@@ -5,10 +5,7 @@
 #include "base/files/pending_files.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/figure/drawing.hpp"
-#include "workflows/sweep/report/figure/distances.hpp"
-#include "workflows/sweep/report/figure/map.hpp"
-#include "workflows/sweep/report/figure/moments.hpp"
-#include "workflows/sweep/report/figure/scatter.hpp"
+#include "workflows/sweep/report/figure/figure_scripts.hpp"
 
 namespace fpkcheck::sweep {
 namespace {

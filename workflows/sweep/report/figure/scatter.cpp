@@ -1,4 +1,4 @@
-#include "workflows/sweep/report/figure/scatter.hpp"
+#include "workflows/sweep/report/figure/figure_scripts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,12 +1,14 @@
-#include "workflows/paper/closure_distance.hpp"
+#include "workflows/paper/distances.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "compare/reference.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/criteria.hpp"
 
@@ -73,6 +75,24 @@ Distance larger_distances(const Distance& one, const Distance& other) {
           .tail = larger(one.tail, other.tail),
           .l1_error = std::max(one.l1_error, other.l1_error),
           .tail_error = std::max(one.tail_error, other.tail_error)};
+}
+
+double l1_to_linearisation(const results::Curve& curve, const problem::Problem& problem) {
+  const auto linear = problem::equivalent_linearisation(problem);
+  const bool is_y = curve.variable == transform::Variable::y;
+  const double sigma = is_y ? linear.displacement_deviation : linear.velocity_deviation;
+  // The probability of an interval of y or y', from the density of z or z': both z and -z map to y.
+  const auto probability = [&](double from, double to) {
+    const double scale = 1 / (std::numbers::sqrt2 * sigma);
+    return (is_y ? 1.0 : 0.5) * (std::erf(to * scale) - std::erf(from * scale));
+  };
+  const auto widths = results::bin_widths(curve);
+  double l1 = 0;
+  for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
+    const double from = curve.abscissa[k] - widths[k] / 2, to = curve.abscissa[k] + widths[k] / 2;
+    l1 += std::abs(curve.density[k] * widths[k] - probability(from, to));
+  }
+  return l1;
 }
 
 }  // namespace fpkcheck::paper
