@@ -15,12 +15,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/process/parallel_for.hpp"
 #include "compare/comparison_axes.hpp"
 #include "compare/rest_atoms.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/parallel_for.hpp"
 #include "methods/run_cases.hpp"
 #include "methods/solve_in_wall_coordinates.hpp"
 #include "problem/features.hpp"
@@ -391,7 +391,7 @@ int run(const Settings& settings) {
     const auto axes = compare::uniform_axes(compare::comparison_axes(problem));
     references.push_back(simulation_reference(problem, axes, settings));
     std::vector<MethodResult> row(methods.size());
-    methods::parallel_for(methods.size(), 0, [&](std::size_t m) {
+    base::parallel_for(methods.size(), 0, [&](std::size_t m) {
       row[m] = answer(methods[m], problem, axes, references.back());
     });
     if (settings.verbose) print_case(problem, references.back(), methods, row);

@@ -11,6 +11,7 @@
 #include "base/mpi/communicator.hpp"
 #include "base/options/parse_enum.hpp"
 #include "base/process/exit_blocker.hpp"
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
@@ -24,7 +25,6 @@
 #include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
-#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
 #include "workflows/sweep/execution/merge_journals.hpp"
 #include "workflows/sweep/execution/solve_on_ranks.hpp"
@@ -336,7 +336,7 @@ int sweep_command(const CommandCall& call) {
   }
   if (!common.out) common.out = kDefaultSweepDirectory;
   if (arguments.merge) return merge_shards(arguments, call, begin);
-  const int threads = methods::number_of_threads(extract_thread_count(arguments.given));
+  const int threads = base::number_of_threads(extract_thread_count(arguments.given));
   const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
   const auto plan = make_sweep_plan(arguments, call.registry);
   if (arguments.dry_run) return print_forecast(arguments, plan, threads);

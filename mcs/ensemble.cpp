@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "base/input_error.hpp"
+#include "base/process/parallel_for.hpp"
 #include "mcs/estimate/estimate.hpp"
 #include "mcs/motion/trajectory.hpp"
-#include "mcs/simulation/parallel_for.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "problem/problem.hpp"
 
@@ -144,7 +144,7 @@ std::vector<EnsembleSnapshot> simulate_ensemble(const problem::Problem& problem,
   };
   const Bins y_bins = bins(options.y_edges), v_bins = bins(options.v_edges);
   std::vector<std::vector<Sums>> shares(kShares);
-  parallel_for(number_of_threads(options.threads), kShares, [&](std::size_t s) {
+  base::parallel_for(kShares, options.threads.value_or(0), [&](std::size_t s) {
     shares[s] = run_share(problem, options, y_bins, v_bins, static_cast<std::uint32_t>(s));
   });
   std::vector<EnsembleSnapshot> snapshots;

@@ -7,8 +7,8 @@
 
 #include "backward/residual/density_residuals.hpp"
 #include "base/input_error.hpp"
+#include "base/process/parallel_for.hpp"
 #include "methods/out_of_memory.hpp"
-#include "methods/parallel_for.hpp"
 #include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
@@ -80,7 +80,7 @@ void add_moment_error_estimates(CaseResult& case_result, const ResidualErrorEsti
   const bool completed = try_within_memory([&] {
     const auto* residuals = estimator.density_residuals();
     if (residuals == nullptr) return;
-    parallel_for(densities.size(), thread_count, [&](std::size_t k) {
+    base::parallel_for(densities.size(), thread_count, [&](std::size_t k) {
       found[k] =
           estimate_moment_errors(*residuals, estimator.wall_coordinates(), *densities[k], cells);
     });

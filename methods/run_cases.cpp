@@ -5,10 +5,10 @@
 #include <mutex>
 #include <optional>
 
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "methods/complete_error_estimates.hpp"
 #include "methods/out_of_memory.hpp"
-#include "methods/parallel_for.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -143,8 +143,8 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
       (methods[m].uses_all_processors ? all_processors : single_threaded).push_back({p, m});
     }
   }
-  parallel_for(single_threaded.size(), thread_count,
-               [&](std::size_t t) { run.solve(single_threaded[t]); });
+  base::parallel_for(single_threaded.size(), thread_count,
+                     [&](std::size_t t) { run.solve(single_threaded[t]); });
   for (const SolveTask& task : all_processors) run.solve(task);
   return run.cases();
 }

@@ -1,18 +1,16 @@
 #include "backward/bounds/bounds_from_grid.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <functional>
-#include <thread>
 
 #include "backward/bounds/functional_enclosure.hpp"
 #include "backward/bounds/outer_residual.hpp"
 #include "backward/bounds/residual_range.hpp"
 #include "backward/generator/least_squares.hpp"
 #include "backward/generator/velocity_samples.hpp"
+#include "base/process/parallel_for.hpp"
 
 namespace fpkcheck::backward {
 namespace {
@@ -47,29 +45,6 @@ numerics::Enclosure mean_enclosure(double mean, const ResidualRange& range, doub
   const double least = std::min(range.least, -outside), largest = std::max(range.largest, outside);
   return {(numerics::Interval(mean) + numerics::Interval(least) * tau).lower(),
           (numerics::Interval(mean) + numerics::Interval(largest) * tau).upper()};
-}
-
-// Calls work(0) .. work(count - 1) on several threads.
-void parallel_for(int count, int threads, const std::function<void(int)>& work) {
-  std::atomic<int> next = 0;
-  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
-  const auto worker = [&] {
-    for (int i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int t = 1; t < std::min(threads, count); ++t) others.emplace_back(worker);
-    worker();
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
 }
 
 }  // namespace
@@ -110,10 +85,9 @@ std::vector<numerics::Enclosure> bounds_from_grid(const problem::Problem& proble
 
   const CertificateCheckInputs context{problem,     displacement, velocity, y_operators,
                                        v_operators, weight,       ends};
-  const int count = static_cast<int>(functionals.size());
   std::vector<numerics::Enclosure> bounds(functionals.size());
   std::vector<SplineGridReport::FunctionalResidual> each(functionals.size());
-  parallel_for(count, threads, [&](int i) {
+  base::parallel_for(functionals.size(), threads, [&](std::size_t i) {
     numerics::call_with_upward_rounding([&] {
       const Certificate certificate{solutions.coefficients[i], solutions.means[i]};
       const ResidualRange range = residual_range(context, functionals[i], certificate,

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/input_error.hpp"
+#include "base/process/parallel_for.hpp"
 #include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/binary_io.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
-#include "mcs/simulation/parallel_for.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -178,7 +178,7 @@ void Simulation::advance_streams(bool recorded, double time) {
 
 void Simulation::advance_streams(const std::function<void(std::span<Stream* const>)>& move) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
-  parallel_for(plan_->threads, groups, [&](std::size_t g) {
+  base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
     if (!is_stream_of_part(part_, g * kGroup)) return;
     std::vector<Stream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {

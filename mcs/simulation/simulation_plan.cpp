@@ -9,8 +9,8 @@
 #include <string>
 
 #include "base/input_error.hpp"
+#include "base/process/parallel_for.hpp"
 #include "mcs/applicability.hpp"
-#include "mcs/simulation/parallel_for.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 
@@ -201,23 +201,24 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
   const Durations durations = choose_durations(options, inputs.rates);
   const auto [samples, rounds] =
       choose_rounds(options, durations, inputs.sampling_interval, inputs.rates.total_rate());
-  return {.streams = options.streams,
-          .threads = std::min(number_of_threads(options.threads), options.streams),
-          .seed = options.seed,
-          .frame = problem.frame,
-          .step = inputs.step,
-          .burn_in = durations.burn_in,
-          .short_burn_in_cause = durations.short_burn_in_cause,
-          .sampling_interval = inputs.sampling_interval,
-          .samples_per_round = samples,
-          .rounds = rounds,
-          .displacement_deviation = inputs.displacement_deviation,
-          .velocity_deviation = inputs.velocity_deviation,
-          .excitation = inputs.excitation,
-          .y_bins = bins(options.y_edges, inputs.y_low, inputs.y_high),
-          .v_bins = bins(options.v_edges, -inputs.v_high, inputs.v_high),
-          .deposit = inputs.deposit,
-          .general = inputs.general};
+  return {
+      .streams = options.streams,
+      .threads = std::min(base::number_of_threads(options.threads.value_or(0)), options.streams),
+      .seed = options.seed,
+      .frame = problem.frame,
+      .step = inputs.step,
+      .burn_in = durations.burn_in,
+      .short_burn_in_cause = durations.short_burn_in_cause,
+      .sampling_interval = inputs.sampling_interval,
+      .samples_per_round = samples,
+      .rounds = rounds,
+      .displacement_deviation = inputs.displacement_deviation,
+      .velocity_deviation = inputs.velocity_deviation,
+      .excitation = inputs.excitation,
+      .y_bins = bins(options.y_edges, inputs.y_low, inputs.y_high),
+      .v_bins = bins(options.v_edges, -inputs.v_high, inputs.v_high),
+      .deposit = inputs.deposit,
+      .general = inputs.general};
 }
 
 }  // namespace fpkcheck::mcs

@@ -9,8 +9,8 @@
 #include <queue>
 #include <set>
 
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
-#include "methods/parallel_for.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
 
 namespace fpkcheck::sweep {
@@ -81,7 +81,7 @@ Forecast forecast(const Plan& plan, const std::vector<PointResult>& solved, int 
   const auto chosen =
       evenly_spread_sample(unknown, sample_count - std::min(sample_count, known.size()));
   std::mutex mutex;
-  methods::parallel_for(chosen.size(), threads, [&](std::size_t k) {
+  base::parallel_for(chosen.size(), threads, [&](std::size_t k) {
     if (base::stop_requested()) return;
     const double seconds = solve_point(plan, chosen[k]).result.seconds;
     const std::lock_guard lock(mutex);

@@ -16,8 +16,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
-#include "methods/parallel_for.hpp"
 #include "workflows/sweep/result/point_json.hpp"
 
 namespace fpkcheck::sweep {
@@ -101,7 +101,7 @@ class Coordinator {
       : progress_(progress),
         ranks_(ranks),
         solvers_(
-            plan, methods::number_of_threads(threads), [this] { return next(); },
+            plan, base::number_of_threads(threads), [this] { return next(); },
             [this](SolvedPoint&& solved) { progress_.store(std::move(solved)); }) {}
   ~Coordinator() { failed_ = true; }
   Coordinator(const Coordinator&) = delete;
@@ -170,7 +170,7 @@ class Worker {
       : plan_(plan),
         directory_(directory),
         ranks_(ranks),
-        threads_(methods::number_of_threads(threads)),
+        threads_(base::number_of_threads(threads)),
         solvers_(
             plan, threads_, [this] { return next(); },
             [this](SolvedPoint&& solved) { store_result(std::move(solved)); }) {}

@@ -7,9 +7,9 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/process/exit_blocker.hpp"
+#include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
-#include "methods/parallel_for.hpp"
 #include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
@@ -70,8 +70,8 @@ void JournaledQueue::store(SolvedPoint&& solved) {
 }
 
 void solve_remaining_points(const Plan& plan, JournaledQueue& progress, int threads) {
-  const int thread_count = methods::number_of_threads(threads);
-  methods::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
+  const int thread_count = base::number_of_threads(threads);
+  base::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     for (auto point = progress.take_next_point(); point; point = progress.take_next_point()) {
       progress.store(solve_point(plan, *point));
     }
