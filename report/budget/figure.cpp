@@ -11,8 +11,7 @@
 
 #include "report/budget/part_style.hpp"
 #include "report/figure/frame.hpp"
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/text.hpp"
 
 namespace fpkcheck::report {

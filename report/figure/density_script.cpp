@@ -7,9 +7,8 @@
 #include <set>
 
 #include "report/figure/frame.hpp"
-#include "report/figure/legend_strip.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/panel.hpp"
-#include "report/figure/panel_grid.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -11,7 +11,7 @@
 #include "compare/reference.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/text.hpp"
 
 namespace fpkcheck::report {

@@ -12,8 +12,7 @@
 #include "report/convergence_over_order.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/script_parts.hpp"
 #include "report/figure/text.hpp"
 

@@ -10,6 +10,11 @@
 
 namespace fpkcheck::report {
 
+/// The ids of the solutions that are initially visible in a plot: the solutions of the full problem
+/// (report/references.hpp), the closest closure of each family, and external densities. If this
+/// selection has fewer than two solutions, all solutions are visible.
+std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
+
 /// A plot for each marginal density with three rows: the density on a linear axis, the density on a
 /// logarithmic axis, and the difference from the reference. The simulation is shown as points
 /// within a band of 95 % confidence intervals.

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "compare/reference.hpp"
-#include "report/page/cell_window.hpp"
+#include "report/page/encoding.hpp"
+#include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
-#include "report/page/typed_array.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/page/signed_roots.hpp"
+#include "report/page/heat_map_values.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {

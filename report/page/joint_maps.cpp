@@ -9,10 +9,10 @@
 
 #include "compare/reference.hpp"
 #include "compare/rest_atoms.hpp"
-#include "report/page/cell_window.hpp"
+#include "report/page/encoding.hpp"
+#include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
-#include "report/page/typed_array.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {

@@ -130,7 +130,7 @@ function drawables(one) {
 const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
 const numbers = array => new Float32Array(bytesOf(array.bdata).buffer);
 
-// Unpacks signed roots (report/page/signed_roots.hpp): the roots from -1 to 1, then the values.
+// Unpacks signed roots (report/page/heat_map_values.hpp): the roots from -1 to 1, then the values.
 function roots({steps, levels}) {
   let sum = 0;
   return Float64Array.from(steps, step => (sum += step) / levels);

@@ -7,8 +7,7 @@
 
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/text.hpp"
 #include "workflows/study/closure_order.hpp"
 #include "workflows/study/plot_series.hpp"

@@ -7,8 +7,7 @@
 
 #include "methods/plot_style.hpp"
 #include "report/figure/frame.hpp"
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/text.hpp"
 #include "workflows/study/grid.hpp"
 #include "workflows/study/plot_series.hpp"

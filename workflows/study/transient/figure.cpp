@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/text.hpp"
 #include "workflows/study/plot_series.hpp"
 

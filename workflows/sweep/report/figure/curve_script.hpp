@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "workflows/sweep/report/figure/curve_data.hpp"
 
 /// Parts that all gnuplot scripts with curves along a varied key share.

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "report/figure/frame.hpp"
-#include "report/figure/legend_strip.hpp"
-#include "report/figure/panel_grid.hpp"
+#include "report/figure/layout.hpp"
 #include "report/figure/script_parts.hpp"
 #include "report/figure/text.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/legend_strip.hpp"
+#include "report/figure/layout.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::sweep {

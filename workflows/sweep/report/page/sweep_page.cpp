@@ -9,7 +9,7 @@
 #include <span>
 #include <tuple>
 
-#include "report/page/base64.hpp"
+#include "report/page/encoding.hpp"
 #include "report/page/html.hpp"
 #include "report/page/parts.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"

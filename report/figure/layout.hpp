@@ -1,8 +1,12 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "report/figure/frame.hpp"
 #include "report/figure/script_parts.hpp"
 
+/// Layout of a figure: the panels, and below them the legend.
 namespace fpkcheck::report {
 
 /// The layout of a figure, in pixels: panels of equal size in rows and columns between the title
@@ -38,5 +42,26 @@ struct PanelGrid {
 /// column has less space between the rows.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 PanelGrid panel_grid(FigureWidth medium, int screen_width_pixels);
+
+/// An entry of the legend of a figure: plot specification ("NaN with lines ..") and label.
+struct LegendEntry {
+  std::string plot;
+  std::string label;
+};
+
+/// The legend of a figure. The legend is in a strip below the panels, so that no curve is covered.
+struct Legend {
+  std::vector<LegendEntry> entries;
+  int sample_length;  ///< length of the line sample beside each label, in letters
+};
+
+/// Height in pixels of a strip that shows all entries of the legend: gnuplot omits entries that do
+/// not fit into the strip.
+int legend_height(const Legend& legend, int width);
+
+/// gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a
+/// multiplot.
+/// @param size size of the figure
+std::string legend_strip_commands(const Legend& legend, const FigureSize& size);
 
 }  // namespace fpkcheck::report

@@ -1,9 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
+/// Encodings of texts and numbers inside the page: base64, gzip, and the typed arrays of plotly.js.
 namespace fpkcheck::report {
+
+/// Base64 encoding of bytes (RFC 4648).
+std::string encode_base64(std::span<const std::byte> bytes);
+
+/// Compresses a text by gzip (RFC 1952) and encodes the result in base64; page.js unpacks the
+/// result by DecompressionStream. Equal texts give equal results.
+/// @throws std::bad_alloc
+std::string gzip_base64(std::string_view text);
 
 /// An array of numbers in the JSON format of plotly.js: little-endian bytes in base64.
 struct TypedArray {

@@ -1,4 +1,4 @@
-#include "report/figure/legend_strip.hpp"
+#include "report/figure/layout.hpp"
 
 #include <gtest/gtest.h>
 

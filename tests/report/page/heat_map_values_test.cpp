@@ -1,4 +1,4 @@
-#include "report/page/signed_roots.hpp"
+#include "report/page/heat_map_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,25 @@
 
 namespace fpkcheck::report {
 namespace {
+
+// Two cells of y, four of v; the peak is 10.
+const transform::GridDensity kDensity{
+    {0, 1, 2}, {-2, -1, 0, 1, 2}, {0.001, 10, 4, 0.5, 0, 0.2, 0.3, 0.001}};
+
+TEST(CellWindow, HoldsAllThatExceedsThePart) {
+  const auto wide = cells_above_fraction(kDensity, 0.01);
+  EXPECT_EQ(wide.y_end, 2u);
+  EXPECT_EQ(wide.v_begin, 1u);
+  EXPECT_EQ(wide.v_end, 4u);
+  const auto narrow = cells_above_fraction(kDensity, 0.1);
+  EXPECT_EQ(narrow.y_end, 1u);
+  EXPECT_EQ(narrow.v_begin, 1u);
+  EXPECT_EQ(narrow.v_end, 3u);
+}
+
+TEST(CellWindow, RowsAreOfConstantVelocity) {
+  EXPECT_EQ(rows_of_constant_velocity(kDensity, {2, 1, 3}), (std::vector<double>{10, 0.2, 4, 0.3}));
+}
 
 TEST(SignedRoots, ComeBackWithTheirSign) {
   const std::vector<double> values{-2, 2, 0, 0.5, -1e-4, 1e-6};
