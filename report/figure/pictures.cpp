@@ -5,11 +5,11 @@
 #include "base/files/pending_files.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/budget/figure.hpp"
+#include "report/figure/convergence_figure.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/figure/density_script.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/error_source_script.hpp"
-#include "report/figure/order_script.hpp"
 #include "results/output_directory.hpp"
 
 namespace fpkcheck::report {
@@ -43,8 +43,9 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
       pictures.push_back(
           {sources_stem(stem), error_source_script(case_result, sources_stem(stem), width)});
     }
-    if (has_several_orders(case_result)) {
-      pictures.push_back({order_stem(stem), order_script(case_result, order_stem(stem), width)});
+    if (const Figure convergence = convergence_figure(case_result); !convergence.panels.empty()) {
+      pictures.push_back({order_stem(stem), figure_script(convergence, case_result.problem,
+                                                          order_stem(stem), width)});
     }
   }
   return pictures;

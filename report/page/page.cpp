@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "compare/reference.hpp"
+#include "report/figure/convergence_figure.hpp"
 #include "report/findings.hpp"
 #include "report/page/budget_view.hpp"
 #include "report/page/case_tables.hpp"
-#include "report/page/convergence_plots.hpp"
 #include "report/page/density_plots.hpp"
 #include "report/page/encoding.hpp"
 #include "report/page/error_maps.hpp"
+#include "report/page/figure_plots.hpp"
 #include "report/page/html.hpp"
 #include "report/page/joint_maps.hpp"
 #include "report/page/parts.hpp"
@@ -74,7 +75,7 @@ class CaseSection {
               budget_plots(case_result, id));
     html_ += details_html(id + "-budget-table", "The error budget in numbers",
                           budget_tables(case_result));
-    add_plots("convergence", "Convergence", "", order_plots(case_result, id));
+    add_plots("convergence", "Convergence", "", figure_plots(convergence_figure(case_result), id));
     if (const auto maps = joint_maps(case_result)) {
       add_details("joint", "Joint densities", joint_maps_html(*maps, id));
       maps_ = joint_maps_json(*maps, id);
@@ -83,7 +84,7 @@ class CaseSection {
       add_details("sources", "Sources of the errors of moments", error_maps_html(*maps, id));
       errors_ = error_maps_json(*maps, id);
     }
-    const auto cost = cost_plots(case_result, id);
+    const auto cost = figure_plots(cost_figure(case_result), id);
     if (!cost.empty()) add_details("cost", "L1 distance against computing time", plots_html(cost));
     plots_.insert(plots_.end(), cost.begin(), cost.end());
     add_details("diagnostics", "Diagnostics",

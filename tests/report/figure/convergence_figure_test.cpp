@@ -1,9 +1,12 @@
-#include "report/page/convergence_plots.hpp"
+#include "report/figure/convergence_figure.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../external_family.hpp"
-#include "made_up_page.hpp"
+#include "../page/made_up_page.hpp"
+#include "report/figure/pictures.hpp"
+#include "report/page/figure_plots.hpp"
+#include "temporary_directory.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -14,6 +17,66 @@ using tests::trace_of;
 using tests::whole_case;
 using Names = std::vector<std::string>;
 
+std::vector<Plot> order_plots(const results::CaseResult& case_result, const std::string& prefix) {
+  return figure_plots(convergence_figure(case_result), prefix);
+}
+
+std::vector<Plot> cost_plots(const results::CaseResult& case_result, const std::string& prefix) {
+  return figure_plots(cost_figure(case_result), prefix);
+}
+
+std::vector<std::string> names_in(const FigurePanel& panel) {
+  std::vector<std::string> names;
+  for (const auto& series : panel.series) names.push_back(series.name);
+  return names;
+}
+
+TEST(ConvergenceFigure, HasOneSeriesForEachFamilyByOrder) {
+  const auto case_result = tests::case_with_external_family({6, 2});
+  const Figure figure = convergence_figure(case_result);
+  ASSERT_EQ(figure.panels.size(), 2u);
+  for (const auto& panel : figure.panels) {
+    EXPECT_EQ(names_in(panel), (Names{"chi", "epc-gaussian", "distance of mcs to fd-kf",
+                                      "error estimate of fd-kf"}));
+    const auto& chi = panel.series[0].points;
+    ASSERT_EQ(chi.size(), 2u);
+    EXPECT_EQ(chi[0].x, 2);
+    EXPECT_EQ(chi[1].x, 6);
+    for (const auto& series : panel.series) {
+      for (const auto& point : series.points) {
+        EXPECT_LT(panel.y.from, point.y);
+        EXPECT_LT(point.y, panel.y.to);
+      }
+    }
+  }
+  EXPECT_TRUE(figure.panels[0].series[1].points[1].open);
+}
+
+TEST(ConvergenceFigure, HasTheSameSeriesInAScript) {
+  const auto case_result = tests::case_with_external_family({6, 2});
+  const std::string script = figure_script(convergence_figure(case_result), case_result.problem,
+                                           "case1-order", FigureWidth::screen);
+  for (const char* text : {"title 'chi'", "title 'epc-gaussian'", "$a0 << EOD\n2 ", "$b0 << EOD"}) {
+    EXPECT_TRUE(tests::contains(script, text)) << text;
+  }
+}
+
+TEST(ConvergencePicture, ExistsForAFamilyOfTwoOrders) {
+  if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
+  const tests::TemporaryDirectory directory;
+  results::Run run{results::this_program(""), {tests::case_with_external_family({2, 4, 6})}};
+  const FigureOptions svg{.formats = {FigureFormat::svg}};
+  const auto warnings = draw_pictures(directory.path(), run, svg);
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const auto picture = directory.path() / "figures" / "case1-order.svg";
+  for (const char* text : {"(a) displacement", ">chi<", "open: not ok"}) {
+    EXPECT_TRUE(tests::contains(tests::contents(picture), text)) << text;
+  }
+  for (auto& solution : run.cases[0].solutions) solution.identity.order.reset();
+  draw_pictures(directory.path(), run, svg);
+  EXPECT_FALSE(std::filesystem::exists(picture));
+}
+
 TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
   const auto case_result = whole_case();
   const auto plots = order_plots(case_result, "case-1");
@@ -23,6 +86,8 @@ TEST(OrderPlots, HaveACurveForEachFamilyOfClosures) {
             (Names{"epc-gaussian", "distance of mcs to fd-kf", "error estimate of fd-kf"}));
   const Json curve = trace_of(plots[0], "epc-gaussian");
   EXPECT_EQ(curve.at("x"), Json({2, 4, 6}));
+  EXPECT_EQ(tests::figure_of(plots[1]).at("layout").at("yaxis").at("title").at("text"),
+            "<i>L</i><sub>1</sub> distance of <i>p</i>(<i>y</i>\u2032) to fd-kf");
   EXPECT_EQ(curve.at("y")[2], *case_result.l1("epc-gaussian-n6", "fd-kf", transform::Variable::y));
   EXPECT_EQ(curve.at("marker").at("symbol"), Json({"circle", "circle-open", "circle"}));
   EXPECT_EQ(curve.at("customdata")[1], "epc-gaussian-n4 (inadmissible)");

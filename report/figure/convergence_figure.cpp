@@ -1,0 +1,162 @@
+#include "report/figure/convergence_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/reference.hpp"
+#include "report/convergence_over_order.hpp"
+#include "report/families.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/script_parts.hpp"
+#include "report/page/log_range.hpp"
+#include "report/page/plot.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Solution;
+using transform::Variable;
+
+std::string panel_title(Variable variable) {
+  return variable == Variable::y ? "displacement" : "velocity";
+}
+
+/// The logarithmic axis that contains the coordinate of all points, with a margin for marks and
+/// labels.
+FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
+                            double FigurePoint::*coordinate) {
+  LogAxisRange range;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) range.include(point.*coordinate);
+  }
+  const auto [from, to] = range.exponents(0.3, 0.4);
+  return {label, std::pow(10, from), std::pow(10, to), true};
+}
+
+FigureAxis distance_axis(Variable variable, const Solution& reference,
+                         const std::vector<FigureSeries>& all) {
+  return logarithmic_axis(
+      fmt::format("{{/:Italic L}}_1 distance of {} to {}", density_symbol(variable),
+                  escape_enhanced_text(reference.id())),
+      all, &FigurePoint::y);
+}
+
+std::string name_with_status(const Solution& solution) {
+  return solution.is_ok() ? solution.id()
+                          : fmt::format("{} ({})", solution.id(), name(solution.status));
+}
+
+/// The series of a family without points. Its style is the style of the middle member.
+FigureSeries family_series(const SolutionFamily& family) {
+  const auto& style = family.solutions[family.solutions.size() / 2]->identity.plot_style;
+  return {.name = family.name,
+          .group = "family " + family.name,
+          .colour = style.colour,
+          .symbol = style.symbol};
+}
+
+std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distances,
+                                             const FigureAxis& x) {
+  std::vector<FigureSeries> all;
+  for (const auto& family : distances.families) {
+    FigureSeries series = family_series(family);
+    series.dash = "solid";
+    for (const Solution* member : family.solutions) {
+      series.points.push_back({.x = static_cast<double>(*member->identity.order),
+                               .y = distances.l1(*member),
+                               .open = !member->is_ok(),
+                               .name = name_with_status(*member)});
+    }
+    all.push_back(series);
+  }
+  for (const Solution* external_density : distances.external_densities) {
+    const auto& identity = external_density->identity;
+    const double l1 = distances.l1(*external_density);
+    FigureSeries series{.name = name_with_status(*external_density),
+                        .group = "level " + identity.id,
+                        .colour = identity.plot_style.colour};
+    if (identity.order) {
+      series.symbol = identity.plot_style.symbol;
+      series.mark_size = 1.6;
+      series.points = {{.x = static_cast<double>(*identity.order),
+                        .y = l1,
+                        .open = !external_density->is_ok(),
+                        .name = series.name}};
+    } else {
+      series.dash = "longdash";
+      series.points = {{.x = x.from, .y = l1}, {.x = x.to, .y = l1}};
+    }
+    all.push_back(series);
+  }
+  for (const auto& line : distances.uncertainty_lines) {
+    all.push_back({.name = line.name,
+                   .group = "level " + line.name,
+                   .colour = "#555555",
+                   .dash = line.dash,
+                   .line_width = 1.5,
+                   .points = {{.x = x.from, .y = line.l1}, {.x = x.to, .y = line.l1}}});
+  }
+  return all;
+}
+
+std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
+                                      const Solution& reference, Variable variable) {
+  const auto l1 = [&](const Solution& solution) {
+    return case_result.l1(solution.id(), reference.id(), variable).value_or(0);
+  };
+  std::vector<const Solution*> compared;
+  for (const auto& solution : case_result.solutions) {
+    if (l1(solution) > 0) compared.push_back(&solution);
+  }
+  std::vector<FigureSeries> all;
+  for (const auto& family : group_by_family(compared)) {
+    FigureSeries series = family_series(family);
+    for (const Solution* member : family.solutions) {
+      series.points.push_back({.x = member->seconds,
+                               .y = l1(*member),
+                               .open = !member->is_ok(),
+                               .name = name_with_status(*member),
+                               .label = transform::short_name(member->identity),
+                               .colour = member->identity.plot_style.colour});
+    }
+    all.push_back(series);
+  }
+  return all;
+}
+
+}  // namespace
+
+Figure convergence_figure(const results::CaseResult& case_result) {
+  Figure figure;
+  for (const Variable variable : transform::kVariables) {
+    const auto distances = convergence_over_order(case_result, variable);
+    if (!distances) continue;
+    const auto [first, last] = distances->order_range();
+    const FigureAxis x{"order {/:Italic n} of the closure", first - 0.5, last + 0.5, false, 2};
+    const auto series = convergence_series(*distances, x);
+    figure.panels.push_back({fmt::format("order-{}", name(variable)), panel_title(variable),
+                             fmt::format("Convergence of the closures in {}; open marks: not ok",
+                                         density_text(variable)),
+                             x, distance_axis(variable, *distances->reference, series), series});
+  }
+  return figure;
+}
+
+Figure cost_figure(const results::CaseResult& case_result) {
+  Figure figure;
+  const Solution* reference = compare::select_reference(case_result.solutions);
+  if (reference == nullptr) return figure;
+  for (const Variable variable : transform::kVariables) {
+    const auto series = cost_series(case_result, *reference, variable);
+    if (series.empty()) continue;
+    figure.panels.push_back(
+        {fmt::format("cost-{}", name(variable)), panel_title(variable),
+         fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         logarithmic_axis("computing time in seconds", series, &FigurePoint::x),
+         distance_axis(variable, *reference, series), series});
+  }
+  return figure;
+}
+
+}  // namespace fpkcheck::report
