@@ -59,12 +59,12 @@ Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
 }
 
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order) {
-  const auto [y, v] = marginals(grid, averages);
-  const auto of_y = [&, &y = y](int n) {
-    return integrate_marginal(grid.x1, y, scheme_order, monomial(n));
+  const Marginals of_cells = marginals(grid, averages);
+  const auto of_y = [&](int n) {
+    return integrate_marginal(grid.x1, of_cells.y, scheme_order, monomial(n));
   };
-  const auto of_v = [&, &v = v](int n) {
-    return integrate_marginal(grid.x2, v, scheme_order, monomial(n));
+  const auto of_v = [&](int n) {
+    return integrate_marginal(grid.x2, of_cells.ydot, scheme_order, monomial(n));
   };
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }

@@ -139,7 +139,7 @@ double LinearCharacteristicFunction::interpolate_table(double amplitude) const {
 
 void LinearCharacteristicFunction::tabulate() {
   constexpr int kMaxPanels = 32;
-  constexpr double kNegligible = -40;  // exp(-40) = 4e-18
+  constexpr double kLogNegligible = -40;  // exp(-40) = 4e-18
   std::vector<Panel> panels;
   do {
     Panel& panel = panels.emplace_back();
@@ -148,7 +148,7 @@ void LinearCharacteristicFunction::tabulate() {
           static_cast<double>(panels.size() - 1) + chebyshev_point(n, kPanelOrder);
       panel[n] = integrate_from_zero(position / scale_, 0);
     }
-  } while (panels.size() < kMaxPanels && panels.back().back() > kNegligible);
+  } while (panels.size() < kMaxPanels && panels.back().back() > kLogNegligible);
   panels_ = std::move(panels);
 }
 
