@@ -1,6 +1,7 @@
 #include "epc/applicability.hpp"
 
 #include "epc/contact/coordinates.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::epc {
@@ -34,7 +35,7 @@ std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features
 
 std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
   const problem::ProblemFeatures features = problem::features(problem);
-  if (features.is_paper_oscillator) return "";
+  if (problem::has_equivalent_linearisation(problem)) return "";
   switch (options.formulation) {
     case Formulation::gaussian:
       return gaussian_unsupported_reason(features, options);

@@ -141,7 +141,7 @@ std::optional<double> RegularisationRow::growth_rate(const problem::Problem& pro
 RegularisationStudy study_regularisation(const problem::Problem& problem,
                                          const RegularisationStudyOptions& options,
                                          const std::function<void(int, int)>& progress) {
-  if (!has_linearisation_scales(problem)) {
+  if (!problem::has_equivalent_linearisation(problem)) {
     throw InputError(
         "study of the regularisation: requires one wall at the equilibrium, constant damping and "
         "impulses without noise; choose a case of that class");

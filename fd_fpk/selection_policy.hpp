@@ -10,13 +10,11 @@
 /// The selection policy of the solver: all choices of algorithm, order, grid and box that depend on
 /// the problem. Each choice has its thresholds, and the reason or experiment for each threshold, in
 /// selection_policy.cpp. The options may override each choice.
+///
+/// Many choices depend on problem::has_equivalent_linearisation(). If it holds, the density has one
+/// peak and one length scale for each axis, and box, grid and transport are chosen by these scales.
+/// For all other problems they are chosen by the density on a coarse grid.
 namespace fpkcheck::fd_fpk {
-
-/// Whether equivalent linearisation gives the scales of the density: one wall, at the equilibrium;
-/// constant positive damping; a linear or hardening cubic spring; impulses without noise. Then the
-/// density has one peak and one length scale for each axis, and box, grid and transport are chosen
-/// by these scales. For all other problems they are chosen by the density on a coarse grid.
-bool has_linearisation_scales(const problem::Problem& problem);
 
 // Transport.
 

@@ -9,6 +9,7 @@
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -75,7 +76,7 @@ class Solver {
     }
     ScalesAndBox scales_and_box{.scales = scales_};
     // All grids share one box and the length scales that set the cell widths.
-    if (!has_linearisation_scales(problem_) && transport == TransportScheme::upwind) {
+    if (!problem::has_equivalent_linearisation(problem_) && transport == TransportScheme::upwind) {
       options.wall_density *= wall_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
     }
@@ -87,7 +88,7 @@ class Solver {
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (has_automatic_grid(options)) {
       return refine_until_deadline(on_one_grid, options, deadline,
-                                   {.until_ok = !has_linearisation_scales(problem_)});
+                                   {.until_ok = !problem::has_equivalent_linearisation(problem_)});
     }
     if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
     return on_one_grid(options);

@@ -17,6 +17,7 @@
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 #include "problem/undamped_orbits.hpp"
 #include "transform/change_of_frame.hpp"
@@ -39,7 +40,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
       .displacement_deviation =
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
-      .mean_displacement = has_linearisation_scales(problem) ? 0 : scales.centre};
+      .mean_displacement = problem::has_equivalent_linearisation(problem) ? 0 : scales.centre};
   // In a symmetric well the mean is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {

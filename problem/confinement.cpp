@@ -4,7 +4,7 @@
 
 #include "base/input_error.hpp"
 #include "problem/energy_averaging.hpp"
-#include "problem/features.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::problem {
 
@@ -23,9 +23,9 @@ void require_stationary_density(const Problem& problem) {
         "change the sign of its highest power, or add wall.{0}",
         side));
   }
-  // Oscillators of the class of the paper need no calculation: no term supplies energy except the
-  // impulses, and the damping dissipates energy.
-  if (is_paper_oscillator(problem)) return;
+  // A hardening spring with constant damping needs no calculation: no term supplies energy except
+  // the impulses, and the damping dissipates energy.
+  if (has_equivalent_linearisation(problem)) return;
   const EnergyAveraging averaging(problem);
   if (const auto& why = averaging.unconfined_reason()) {
     throw InputError(fmt::format(

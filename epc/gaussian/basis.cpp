@@ -3,8 +3,6 @@
 #include <boost/math/special_functions/factorials.hpp>
 #include <cmath>
 
-#include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::epc::gaussian {
@@ -33,12 +31,8 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 }  // namespace
 
 StandardDeviations weight_deviations(const problem::Problem& problem) {
-  if (!problem::is_paper_oscillator(problem)) {
-    const auto scales = problem::scales(problem);
-    return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
-  }
-  const auto linear = problem::equivalent_linearisation(problem);
-  return {linear.displacement_deviation, linear.velocity_deviation};
+  const problem::MotionScales scales = problem::scales(problem);
+  return {std::hypot(scales.displacement_deviation, scales.centre), scales.velocity_deviation};
 }
 
 Basis::Basis(int order, MonomialSet set, const StandardDeviations& sigma)

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::epc::moment {
 
@@ -27,7 +26,7 @@ EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
       level_(level),
       wall_low_(problem.system.left_wall() ? problem.system.left_wall()->position : -kInfinity),
       wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity),
-      at_equilibrium_(problem::is_paper_oscillator(problem)) {
+      at_equilibrium_(problem::has_equivalent_linearisation(problem)) {
   if (at_equilibrium_) {
     add_interval_at_wall(problem);
   } else {

@@ -13,7 +13,6 @@
 #include "epc/moment/energy_averaged_formulation.hpp"
 #include "epc/moment/equations.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "problem/features.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -136,7 +135,7 @@ class LinearisedFormulation : public half_plane::ClosureFormulation {
 }  // namespace
 
 half_plane::RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  if (problem::is_paper_oscillator(problem)) {
+  if (problem::has_equivalent_linearisation(problem)) {
     return half_plane::find_root(LinearisedFormulation(problem, options), options);
   }
   return half_plane::find_root(

@@ -13,7 +13,7 @@
 #include "epc/moment/density.hpp"
 #include "epc/moment/density_at_level.hpp"
 #include "epc/moment/root_search.hpp"
-#include "problem/features.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -74,7 +74,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const double edge = density_ratio_at_edge(closure, problem, options.tail);
   std::string reason = inadmissible_reason(edge, *summary.leading_form);
   // In the paper's class half_plane::set_status limits the probability beyond the level instead.
-  if (reason.empty() && !problem::is_paper_oscillator(problem)) {
+  if (reason.empty() && !problem::has_equivalent_linearisation(problem)) {
     reason =
         level_inadmissible_reason(density_ratio_at_level(closure, problem), *summary.leading_form);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fd_fpk/axis/growth_rate.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -196,7 +197,7 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
   const problem::System& system = problem.system;
   const auto& law = problem.impulses.law();
   // Outside the class of equivalent linearisation the scales contain the limits of the box.
-  const bool linearised = has_linearisation_scales(problem);
+  const bool linearised = problem::has_equivalent_linearisation(problem);
   const double y_high =
       linearised ? scales.centre + kX1BoxDeviations * scales.displacement_deviation : scales.y_high;
   const double of_impulse = problem.impulses.is_present()

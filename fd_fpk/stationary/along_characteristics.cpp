@@ -14,6 +14,7 @@
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -33,8 +34,9 @@ struct GridSolution {
 
 GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& options, const Box& box, const Deadline& deadline) {
-  Grid grid = has_linearisation_scales(problem) ? characteristic_grid(problem, options, box)
-                                                : contact_grid(problem, scales, options, box);
+  Grid grid = problem::has_equivalent_linearisation(problem)
+                  ? characteristic_grid(problem, options, box)
+                  : contact_grid(problem, scales, options, box);
   StationaryMasses found =
       stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
   return {.grid = std::move(grid), .found = std::move(found)};
@@ -87,8 +89,9 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   // approximate ratio of the times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
-  Box box = has_linearisation_scales(problem) ? initial_characteristic_box(problem, options)
-                                              : initial_contact_box(problem, scales, options);
+  Box box = problem::has_equivalent_linearisation(problem)
+                ? initial_characteristic_box(problem, options)
+                : initial_contact_box(problem, scales, options);
   const bool given_y = options.x1_max || problem.system.right_wall(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
@@ -212,7 +215,7 @@ Result solve_along_characteristics(const problem::Problem& problem,
     return result;
   }
   check_resolution(options, result);
-  if (!has_linearisation_scales(problem)) check_balances(result);
+  if (!problem::has_equivalent_linearisation(problem)) check_balances(result);
   return result;
 }
 

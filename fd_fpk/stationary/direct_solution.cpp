@@ -128,7 +128,7 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
                    const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
-  const bool are_lengths_needed = !has_linearisation_scales(problem);
+  const bool are_lengths_needed = !problem::has_equivalent_linearisation(problem);
   if (!options.x1_max || !options.x2_max || are_lengths_needed) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;

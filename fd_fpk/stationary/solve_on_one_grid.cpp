@@ -152,14 +152,14 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
   if (density) {
     const Grid& grid = direct.discretisation.grid;
     set_results(problem, scales_and_box.scales, options, direct, *density, result);
-    if (has_linearisation_scales(problem)) {
+    if (problem::has_equivalent_linearisation(problem)) {
       summary.enlarged_box = make_enlarged_box(problem, options, grid, summary.wall);
     } else {
       summary.moments_outside_box = moments_outside_box(problem, grid, *density, solution.moments);
     }
     check_box(problem.frame, grid, result);
     check_resolution(options, result);
-    if (!has_linearisation_scales(problem)) check_balances(result);
+    if (!problem::has_equivalent_linearisation(problem)) check_balances(result);
   }
   return result;
 }

@@ -195,7 +195,9 @@ PlanInputs inputs_of_energy_bounded_motion(const problem::Problem& problem,
 }  // namespace
 
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
-  const PlanInputs inputs = has_energy_bounded_flights(problem)
+  // The fast motion (Oscillator, MotionParameters) needs one wall, at the equilibrium, and an energy
+  // that does not grow between impulses: constant damping c > 0, no noise, a force k y + mu y^3.
+  const PlanInputs inputs = problem::has_equivalent_linearisation(problem)
                                 ? inputs_of_energy_bounded_motion(problem, options)
                                 : inputs_of_general_motion(problem, options);
   const Durations durations = choose_durations(options, inputs.rates);

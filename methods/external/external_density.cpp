@@ -86,10 +86,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
       .mean_force = mean([&](double x, double) { return force(x); }),
       .impact_momentum = wall_momentum(frame.mirrored),
       .right_momentum = virial.right_momentum,
-      .mean_cubed_velocity = mean([](double, double v) { return v * v * v; })};
-  if (!problem::is_paper_oscillator(problem)) {
-    momentum.mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); });
-  }
+      .mean_cubed_velocity = mean([](double, double v) { return v * v * v; }),
+      .mean_absolute_force = mean([&](double x, double) { return std::abs(force(x)); })};
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(transformed, virial).residual()};
   // Without a wall and with zero-mean impulses both sides of the momentum balance are 0.
