@@ -7,6 +7,7 @@
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/selection_policy.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -13,6 +13,7 @@
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
