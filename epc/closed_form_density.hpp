@@ -18,7 +18,8 @@ namespace fpkcheck::epc {
 transform::SmoothDensity density_of_closed_form(const ClosedForm& form,
                                                 const problem::Problem* problem);
 
-/// Whether the density of a closed form is normalised: the form has a constant C or a support.
+/// Whether the density of a closed form is normalised: by the constant C of the form, or by an
+/// integral over the support of the form.
 bool is_normalised(const ClosedForm& form);
 
 }  // namespace fpkcheck::epc

@@ -153,8 +153,8 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
   summary.excess_power_error = excess.standard_error / input;
 }
 
-/// Sets the number of effective samples without the weights, and the variance reduction by the
-/// weights.
+/// Stores in the summary the effective numbers of samples of the plain stream averages, and the
+/// factors by which the weights of the control variate (StreamWeights) reduce the variances.
 void estimate_efficiency(const Simulation& simulation, Result& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio = plain_estimate(stream_moments(simulation, p, q)).standard_error / error;

@@ -23,7 +23,7 @@ struct Excitation {
   Eigen::MatrixXd exchange;
   /// Coefficients of a drift and a diffusion that approximate the exchange matrix in the
   /// preconditioner. exchange_drift and exchange_diffusion hold for long waves; exchange_rate is
-  /// the damping rate that the exchange has for short waves. All three are zero if `drift` and
+  /// the rate at which the exchange makes short waves decay. All three are zero if `drift` and
   /// `diffusion` suffice for the preconditioner.
   double exchange_drift = 0;
   double exchange_diffusion = 0;

@@ -19,8 +19,9 @@ constexpr int kOrder = 3;
 // has the symbol -i a q - D q^2 for long waves, and the constant symbol -exchange_rate for short
 // waves. The diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too strongly;
 // the diffusion coefficient is therefore limited such that these waves decay at about
-// exchange_rate. The drift, with which impulses of nonzero mean keep the oscillator off the wall,
-// is limited only if the rate of the drift for these waves is many times exchange_rate.
+// exchange_rate. Impulses of nonzero mean keep the oscillator off the wall by their drift. The
+// approximation therefore reduces the drift only if its rate for these waves is many times
+// exchange_rate.
 Excitation drift_diffusion_approximation(const Excitation& excitation, const Axis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_cell_width();

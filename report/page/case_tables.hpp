@@ -17,8 +17,8 @@ std::string results_table(const results::CaseResult& case_result);
 /// as uncertainty. The table is empty if the case has no guaranteed bounds.
 std::string bound_errors_table(const results::CaseResult& case_result);
 
-/// The table of the errors of moments that were estimated from residuals. The table is empty if the
-/// case has no error estimates from residuals.
+/// The table of the moment errors, as estimated from residuals of the density. The table is empty
+/// if the case has no error estimates from residuals.
 std::string residual_errors_table(const results::CaseResult& case_result);
 
 /// The list of the reasons why solutions are not ok; empty if all solutions are ok.

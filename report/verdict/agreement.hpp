@@ -54,8 +54,8 @@ struct AgreementRow {
   int reproduced_case_count() const;
   /// Number of cases in which the solution has this agreement with the reference.
   int case_count_with(Agreement agreement) const;
-  /// Largest L1 distance of one marginal density over the cases in which the solution has a
-  /// density; empty if there is no such case.
+  /// Largest L1 distance of one marginal density from that of the reference, over the cases in
+  /// which the solution has a density; empty if there is no such case.
   std::optional<double> largest_l1_of(std::optional<double> AgreementEntry::*marginal) const;
   /// Largest L1 distance of both marginal densities over the cases.
   std::optional<double> largest_l1() const;
