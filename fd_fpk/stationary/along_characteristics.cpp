@@ -11,7 +11,6 @@
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
-#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/equivalent_linearisation.hpp"

@@ -9,7 +9,6 @@
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
-#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/pseudo_transient.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
