@@ -1,4 +1,5 @@
 #include "report/figure/convergence_figure.hpp"
+#include "report/figure/text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +9,8 @@
 #include "report/convergence_over_order.hpp"
 #include "report/families.hpp"
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/ranges.hpp"
 #include "report/figure/script_parts.hpp"
-#include "report/page/log_range.hpp"
-#include "report/page/plot.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -7,7 +7,8 @@
 #include "report/figure/options.hpp"
 
 /// The model of a figure that consists of points and lines. A figure is made once from results;
-/// figure_script writes the figure for gnuplot, figure_plots (report/page/figure_plots.hpp) for the page.
+/// figure_script writes the figure for gnuplot, figure_plots (report/page/figure_plots.hpp) for the
+/// page.
 namespace fpkcheck::report {
 
 struct FigurePoint {

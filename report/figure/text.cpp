@@ -101,4 +101,12 @@ std::string gnuplot_literal(const std::string& text) {
   return gnuplot_text(escape_enhanced_text(text));
 }
 
+std::string variable_text(transform::Variable variable) {
+  return variable == transform::Variable::y ? "y" : "y\u2032";
+}
+
+std::string density_text(transform::Variable variable) {
+  return fmt::format("p({})", variable_text(variable));
+}
+
 }  // namespace fpkcheck::report

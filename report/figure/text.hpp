@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "transform/solution.hpp"
+
 /// Texts of pictures, in gnuplot's enhanced text and in LaTeX.
 namespace fpkcheck::report {
 
@@ -16,6 +18,11 @@ std::string gnuplot_text(const std::string& enhanced);
 /// Converts a plain text to a string expression of a gnuplot script; the text appears literally in
 /// all figure formats.
 std::string gnuplot_literal(const std::string& text);
+
+/// The symbol of a variable in plain text, "y" or "y′", and the symbol of its marginal density,
+/// "p(y)" or "p(y′)".
+std::string variable_text(transform::Variable variable);
+std::string density_text(transform::Variable variable);
 
 /// The minus sign U+2212, which gnuplot uses in the numbers that it prints.
 inline constexpr const char* kMinus = "\u2212";

@@ -1,4 +1,5 @@
 #include "report/page/budget_view.hpp"
+#include "report/figure/text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +11,8 @@
 
 #include "compare/error_budget.hpp"
 #include "report/budget/part_style.hpp"
+#include "report/figure/ranges.hpp"
 #include "report/page/html.hpp"
-#include "report/page/log_range.hpp"
 #include "report/page/number_text.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,5 @@
 #include "report/page/density_plots.hpp"
+#include "report/figure/text.hpp"
 
 #include <fmt/format.h>
 

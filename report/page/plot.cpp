@@ -57,12 +57,4 @@ std::string plotly_dash(const std::string& gnuplot_dash) {
   return dash;
 }
 
-std::string variable_text(transform::Variable variable) {
-  return variable == transform::Variable::y ? "y" : "y\u2032";
-}
-
-std::string density_text(transform::Variable variable) {
-  return fmt::format("p({})", variable_text(variable));
-}
-
 }  // namespace fpkcheck::report

@@ -37,9 +37,4 @@ std::string legend_name(const transform::Solution& solution);
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 
-/// The symbol of a variable on the page, "y" or "y′", and the symbol of its marginal density,
-/// "p(y)" or "p(y′)".
-std::string variable_text(transform::Variable variable);
-std::string density_text(transform::Variable variable);
-
 }  // namespace fpkcheck::report

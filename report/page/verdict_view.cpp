@@ -1,4 +1,5 @@
 #include "report/page/verdict_view.hpp"
+#include "report/figure/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

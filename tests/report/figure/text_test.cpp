@@ -34,5 +34,10 @@ TEST(FigureText, AcceptsAnIncompleteMark) {
   }
 }
 
+TEST(Plot, VariablesAndDensitiesAreTypeset) {
+  EXPECT_EQ(variable_text(transform::Variable::y), "y");
+  EXPECT_EQ(density_text(transform::Variable::ydot), "p(y\u2032)");
+}
+
 }  // namespace
 }  // namespace fpkcheck::report

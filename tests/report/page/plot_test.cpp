@@ -47,10 +47,5 @@ TEST(Plot, DashesAreInPixels) {
   EXPECT_EQ(plotly_dash("(10,4,2,4)"), "10px,4px,2px,4px");
 }
 
-TEST(Plot, VariablesAndDensitiesAreTypeset) {
-  EXPECT_EQ(variable_text(transform::Variable::y), "y");
-  EXPECT_EQ(density_text(transform::Variable::ydot), "p(y\u2032)");
-}
-
 }  // namespace
 }  // namespace fpkcheck::report
