@@ -24,6 +24,23 @@
 namespace fpkcheck::cli {
 namespace {
 
+/// Runs a study and writes its result; meanwhile a line of the terminal shows the progress.
+/// @param run function that returns the result of the study. The function receives a function that
+///            shows the progress
+/// @return exit code of the command
+template <class RunStudy>
+int run_and_write(const CommandCall& call, const CommonArguments& common,
+                  std::chrono::steady_clock::time_point start_time, const RunStudy& run) {
+  ProgressLine line(common.quiet);
+  const auto result = run([&](const methods::RunProgress& progress) { line.rewrite(progress); });
+  throw_if_interrupted();
+  line.erase();
+  write_study(common,
+              study::output(result, call.command_line, terminal_format(), common.figures.width),
+              start_time);
+  return study_exit_code(common, study::has_converged(result));
+}
+
 constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
 Grid convergence of the finite volumes for several orders of the scheme: distances of the marginal
@@ -82,16 +99,9 @@ int study_grid(const CommandCall& call) {
   options.orders = parse_integers("--orders", order_list);
   study::validate(options);
   const auto setup = prepare_study(common);
-
-  ProgressLine line(common.quiet);
-  const auto result = study::study_grid(setup.problem, options, call.registry,
-                                        [&](const auto& progress) { line.rewrite(progress); });
-  throw_if_interrupted();
-  line.erase();
-  write_study(common,
-              study::output(result, call.command_line, terminal_format(), common.figures.width),
-              begin);
-  return study_exit_code(common, study::has_converged(result));
+  return run_and_write(call, common, begin, [&](const auto& show) {
+    return study::study_grid(setup.problem, options, call.registry, show);
+  });
 }
 
 namespace {
@@ -152,16 +162,9 @@ int study_order(const CommandCall& call) {
   const study::ClosureOrderStudyOptions options{parse_formulations(formulation_list, call.registry),
                                                 parse_integers("--orders", order_list)};
   const auto setup = prepare_study(common);
-
-  ProgressLine line(common.quiet);
-  const auto result = study::study_closure_orders(
-      setup.problem, options, call.registry, [&](const auto& progress) { line.rewrite(progress); });
-  throw_if_interrupted();
-  line.erase();
-  write_study(common,
-              study::output(result, call.command_line, terminal_format(), common.figures.width),
-              begin);
-  return study_exit_code(common, study::has_converged(result));
+  return run_and_write(call, common, begin, [&](const auto& show) {
+    return study::study_closure_orders(setup.problem, options, call.registry, show);
+  });
 }
 
 namespace {
@@ -197,13 +200,9 @@ int study_regularisation(const CommandCall& call) {
     return kSuccess;
   }
   const auto setup = prepare_study(common);
-  ProgressLine line(common.quiet);
-  const auto result = study::study_regularisation(
-      setup.problem, [&](const methods::RunProgress& at) { line.rewrite(at); });
-  throw_if_interrupted();
-  line.erase();
-  write_study(common, study::output(result, call.command_line, terminal_format()), begin);
-  return study_exit_code(common, study::has_converged(result));
+  return run_and_write(call, common, begin, [&](const auto& show) {
+    return study::study_regularisation(setup.problem, show);
+  });
 }
 
 }  // namespace fpkcheck::cli
