@@ -58,7 +58,7 @@ struct Settings {
   // Limit on the impulses and radians of a simulation: with 1e4 impulses per decay time the full
   // duration would take hours. The many impulses compensate for the shorter duration.
   double events = 4e8;
-  bool family = false;  // problems of any oscillator, not only of the paper's class
+  bool family = false;  // problems of any oscillator, not only of the paper's oscillator
   bool tails = false;   // run print_tails only
 };
 
@@ -422,7 +422,7 @@ int main(int argc, char** argv) {
       "verbose", po::bool_switch(&settings.verbose), "print every solution")(
       "events", po::value(&settings.events), "largest number of events of a simulation")(
       "family", po::bool_switch(&settings.family),
-      "problems of any oscillator, not only of the paper's class")(
+      "problems of any oscillator, not only of the paper's oscillator")(
       "tails", po::bool_switch(&settings.tails),
       "time and memory of `fpkcheck mcs --tails` for the first `count` supported problems");
   try {

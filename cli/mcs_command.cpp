@@ -26,7 +26,7 @@ namespace fpkcheck::cli {
 namespace {
 
 boost::program_options::options_description checkpoint_options(
-    methods::SimulationControl& control) {
+    methods::SimulationRuntimeSettings& control) {
   namespace po = boost::program_options;
   po::options_description files;
   files.add_options()  //
@@ -94,8 +94,8 @@ int simulate_streams_of_rank(const CommonArguments& common, const methods::Metho
 int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   CommonArguments common;
   base::Values values = solver.default_options;
-  methods::SimulationControl control{.stop = base::stop_requested,
-                                     .warn = [](const std::string& text) { print_message(text); }};
+  methods::SimulationRuntimeSettings control{
+      .stop = base::stop_requested, .warn = [](const std::string& text) { print_message(text); }};
   auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(checkpoint_options(control));
   own.add(make_case_figure_options(common.figures));
@@ -109,7 +109,7 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   }
   const auto solve = [&] {
     const auto simulation =
-        methods::with_simulation_control(call.registry.make_method(solver, values), control);
+        methods::with_runtime_settings(call.registry.make_method(solver, values), control);
     return control.team.part > 0
                ? simulate_streams_of_rank(common, simulation)
                : solve_and_report(common, {simulation},

@@ -17,8 +17,9 @@ constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;
 
-// Whether the marginal densities are unbounded at the state of rest, in the equilibrium on a wall at
-// 0 (problem/equivalent_linearisation.hpp): the oscillator decays to rest before the next impulse.
+// Whether the marginal densities are unbounded at the state of rest, in the equilibrium on a wall
+// at 0 (problem/equivalent_linearisation.hpp): the oscillator decays to rest before the next
+// impulse.
 bool has_unbounded_marginals(const problem::Problem& problem, const problem::MotionScales& scales) {
   return problem::has_equivalent_linearisation(problem) &&
          problem::impulses_per_decay_time(problem, scales) < 1;

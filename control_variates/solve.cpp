@@ -30,7 +30,7 @@ ControlCells choose_cells(const problem::Problem& problem, const Options& option
 }
 
 double lattice_bytes(const mcs::DepositGrid& grid) {
-  return static_cast<double>(sizeof(double)) * grid.y_functions() * grid.lattice_points;
+  return static_cast<double>(sizeof(double)) * grid.y_spline_count() * grid.lattice_points;
 }
 
 transform::Solution solve_plain(const problem::Problem& problem, const Options& options,

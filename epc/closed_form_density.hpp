@@ -7,7 +7,7 @@
 namespace fpkcheck::epc {
 
 /// Density of a closed form in physical coordinates. For the closed form of a solution, the values
-/// of this density equal the values of the solver's density (in the paper's class on y >= 0).
+/// of this density equal the values of the solver's density (for the paper's oscillator on y >= 0).
 /// @param problem problem that defines energies and amplitudes, in physical coordinates or in the
 ///        coordinates of the form; may be null for a form that needs no energy and no amplitude
 /// @return density, which is normalised if the form has a constant C, or a support over which to

@@ -54,7 +54,7 @@ Description<Options> make_description() {
       .add("order", &O::order,
            {"P",
             "order of the transport terms, 2 .. 8; odd orders are upwind-biased (default: 5; 7 "
-            "outside the paper's class where no wall dissipates energy)"},
+            "for oscillators other than the paper's where no wall dissipates energy)"},
            closed_interval(2, 8))
       .add("refinement", &O::refinement, {"F", "automatic cells are F times narrower"},
            positive_numbers())

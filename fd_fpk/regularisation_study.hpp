@@ -60,7 +60,7 @@ struct RegularisationStudyOptions {
 /// for decreasing velocity steps: growth rates, eigenvalues and null vectors, for well-posed and
 /// ill-posed schemes alike. The study includes ill-posed velocity steps, which fd_fpk::solve
 /// refuses.
-/// @throws InputError outside the paper's class (problem::ProblemFeatures::original)
+/// @throws InputError unless problem::has_equivalent_linearisation(problem)
 /// @param progress called before the computation of each row, with the number of the row and the
 /// total number of rows
 RegularisationStudy study_regularisation(

@@ -49,9 +49,9 @@ struct TransientResult {
 };
 
 /// The density p(y, y', t) over time by the operator of solve(). The initial density is a Gaussian
-/// truncated at the walls and normalised to mass 1 between the walls. In the paper's class the
-/// default initial Gaussian has mean zero in the (z, z') plane. CVODE integrates in time: BDF of
-/// variable step and order, GMRES preconditioned by KLU.
+/// truncated at the walls and normalised to mass 1 between the walls. For the paper's oscillator
+/// the default initial Gaussian has mean zero in the (z, z') plane. CVODE integrates in time: BDF
+/// of variable step and order, GMRES preconditioned by KLU.
 ///
 /// An automatic box contains the stationary density, the initial density, and every state that the
 /// initial energy can reach. An automatic grid resolves both densities, as far as 10 000 cells

@@ -16,7 +16,8 @@ struct TransientOptions {
   std::optional<double> start_displacement{};
   std::optional<double> start_velocity{};
   /// Means of the initial Gaussian; automatic: mean velocity 0, and mean displacement at the wall
-  /// in the paper's class (a Gaussian of z and z'), else at the centre of problem::MotionScales.
+  /// for the paper's oscillator (a Gaussian of z and z'), else at the centre of
+  /// problem::MotionScales.
   std::optional<double> start_mean_displacement{};
   std::optional<double> start_mean_velocity{};
   /// Tolerance of the local error of a time step, relative to the largest density.

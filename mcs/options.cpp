@@ -71,12 +71,13 @@ const Description<Options>& description() {
           .add("step", &Options::step,
                {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
                closed_interval(kShortestStep, kLongestStep))
-          .add("white_step", &Options::white_step,
-               {"RAD",
-                "interval between the kicks that approximate white noise, in radians (default "
-                "0.05; outside the paper's class 0.2 if every restitution coefficient is at least "
-                "0.6)"},
-               closed_interval(kShortestStep, kLongestWhiteStep))
+          .add(
+              "white_step", &Options::white_step,
+              {"RAD",
+               "interval between the kicks that approximate white noise, in radians (default "
+               "0.05; for other oscillators than the paper's 0.2 if every restitution coefficient is at "
+               "least 0.6)"},
+              closed_interval(kShortestStep, kLongestWhiteStep))
           .add("tails", &Options::tails, {"", "resolve the far tails by importance splitting"})
           .add("controlled", &Options::controlled,
                {"",

@@ -67,10 +67,10 @@ struct Options {
   /// Longest Taylor step, in radians of the highest frequency that the energy permits; at most 1.2.
   /// Default: 0.9.
   std::optional<double> step{};
-  /// Interval between the kicks that approximate white noise, in radians, at most 0.5. In the
-  /// paper's class the frequency of equivalent linearisation defines the radians, and the default
-  /// is 0.05. Outside that class (NoiseKicks) the mean frequency and the damping together define
-  /// the radians, and the default is 0.2 or, at strong impact losses, 0.05
+  /// Interval between the kicks that approximate white noise, in radians, at most 0.5. For the
+  /// paper's oscillator the frequency of equivalent linearisation defines the radians, and the
+  /// default is 0.05. For other oscillators (NoiseKicks) the mean frequency and the damping
+  /// together define the radians, and the default is 0.2 or, at strong impact losses, 0.05
   /// (simulation/simulation_plan.cpp).
   std::optional<double> white_step{};
   /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities down to 1e-8

@@ -22,7 +22,7 @@ struct Result {
 };
 
 /// Simulates `options.streams` independent realisations and averages them with the weights of
-/// StreamWeights. In the paper's class a realisation starts from the Gaussian of equivalent
+/// StreamWeights. For the paper's oscillator a realisation starts from the Gaussian of equivalent
 /// linearisation, folded to y >= 0. The burn-in of a realisation is 20 decay times of the slowest
 /// mode. Outside that class the initial states follow the energy-averaged law, with the mass of
 /// each well (InitialStateSampler).

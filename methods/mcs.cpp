@@ -69,7 +69,7 @@ std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
 
 }  // namespace
 
-Method with_simulation_control(Method simulation, const SimulationControl& control) {
+Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& control) {
   mcs::Options options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;

@@ -9,7 +9,7 @@
 namespace fpkcheck::methods {
 
 /// Settings of a simulation that are not stored in files: checkpoints, interruption, processes.
-struct SimulationControl {
+struct SimulationRuntimeSettings {
   std::string checkpoint = {};  ///< file to write checkpoints to; empty for no checkpoints
   std::string resume = {};      ///< checkpoint file to resume from; empty for a new simulation
   /// Function that returns whether the simulation must end with its result so far.
@@ -20,6 +20,6 @@ struct SimulationControl {
 
 /// A copy of a simulation method with settings for checkpoints, interruption and processes.
 /// @param simulation a method of mcs_solver()
-Method with_simulation_control(Method simulation, const SimulationControl& control);
+Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& settings);
 
 }  // namespace fpkcheck::methods

@@ -27,7 +27,7 @@ struct ProblemFeatures {
 
 ProblemFeatures features(const Problem& problem);
 
-/// Whether the problem is in the class of the paper, the oscillators for which equivalent
+/// Whether the problem has the paper's oscillator, for which equivalent
 /// linearisation holds (problem/equivalent_linearisation.hpp). The function reads only the
 /// coefficients and does not search for minima of the potential, unlike features().
 bool is_paper_oscillator(const Problem& problem);

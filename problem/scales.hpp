@@ -8,9 +8,9 @@ namespace fpkcheck::problem {
 /// choose the limits of grids, cell widths, axes, initial conditions and burn-in times by these
 /// scales.
 struct MotionScales {
-  /// Approximation of E[y]; for problems in the class of the paper, the static deflection.
+  /// Approximation of E[y]; for the paper's oscillator, the static deflection.
   double centre = 0;
-  /// Standard deviation of y; for problems in the class of the paper that of z, paper (25).
+  /// Standard deviation of y; for the paper's oscillator that of z, paper (25).
   double displacement_deviation = 0;
   double velocity_deviation = 0;
   /// The ends of the interval of y: walls, or points beyond which the density is below exp(-7^2/2)
@@ -22,7 +22,7 @@ struct MotionScales {
   double slowest_decay_rate = 0;
 };
 
-/// Computes the scales of a problem. For problems in the class of the paper, the scales are those
+/// Computes the scales of a problem. For the paper's oscillator, the scales are those
 /// of equivalent linearisation (problem/equivalent_linearisation.hpp); the published results and
 /// the map of validity are based on these scales. For all other problems the scales are computed by
 /// energy averaging (problem/energy_averaging.hpp), which treats multiple wells, limit cycles and

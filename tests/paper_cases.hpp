@@ -13,7 +13,7 @@ struct Parameters {
   std::string law = "gaussian";
 };
 
-/// A problem of the paper's class; by default case 1 of the paper.
+/// A problem with the paper's oscillator; by default case 1 of the paper.
 inline problem::Problem make_problem(const Parameters& p = {}) {
   return {"test",
           problem::System({.damping = p.damping,

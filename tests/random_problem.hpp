@@ -11,8 +11,8 @@
 
 namespace fpkcheck::tests {
 
-/// The random problem with this number from the paper's class, in any units. The damping is .01 to
-/// 5 and the rate .02 to 300 times the frequency, and r is .05 to 1. Half of the problems have a
+/// The random problem with this number, of the paper's oscillator, in any units. The damping is .01
+/// to 5 and the rate .02 to 300 times the frequency, and r is .05 to 1. Half of the problems have a
 /// cubic stiffness, whose force at a deviation is up to 100 times the linear force; one in twenty
 /// has no linear stiffness. The law is any of four; half of the problems have a mean up to .95 of
 /// the root of E[Y^2].

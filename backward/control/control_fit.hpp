@@ -18,8 +18,8 @@ struct ControlSplines {
 
 /// Widths of the cells near the walls and near v = 0.
 enum class CellWidths {
-  /// Cells of equal width, for the control functions of the simulation: a corner of h near the wall
-  /// contributes little to the variance. @pre problem::has_equivalent_linearisation()
+  /// Cells of equal width, for the control functions of the simulation.
+  /// @pre problem::has_equivalent_linearisation()
   even,
   /// Cells narrower towards the walls and, with walls, towards v = 0, for the residuals of
   /// densities: errors of densities concentrate where impacts are slow and the motion has decayed.

@@ -13,9 +13,9 @@ struct Problem;
 
 namespace fpkcheck::epc::gaussian {
 
-/// Standard deviations sigma_1 and sigma_2 of the weights f1 and f2 of paper (25)-(26). In the
-/// paper's class equivalent linearisation gives the deviations. Beyond the paper's class they are
-/// root mean squares of y and v by energy averaging.
+/// Standard deviations sigma_1 and sigma_2 of the weights f1 and f2 of paper (25)-(26).
+/// For the paper's oscillator equivalent linearisation gives the deviations. For other oscillators
+/// they are root mean squares of y and v by energy averaging.
 StandardDeviations weight_deviations(const problem::Problem& problem);
 
 /// Values and derivatives of the basis functions at points: point i in row i, basis function s in

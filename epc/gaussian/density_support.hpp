@@ -25,9 +25,9 @@ class DensitySupport {
 
   bool contains(double x1, double x2) const;
   /// Smallest radius of the edge in the scaled plane.
-  double min_edge_radius() const { return least_radius_; }
+  double smallest_support_radius() const { return least_radius_; }
   /// Largest radius of the edge in the scaled plane.
-  double max_edge_radius() const { return greatest_radius_; }
+  double largest_support_radius() const { return greatest_radius_; }
   /// Half-width in x1 of the bounding box.
   double x1_max() const { return x1_max_; }
   /// Half-width in x2 of the bounding box.

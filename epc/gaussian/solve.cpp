@@ -84,8 +84,8 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
   auto& [solution, summary] = result;
   summary.coefficients = q.terms();
   summary.leading_form = form;
-  summary.support = {.least_radius = support.min_edge_radius(),
-                     .greatest_radius = support.max_edge_radius(),
+  summary.support = {.least_radius = support.smallest_support_radius(),
+                     .greatest_radius = support.largest_support_radius(),
                      .y_max = support.x1_max(),
                      .v_max = support.x2_max(),
                      .edge_density = support.edge_density_ratio(),

@@ -13,7 +13,7 @@ namespace fpkcheck::epc::moment {
 /// further level at intermediate orders.
 inline constexpr double kIntermediateLevelDensity = 1e-2;
 /// Largest exp(Q_n) at the confinement level, relative to the peak, at which the search tries no
-/// further level at the requested order, for problems beyond the paper's class.
+/// further level at the requested order, for oscillators other than the paper's.
 inline constexpr double kPreferredLevelDensity = 1e-3;
 /// Largest exp(Q_n) at the confinement level, relative to the peak, of an admissible density. A
 /// larger value means that the density decays by the confinement alone (in ring-shaped densities).

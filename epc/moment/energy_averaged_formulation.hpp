@@ -8,7 +8,7 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Formulation `moment` for problems beyond the paper's class: several wells, ring-shaped
+/// Formulation `moment` for oscillators other than the paper's: several wells, ring-shaped
 /// densities, walls at any position, or no wall. The initial density is the density of energy
 /// averaging instead of equivalent linearisation. The first order starts from this density. A
 /// higher order starts from this density if the search from the next lower order finds no root.

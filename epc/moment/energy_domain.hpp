@@ -43,7 +43,8 @@ class EnergyDomain {
   double y_low() const { return parts_.front().left; }
   /// Upper end of the domain in y.
   double y_max() const { return parts_.back().right; }
-  /// Lower end in y of the box of densities on the domain: y_low(), or 0 in the paper's class.
+  /// Lower end in y of the box of densities on the domain: y_low(), or 0 for the paper's
+  /// oscillator.
   double y_min() const { return at_equilibrium_ ? 0 : y_low(); }
   /// Upper end of the domain in v.
   double v_max() const;
@@ -80,8 +81,8 @@ class EnergyDomain {
   double lowest_potential_ = 0;  // min V
   double wall_low_, wall_high_;
   std::vector<problem::HalfCycle> parts_;
-  bool at_equilibrium_;  // the paper's class: one wall at y = 0, the equilibrium of the spring
-  double minimum_ = 0;   // in the paper's class: minimiser of V on y >= 0
+  bool at_equilibrium_;  // the paper's oscillator: one wall at y = 0, the equilibrium of the spring
+  double minimum_ = 0;   // for the paper's oscillator: minimiser of V on y >= 0
 };
 
 }  // namespace fpkcheck::epc::moment

@@ -42,7 +42,7 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-// Formulation for the paper's class, started from equivalent linearisation.
+// Formulation for the paper's oscillator, started from equivalent linearisation.
 class LinearisedFormulation : public half_plane::ClosureFormulation {
  public:
   LinearisedFormulation(const problem::Problem& problem, const Options& options)

@@ -32,8 +32,8 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                -closure.log_normalisation);
 }
 
-// Reason why a density beyond the paper's class is inadmissible: the density decays by the
-// confinement alone. The reason is empty for an admissible density.
+// Reason why the density of an oscillator other than the paper's is inadmissible: the density
+// decays by the confinement alone. The reason is empty for an admissible density.
 std::string level_inadmissible_reason(double density_ratio_at_level, const LeadingForm& form) {
   if (density_ratio_at_level < kLevelDensityLimit) return "";
   return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
@@ -73,7 +73,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
   summary.frame->coordinates = problem.frame;
   const double edge = density_ratio_at_edge(closure, problem, options.tail);
   std::string reason = inadmissible_reason(edge, *summary.leading_form);
-  // In the paper's class half_plane::set_status limits the probability beyond the level instead.
+  // For the paper's oscillator half_plane::set_status limits the probability beyond the level
+  // instead.
   if (reason.empty() && !problem::has_equivalent_linearisation(problem)) {
     reason =
         level_inadmissible_reason(density_ratio_at_level(closure, problem), *summary.leading_form);

@@ -14,7 +14,7 @@ namespace {
 FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impulses,
                                               double cell_width, int stencil_size,
                                               double regularisation_length) {
-  const int reach = stencil_half_width(regularisation_length, cell_width, stencil_size);
+  const int reach = stencil_half_width_in_cells(regularisation_length, cell_width, stencil_size);
   const Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
   return fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, regularisation_length),
                               stencil_size);
@@ -46,7 +46,7 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
   return {rate, phases(fastest) / axis.cell_width(middle)};
 }
 
-int stencil_half_width(double regularisation_length, double cell_width, int stencil_size) {
+int stencil_half_width_in_cells(double regularisation_length, double cell_width, int stencil_size) {
   return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
 }
 

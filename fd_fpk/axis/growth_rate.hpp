@@ -29,7 +29,7 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
 
 /// Number of cells on each side of the middle cell to which the middle row of the excitation matrix
 /// may extend.
-int stencil_half_width(double regularisation_length, double cell_width, int stencil_size);
+int stencil_half_width_in_cells(double regularisation_length, double cell_width, int stencil_size);
 
 /// Whether the growth rate is positive beyond the level of rounding errors.
 bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses);

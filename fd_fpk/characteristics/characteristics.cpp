@@ -189,7 +189,7 @@ std::optional<int> Characteristics::equilibrium_containing(const State& at) cons
     const RestPoint& place = rest_[n];
     const bool inside =
         !place.contact &&
-        std::ranges::any_of(place.cells, [&](const CellFraction& c) { return c.cell == cell; });
+        std::ranges::any_of(place.cells, [&](const RestMassShare& c) { return c.cell == cell; });
     if (inside && flow_.energy(at) < place.escape_energy) return static_cast<int>(n);
   }
   return std::nullopt;

@@ -9,7 +9,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// A cell, and the fraction of the mass at rest that the cell contains.
-struct CellFraction {
+struct RestMassShare {
   int cell;
   double share;
 };
@@ -24,7 +24,7 @@ struct RestPoint {
   /// The innermost cells around the rest point. For an equilibrium, the residual motion about it is
   /// distributed over these cells in proportion to the time spent in each. For contact, motion that
   /// starts in these cells comes to rest.
-  std::vector<CellFraction> cells = {};
+  std::vector<RestMassShare> cells = {};
   /// Energy below which motion does not leave the cells of an equilibrium; unused for contact.
   double escape_energy = 0;
   /// Number of impacts per unit time of the residual motion at an equilibrium at a wall.

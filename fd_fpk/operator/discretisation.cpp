@@ -269,7 +269,7 @@ ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
   const int points = centred_stencil_size(transport_order(options));
   const double length =
       regularisation_length(problem, options, Axis::with_uniform_cells(0, cell_width, 1));
-  int reach = stencil_half_width(length, cell_width, points);
+  int reach = stencil_half_width_in_cells(length, cell_width, points);
   if (options.equation == Equation::km4_pade) {
     // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(

@@ -7,10 +7,10 @@
 namespace fpkcheck::fd_fpk {
 
 /// Grid of rectangular cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min
-/// is 0. In the paper's class the grid then covers one half of the (z, z') plane; the density on
-/// the other half follows by point symmetry. x2 = 0 is a face, and the faces of x2 are symmetric.
-/// The unknown is the average of p(y, y') (= 2 p(z, z') of the paper) over each cell; cell (i, j)
-/// has index i nv() + j.
+/// is 0. For the paper's oscillator the grid then covers one half of the (z, z') plane; the density
+/// on the other half follows by point symmetry. x2 = 0 is a face, and the faces of x2 are
+/// symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the paper) over each cell;
+/// cell (i, j) has index i nv() + j.
 struct Grid {
   Axis x1;  ///< an end with the condition `boundary` is an impact wall
   Axis x2;

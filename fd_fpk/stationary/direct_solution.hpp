@@ -38,7 +38,8 @@ struct ScalesAndBox {
 /// The box for the stationary density. From initial_box, the ends that the options leave free move
 /// outwards until the stationary density at these ends is negligible; the densities are computed on
 /// coarse grids. After the deadline, an end moves only if the density there exceeds
-/// kMaxWallDensity. Outside the paper's class the box contains the length scales of the density.
+/// kMaxWallDensity. For oscillators other than the paper's, the box contains the length scales of
+/// the density.
 Box stationary_box(const problem::Problem& problem, const Options& options,
                    const Deadline& deadline);
 Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,

@@ -16,7 +16,7 @@ void check_box(const problem::Frame& frame, const Grid& grid, Result& result);
 void check_resolution(const Options& options, Result& result);
 
 /// Changes `ok` to `inaccurate` if the balance of power, of the virial or of momentum has a
-/// residual above kMaxBalanceResidual. For problems outside the paper's class, for which an
+/// residual above kMaxBalanceResidual. For oscillators other than the paper's, for which an
 /// independent solution may be unavailable.
 void check_balances(Result& result);
 inline constexpr double kMaxBalanceResidual = 1e-4;

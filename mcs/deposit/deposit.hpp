@@ -34,10 +34,10 @@ struct DepositedSums {
 
   DepositedSums() = default;
   explicit DepositedSums(const DepositGrid& grid)
-      : flow_pitch(grid.v_functions() + kPadding),
+      : flow_pitch(grid.v_spline_count() + kPadding),
         lattice_pitch(grid.lattice_points),
-        flow(static_cast<std::size_t>(grid.y_functions() * flow_pitch)),
-        lattice(static_cast<std::size_t>(grid.y_functions() * lattice_pitch)),
+        flow(static_cast<std::size_t>(grid.y_spline_count() * flow_pitch)),
+        lattice(static_cast<std::size_t>(grid.y_spline_count() * lattice_pitch)),
         y_bins(static_cast<std::size_t>(grid.y_bins.count + 2 * kBinOffset + kPadding)),
         v_bins(static_cast<std::size_t>(grid.v_bins.count + 2 * kBinOffset + kPadding)) {}
 

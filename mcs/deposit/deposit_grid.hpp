@@ -33,8 +33,8 @@ struct DepositGrid {
   std::vector<VelocityShift> shifts{};
   SmoothBins y_bins{}, v_bins{};
 
-  int y_functions() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
-  int v_functions() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
+  int y_spline_count() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
+  int v_spline_count() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
 /// Checks a grid.

@@ -33,8 +33,8 @@ struct MotionParameters {
 void advance(const MotionParameters& motion, std::span<Stream* const> streams, double time,
              const simd::CodeVariant& lanes);
 
-/// Parameters of the motion, the sampling and the statistics for an oscillator outside the paper's
-/// class, the same for all streams.
+/// Parameters of the motion, the sampling and the statistics for an oscillator other than the
+/// paper's, the same for all streams.
 struct GeneralMotionParameters {
   GeneralOscillator oscillator;
   NoiseKicks kicks;
@@ -46,10 +46,10 @@ struct GeneralMotionParameters {
   const ImportanceSplitting* splitting = nullptr;  ///< null: every stream is one branch
 };
 
-/// Advances streams by the duration `time`, event by event, like advance() for the paper's class.
-/// If the force presses the mass on a wall, infinitely many bounces end in finite time. Below the
-/// impact speed GeneralWall::rest_speed the geometric series of these bounces is summed, and the
-/// mass then rests until the next impulse.
+/// Advances streams by the duration `time`, event by event, like advance() for the paper's
+/// oscillator. If the force presses the mass on a wall, infinitely many bounces end in finite time.
+/// Below the impact speed GeneralWall::rest_speed the geometric series of these bounces is summed,
+/// and the mass then rests until the next impulse.
 ///
 /// The result of a stream is independent of the other streams, of the number of streams and of the
 /// instruction set.

@@ -32,9 +32,9 @@ struct Durations {
 
 /// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,
 /// reduced as in Options::time; the L1 sampling errors of p(y) and p(y') are then about 6e-4. The
-/// full time is the default if its simulation takes at most a minute in the paper's class, or some
-/// seconds outside that class. Otherwise the default time is shorter: its simulation takes some
-/// seconds, or up to a minute if Options::accuracy needs more. With several wells and rare
+/// full time is the default if its simulation takes at most a minute for the paper's oscillator, or
+/// some seconds for other oscillators. Otherwise the default time is shorter: its simulation takes
+/// some seconds, or up to a minute if Options::accuracy needs more. With several wells and rare
 /// transitions the simulation takes some seconds only, since even a minute would not determine the
 /// masses of the wells.
 Durations choose_durations(const Options& options, const EventRates& rates);

@@ -18,7 +18,7 @@ constexpr double kPilotTime = 0.5;                    // least pilot time, in bu
 constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number of impulses in all streams
 constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
-// Potential of the energy whose thresholds split branches. In the paper's class this is the
+// Potential of the energy whose thresholds split branches. For the paper's oscillator this is the
 // potential of the spring. Outside that class the mean force of the impulses contributes, since
 // without this force the potential may have no lower bound.
 numerics::Polynomial splitting_potential(const problem::Problem& problem,

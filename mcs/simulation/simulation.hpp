@@ -67,7 +67,7 @@ class Simulation {
   void load_stream(std::istream& in, Stream& stream) const;
 
   const SimulationPlan* plan_;
-  std::optional<MotionParameters> motion_;          // in the paper's class
+  std::optional<MotionParameters> motion_;          // for the paper's oscillator
   std::optional<GeneralMotionParameters> general_;  // outside that class
   std::uint64_t rounds_ = 0;
   int part_ = 0, parts_ = 1;

@@ -81,7 +81,9 @@ double automatic_kick_step(const problem::System& system) {
 
 GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options) {
   if (options.deposit) {
-    throw InputError("mcs.deposit outside the paper's class: not supported; omit mcs.deposit");
+    throw InputError(
+        "mcs.deposit: supported only for one wall at y = 0, damping c y', force k y + mu y^3 and "
+        "impulses alone; omit mcs.deposit");
   }
   if (options.tails) {
     if (const std::string why = unsupported_splitting_reason(problem, options); !why.empty()) {
@@ -195,8 +197,9 @@ PlanInputs inputs_of_energy_bounded_motion(const problem::Problem& problem,
 }  // namespace
 
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
-  // The fast motion (Oscillator, MotionParameters) needs one wall, at the equilibrium, and an energy
-  // that does not grow between impulses: constant damping c > 0, no noise, a force k y + mu y^3.
+  // The fast motion (Oscillator, MotionParameters) needs one wall, at the equilibrium, and an
+  // energy that does not grow between impulses: constant damping c > 0, no noise, a force k y + mu
+  // y^3.
   const PlanInputs inputs = problem::has_equivalent_linearisation(problem)
                                 ? inputs_of_energy_bounded_motion(problem, options)
                                 : inputs_of_general_motion(problem, options);

@@ -18,7 +18,7 @@ namespace fpkcheck::mcs {
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// Additional members of a simulation plan for an oscillator outside the paper's class.
+/// Additional members of a simulation plan for an oscillator other than the paper's.
 struct GeneralPlan {
   problem::MotionScales scales;
   GeneralOscillator oscillator;
@@ -47,7 +47,7 @@ struct SimulationPlan {
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
-  /// Additional members for oscillators outside the paper's class, advanced by
+  /// Additional members for oscillators other than the paper's, advanced by
   /// GeneralMotionParameters.
   std::optional<GeneralPlan> general{};
 

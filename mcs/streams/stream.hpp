@@ -30,7 +30,7 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
-/// Additional sums over samples and events for an oscillator outside the paper's class.
+/// Additional sums over samples and events for an oscillator other than the paper's.
 struct GeneralSums {
   double y5 = 0, y6 = 0;  ///< sums of y^5 and y^6 over samples, for forces up to degree 5
   double right_speed = 0, right_energy = 0;  ///< sums of |v| and v^2 over impacts on the right wall
@@ -60,7 +60,7 @@ struct StreamRecord {
   std::vector<double> energies{};
   /// Sums deposited on the grid of Options::deposit; empty without such a grid.
   DepositedSums deposit{};
-  /// Additional sums, only for oscillators outside the paper's class.
+  /// Additional sums, only for oscillators other than the paper's.
   std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
@@ -107,7 +107,7 @@ struct Branch {
   std::uint64_t split = 0;
 };
 
-/// Additional state of the trajectory of an oscillator outside the paper's class.
+/// Additional state of the trajectory of an oscillator other than the paper's.
 struct GeneralBranch {
   double until_kick = std::numeric_limits<double>::infinity();
   double kick_interval = 0;  ///< length of the interval that ends with the next kick

@@ -110,7 +110,7 @@ TEST(SolveGeneralOscillator, AutomaticOrderIsSevenWithoutLossesAtWalls) {
   Options fifth = quick();
   fifth.order = 5;
   EXPECT_EQ(order(with_wall(1), fifth), 5);
-  // The paper's class has the order of the published results.
+  // The paper's oscillator has the order of the published results.
   const System at_wall(linear, WallParameters{.left = 0, .left_restitution = 1});
   EXPECT_EQ(order(tests::with_impulses(at_wall, tests::gaussian_impulses(1, 0.1))), 5);
 }

@@ -202,7 +202,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
       System({.damping = 0.1, .van_der_pol = 0.1, .stiffness = 1, .quadratic = -0.1, .cubic = 0.2},
              {.right = 0.5, .right_restitution = 0.8}),
       gaussian_impulses(1, 0.1, 0.05));
-  // A problem of the paper's class and its mirror image.
+  // A problem with the paper's oscillator and its mirror image.
   const Problem own =
       with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.8}),
                     gaussian_impulses(1, 0.1, -0.05));

@@ -131,9 +131,9 @@ constexpr const char* kLegend =
 std::string table(const ClosureOrderStudy& study, const report::TextFormat& format) {
   const std::size_t width = format.width;
   std::string text = wrap_text(report::case_title(study.problem), width, 2) + rows(study, format);
-  for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, width);
-  text +=
-      reason_text(fmt::format("The reference {} is", study.reference.id()), study.reference, width);
+  for (const auto& row : study.rows) text += status_reason_text(name_of(row), row.solution, width);
+  text += status_reason_text(fmt::format("The reference {} is", study.reference.id()),
+                             study.reference, width);
   for (const auto& row : study.rows) {
     const auto followed = solution_branch(row.solution.metrics);
     if (followed) text += wrap_text(branch_sentence(row, *followed), width, 4);

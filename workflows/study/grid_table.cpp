@@ -142,9 +142,10 @@ std::string table(const GridStudy& study, const report::TextFormat& format) {
                   problem::name(*study.grids.equation), problem::name(*study.grids.impact)),
       format.width, 2);
   text += grids(study, format) + '\n' + limits(study, format) + others(study, format);
-  for (const auto& row : study.rows) text += reason_text(name_of(row), row.solution, format.width);
+  for (const auto& row : study.rows)
+    text += status_reason_text(name_of(row), row.solution, format.width);
   for (const auto& row : study.others)
-    text += reason_text(name_of(row), row.solution, format.width);
+    text += status_reason_text(name_of(row), row.solution, format.width);
   text += wrap_text(limit_sentence(study), format.width, 2);
   for (const double accuracy : {1e-2, 1e-3, 1e-4, 1e-5}) {
     const auto sentence = fastest_sentence(study, accuracy);

@@ -87,8 +87,8 @@ std::string join_with_and(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string reason_text(const std::string& name, const transform::Solution& solution,
-                        std::size_t width) {
+std::string status_reason_text(const std::string& name, const transform::Solution& solution,
+                               std::size_t width) {
   if (solution.is_ok()) return "";
   const auto status = transform::name(solution.status);
   return report::wrap_text(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);

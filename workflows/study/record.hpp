@@ -72,7 +72,7 @@ std::string join_with_and(const std::vector<std::string>& items);
 
 /// The text " NAME STATUS: REASON" of a solution that is not ok, broken into lines; empty if the
 /// solution is ok.
-std::string reason_text(const std::string& name, const transform::Solution& solution,
-                        std::size_t width);
+std::string status_reason_text(const std::string& name, const transform::Solution& solution,
+                               std::size_t width);
 
 }  // namespace fpkcheck::study

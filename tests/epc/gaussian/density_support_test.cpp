@@ -19,8 +19,8 @@ using tests::scaled;
 TEST(DensitySupport, OfAGaussianReachesToWhereItIsNegligible) {
   const DensitySupport support(radial(0), kSigma);
   const double radius = std::sqrt(-2 * std::log(DensitySupport::kNegligible));
-  EXPECT_NEAR(support.min_edge_radius(), radius, 1e-9);
-  EXPECT_NEAR(support.max_edge_radius(), radius, 1e-9);
+  EXPECT_NEAR(support.smallest_support_radius(), radius, 1e-9);
+  EXPECT_NEAR(support.largest_support_radius(), radius, 1e-9);
   EXPECT_NEAR(support.x1_max(), radius * kSigma.x1, 1e-9);
   EXPECT_NEAR(support.x2_max(), radius * kSigma.x2, 1e-9);
   EXPECT_NEAR(support.integral_relative_to_peak(), 2 * std::numbers::pi * kSigma.x1 * kSigma.x2,
@@ -37,8 +37,8 @@ TEST(DensitySupport, EndsWhereTheExponentBeginsToRise) {
   // Q' = 0 at rho^2 = 1/(4 quartic), where Q = -1/(16 quartic).
   const double quartic = 1.0 / 100;
   const DensitySupport support(radial(quartic), kSigma);
-  EXPECT_NEAR(support.min_edge_radius(), 5, 1e-9);
-  EXPECT_NEAR(support.max_edge_radius(), 5, 1e-9);
+  EXPECT_NEAR(support.smallest_support_radius(), 5, 1e-9);
+  EXPECT_NEAR(support.largest_support_radius(), 5, 1e-9);
   EXPECT_NEAR(support.edge_density_ratio(), std::exp(-6.25), 1e-9);
   EXPECT_FALSE(support.contains(0, 5.01 * kSigma.x2));
 }
@@ -81,7 +81,7 @@ TEST(DensitySupport, LeavesOutARiseAboveThePeak) {
   // Along w the minimum is shallow, and Q exceeds its peak before it falls at infinity.
   const Polynomial q = scaled({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
   const DensitySupport support(q, kSigma);
-  EXPECT_LT(support.min_edge_radius(), 2.3);
+  EXPECT_LT(support.smallest_support_radius(), 2.3);
   EXPECT_NEAR(support.edge_density_ratio(), std::exp(-2.5), 1e-3);
   EXPECT_FALSE(support.contains(0, 5 * kSigma.x2));
 }

@@ -14,7 +14,8 @@
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 
-// Formulation moment beyond the paper's class: walls at any position or none, wells, rings, noise.
+// Formulation moment for oscillators other than the paper's: walls at any position or none, wells,
+// rings, noise.
 namespace fpkcheck::epc {
 namespace {
 

@@ -64,8 +64,8 @@ double applied(const DepositGrid& g, const DepositedSums& d, int p, int q,
                const std::function<double(double)>& after_impulse) {
   const auto in_y = power_coefficients(g.y_knots, p), in_v = power_coefficients(g.v_knots, q);
   double sum = 0;
-  for (int i = 0; i < g.y_functions(); ++i) {
-    for (int j = 0; j < g.v_functions(); ++j) {
+  for (int i = 0; i < g.y_spline_count(); ++i) {
+    for (int j = 0; j < g.v_spline_count(); ++j) {
       sum += in_y[i] * in_v[j] * d.flow[static_cast<std::size_t>(i * d.flow_pitch + j)];
     }
     for (int k = 0; k < g.lattice_points; ++k) {

@@ -35,7 +35,7 @@ double time_of(const SimulationPlan& plan) {
 }
 
 // With 1e4 impulses per unit time the default time suffices for the accuracy, takes at most a
-// minute, and follows a sufficient burn-in. The full time of the paper's class would have 3e11
+// minute, and follows a sufficient burn-in. The full time of the paper's oscillator would have 3e11
 // impulses.
 TEST(SimulationPlan, OfFrequentImpulsesIsBoundedAndEnough) {
   for (const auto& problem : {without_wall(1e4), tests::make_problem({.rate = 1e4})}) {

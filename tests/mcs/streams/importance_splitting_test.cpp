@@ -71,7 +71,7 @@ TEST(ImportanceSplitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
-// Outside the paper's class.
+// For oscillators other than the paper's.
 TEST(ImportanceSplitting, BranchesGoOnBouncingWhereTheyBegan) {
   const auto problem = tests::make_problem({.cubic = 4});
   const ImportanceSplitting splitting(problem.system.potential(), {1.9}, 100);

@@ -22,7 +22,7 @@
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 
-// External densities of oscillators outside the paper's class. Without impact losses their laws are
+// External densities of oscillators other than the paper's. Without impact losses their laws are
 // known exactly.
 namespace fpkcheck::methods {
 namespace {

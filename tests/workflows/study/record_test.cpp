@@ -40,8 +40,8 @@ TEST(Record, ListsEndWithAnd) {
 
 TEST(Record, ReasonsAreShownForSolutionsThatAreNotOk) {
   const auto who = tests::closure_identity("moment", 4);
-  EXPECT_EQ(reason_text("it", tests::ok(who, 1), 80), "");
-  EXPECT_EQ(reason_text("it", tests::not_ok(who, transform::Status::failed), 80),
+  EXPECT_EQ(status_reason_text("it", tests::ok(who, 1), 80), "");
+  EXPECT_EQ(status_reason_text("it", tests::not_ok(who, transform::Status::failed), 80),
             "  it failed: it is made up\n");
 }
 
