@@ -95,7 +95,7 @@ std::string results_table(const results::CaseResult& case_result) {
   table.add_status();
   for (const auto& [header, member] : kShownMoments) {
     table.add_density_number(header, 4,
-                             [member = member](const Solution& s) { return s.moments.*member; });
+                             [moment = member](const Solution& s) { return s.moments.*moment; });
   }
   for (const double wall : walls_with_atoms(case_result)) {
     table.add_density_number(atom_header(case_result, wall), 4,
@@ -118,9 +118,9 @@ std::string residual_errors_table(const results::CaseResult& case_result) {
   if (case_result.moment_error_estimates.empty()) return "";
   SolutionsTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
-    table.add_number(header, [&case_result, member = member](const Solution& s) {
+    table.add_number(header, [&case_result, moment = member](const Solution& s) {
       const auto* own = case_result.moment_error_estimate(s.id());
-      return own == nullptr ? std::string(kNoValue) : number_text(own->error.*member, 2);
+      return own == nullptr ? std::string(kNoValue) : number_text(own->error.*moment, 2);
     });
   }
   return std::move(table).html("Errors of moments, estimated from residuals");
@@ -133,8 +133,8 @@ std::string bound_errors_table(const results::CaseResult& case_result) {
     const compare::GuaranteedBound* bound = compare::find_moment_bound(*case_result.bounds, member);
     if (bound == nullptr) continue;
     const auto [lower, upper] = round_outward(bound->lower, bound->upper);
-    const auto error = [&, member = member](const Solution& s) -> std::string {
-      const double value = s.moments.*member;
+    const auto error = [&, moment = member](const Solution& s) -> std::string {
+      const double value = s.moments.*moment;
       if (!s.has_density() || !std::isfinite(value)) return std::string(kNoValue);
       if (bound->lower <= value && value <= bound->upper) return "within";
       return number_text(value - (bound->lower + bound->half_width()), 2);

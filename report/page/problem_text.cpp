@@ -67,8 +67,9 @@ std::string solves_html(const std::vector<const Solution*>& solutions,
                         const char* what) {
   std::string html;
   for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
-    const bool there = std::ranges::any_of(
-        solutions, [&, value = value](const Solution* s) { return s->identity.*member == value; });
+    const bool there = std::ranges::any_of(solutions, [&, sought = value](const Solution* s) {
+      return s->identity.*member == sought;
+    });
     if (there) {
       html += term(fmt::format(fmt::runtime(form), name), fmt::format("{}: {}.", what, meaning));
     }

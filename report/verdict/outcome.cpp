@@ -44,8 +44,8 @@ std::vector<std::string> missing_density_texts(const AgreementRow& row, int case
   std::vector<std::string> parts;
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     const auto count =
-        std::ranges::count_if(row.entries, [status = status](const AgreementEntry& entry) {
-          return entry.agreement == Agreement::no_density && entry.solution->status == status;
+        std::ranges::count_if(row.entries, [sought = status](const AgreementEntry& entry) {
+          return entry.agreement == Agreement::no_density && entry.solution->status == sought;
         });
     if (count == 0) continue;
     parts.push_back(fmt::format("{}{}: {}", name, cases_phrase(static_cast<int>(count), cases),

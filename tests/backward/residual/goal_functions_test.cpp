@@ -20,8 +20,8 @@ TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
   EXPECT_EQ(goal.y_bins, 16 + 5);  // number of cells plus degree
   EXPECT_EQ(goal.v_bins, 32 + 5);
   for (const auto& [y, v] : {std::pair{0.0, 0.0}, {0.013, -0.4}, {1.1, 2.3}, {80.0, -90.0}}) {
-    const auto value = [&, y = y, v = v](std::size_t k) {
-      return goal.all[k].y_factor(y) * goal.all[k].v_factor(v);
+    const auto value = [&, at_y = y, at_v = v](std::size_t k) {
+      return goal.all[k].y_factor(at_y) * goal.all[k].v_factor(at_v);
     };
     EXPECT_DOUBLE_EQ(value(1), y * y);
     EXPECT_DOUBLE_EQ(value(5), std::pow(v, 4));
