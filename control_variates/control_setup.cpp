@@ -5,7 +5,7 @@
 
 #include "backward/control/control_fit.hpp"
 #include "backward/control/control_functions.hpp"
-#include "backward/control/impulse_means.hpp"
+#include "backward/control/generator_factors.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::control_variates {

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "backward/generator/normal_equations.hpp"
-#include "backward/residual/applicability.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "base/input_error.hpp"
 #include "transform/change_of_frame.hpp"

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "backward/bounds/functional_enclosure.hpp"
-#include "backward/bounds/outer_residual.hpp"
-#include "backward/bounds/residual_range.hpp"
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/residual_bounds.hpp"
+#include "backward/generator/collocation.hpp"
 #include "backward/generator/least_squares.hpp"
-#include "backward/generator/velocity_samples.hpp"
 #include "base/process/parallel_for.hpp"
 
 namespace fpkcheck::backward {

@@ -1,9 +1,8 @@
-#include "backward/bounds/outer_residual.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "backward/bounds/functional_enclosure.hpp"
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/residual_bounds.hpp"
 
 namespace fpkcheck::backward {
 namespace {

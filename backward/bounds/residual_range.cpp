@@ -1,8 +1,7 @@
-#include "backward/bounds/residual_range.hpp"
-
 #include <cmath>
 
-#include "backward/bounds/functional_enclosure.hpp"
+#include "backward/bounds/functional.hpp"
+#include "backward/bounds/residual_bounds.hpp"
 
 namespace fpkcheck::backward {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "backward/control/generator_factors.hpp"
-#include "backward/control/impulse_means.hpp"
 #include "backward/generator/normal_equations.hpp"
 #include "numerics/linear_algebra/block_banded_cholesky.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "numerics/splines/quintic_bsplines.hpp"
+#include "problem/impulse_train.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {
@@ -54,5 +55,16 @@ GeneratorFactors displacement_factors(const problem::System& system,
 GeneratorFactors velocity_factors(const problem::Problem& problem,
                                   const numerics::QuinticBSplines& splines,
                                   std::span<const double> points, const Eigen::MatrixXd& means);
+
+/// Means (K B_j)(v) = E[B_j(v + Y)] of the splines after an impulse, at the velocities v, for every
+/// amplitude law. The smooth pieces of the density of Y are divided at the breaks of the splines,
+/// and into parts no longer than the standard deviation of Y. The Gauss rule of 8 points integrates
+/// each part with an error of 1e-15. Atoms of the law are summed exactly.
+/// @return shape (points, functions)
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
+                              const problem::ImpulseLaw& law, std::span<const double> v);
+/// Means (K B_j)(v) for the amplitude law of an impulse train; shape (0, 0) without impulses.
+Eigen::MatrixXd impulse_means(const numerics::QuinticBSplines& splines,
+                              const problem::ImpulseTrain& impulses, std::span<const double> v);
 
 }  // namespace fpkcheck::backward

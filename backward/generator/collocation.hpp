@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "backward/generator/generator_operators.hpp"
 #include "backward/generator/impact_basis.hpp"
 #include "problem/problem.hpp"
 
@@ -29,5 +30,10 @@ struct DisplacementSamples {
 std::vector<double> chebyshev_points(int count);
 
 DisplacementSamples displacement_samples(const numerics::SplineBasis& basis, int points_per_cell);
+
+/// Values of the velocity factors of the generator at `points_per_cell` Chebyshev points of every
+/// cell of v.
+VelocitySamples velocity_samples(const VelocityOperators& operators, const ImpactBasis& basis,
+                                 int points_per_cell);
 
 }  // namespace fpkcheck::backward

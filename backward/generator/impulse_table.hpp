@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "backward/generator/velocity_pieces.hpp"
+#include "backward/generator/impact_basis.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::backward {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "backward/control/control_fit.hpp"
-#include "backward/residual/spline_fractions.hpp"
+#include "base/input_error.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
 
@@ -135,6 +137,50 @@ Eigen::MatrixXd DensityResiduals::contributions_per_cell(const Eigen::MatrixXd& 
   const Eigen::MatrixXd in_cells =
       spline_fractions(y(), y_edges) * contributions * spline_fractions(v(), v_edges).transpose();
   return inverse_widths(y_edges).asDiagonal() * in_cells * inverse_widths(v_edges).asDiagonal();
+}
+
+std::string residuals_unsupported_reason(const problem::Problem& problem) {
+  const problem::ProblemFeatures features = problem::features(problem);
+  if (features.rests_in_contact) {
+    return "the mass comes to rest at a wall: residuals of a density do not contain the atom";
+  }
+  if (features.collapse) {
+    return "impacts accumulate at a wall (r <= 0.163 under noise): the impact law does not define "
+           "how the mass leaves the wall";
+  }
+  return {};
+}
+
+Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
+                                 std::span<const double> edges) {
+  if (edges.size() < 2 ||
+      std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
+    throw InputError("the cell edges of a map do not increase");
+  }
+  // Between breaks and edges the splines are polynomials of degree 5, for which three Gauss points
+  // are exact.
+  std::vector<double> cuts(splines.breaks());
+  std::ranges::copy_if(edges, std::back_inserter(cuts),
+                       [&](double x) { return splines.begin() < x && x < splines.end(); });
+  std::ranges::sort(cuts);
+  Eigen::MatrixXd fractions = Eigen::MatrixXd::Zero(std::ssize(edges) - 1, splines.size());
+  const auto [points, weights] = numerics::composite_gauss_rule<3>(cuts);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto cell = std::ranges::upper_bound(edges, points[n]) - edges.begin() - 1;
+    if (cell < 0 || cell >= fractions.rows()) continue;
+    const auto b = splines.values_and_slopes(points[n]);
+    for (int l = 0; l <= numerics::QuinticBSplines::kDegree; ++l) {
+      fractions(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
+    }
+  }
+  // The integral of a B-spline is the width of its support divided by its degree plus 1 (de Boor).
+  for (int i = 0; i < splines.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const auto& knots = splines.knots();
+    fractions.col(i) *= (numerics::QuinticBSplines::kDegree + 1) /
+                        (knots[k + numerics::QuinticBSplines::kDegree + 1] - knots[k]);
+  }
+  return fractions;
 }
 
 }  // namespace fpkcheck::backward

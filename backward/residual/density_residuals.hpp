@@ -5,11 +5,13 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "backward/control/control_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "backward/residual/weak_residuals.hpp"
+#include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
@@ -118,5 +120,16 @@ class DensityResiduals {
   ControlFunctions h_;
   UnresolvedResidual unresolved_;
 };
+
+/// The reason why DensityResiduals does not support a problem, in one phrase. Empty if the problem
+/// is supported.
+std::string residuals_unsupported_reason(const problem::Problem& problem);
+
+/// Fraction of the integral of each spline that lies in each cell.
+/// @param edges increasing
+/// @return shape (cells, functions); columns sum to 1 where the cells cover the splines
+/// @throws InputError when the edges do not increase
+Eigen::MatrixXd spline_fractions(const numerics::QuinticBSplines& splines,
+                                 std::span<const double> edges);
 
 }  // namespace fpkcheck::backward

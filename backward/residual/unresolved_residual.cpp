@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "backward/control/generator_factors.hpp"
-#include "backward/control/impulse_means.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/features.hpp"
 #include "problem/undamped_orbits.hpp"

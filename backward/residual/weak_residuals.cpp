@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "backward/control/generator_factors.hpp"
-#include "backward/control/impulse_means.hpp"
 #include "base/input_error.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 

@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "backward/bounds/bounds.hpp"
-#include "backward/bounds/outer_residual.hpp"
-#include "backward/bounds/residual_range.hpp"
-#include "backward/generator/velocity_samples.hpp"
+#include "backward/bounds/residual_bounds.hpp"
+#include "backward/generator/collocation.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "exact/closed_forms.hpp"
 #include "general_oscillators.hpp"

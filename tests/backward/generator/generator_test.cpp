@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "backward/generator/collocation.hpp"
 #include "backward/generator/least_squares.hpp"
-#include "backward/generator/velocity_samples.hpp"
 #include "problem/case_file.hpp"
 #include "spline_of.hpp"
 

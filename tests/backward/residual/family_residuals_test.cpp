@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "backward/residual/applicability.hpp"
 #include "backward/residual/density_residuals.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"

@@ -1,7 +1,6 @@
-#include "backward/residual/spline_fractions.hpp"
-
 #include <gtest/gtest.h>
 
+#include "backward/residual/density_residuals.hpp"
 #include "base/input_error.hpp"
 #include "uniform_edges.hpp"
 

@@ -1,9 +1,8 @@
-#include "backward/control/impulse_means.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "backward/control/generator_factors.hpp"
 #include "laws.hpp"
 #include "problem/impulse_law.hpp"
 

@@ -1,9 +1,8 @@
-#include "backward/generator/velocity_pieces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "backward/generator/impact_basis.hpp"
 #include "spline_of.hpp"
 
 namespace fpkcheck::backward {

@@ -1,12 +1,10 @@
-#include "backward/bounds/residual_range.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <utility>
 
-#include "backward/bounds/outer_residual.hpp"
-#include "backward/generator/velocity_samples.hpp"
+#include "backward/bounds/residual_bounds.hpp"
+#include "backward/generator/collocation.hpp"
 #include "problem/case_file.hpp"
 
 namespace fpkcheck::backward {

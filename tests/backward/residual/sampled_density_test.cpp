@@ -1,10 +1,9 @@
-#include "backward/residual/reconstruction.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "backward/residual/sampled_density.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {
