@@ -63,9 +63,6 @@ double damping_power(const problem::System& system, const Simulation& simulation
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
   const auto& general = simulation.plan().general;
-  const auto right = [&](const StreamRecord& r, double GeneralSums::*sum) {
-    return r.general ? (*r.general).*sum / simulation.stream_time() : 0.0;
-  };
   result.summary.impacts_accumulate = general && general->has_contact_atoms;
   result.summary.impact_rate = weights.estimate(value_per_stream(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
@@ -76,8 +73,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
         problem, problem::Impact::exact,
         {.mean_velocity = moment(simulation, r, 0, 1),
          .mean_square_velocity = moment(simulation, r, 0, 2),
-         .impact_energy_flux = r.impact_energy / simulation.stream_time(),
-         .right_energy_flux = right(r, &GeneralSums::right_energy),
+         .impact_energy_flux = r.left_energy / simulation.stream_time(),
+         .right_energy_flux = r.right_energy / simulation.stream_time(),
          .mean_damping_power = damping_power(problem.system, simulation, r)});
   }));
   result.solution.energy_residual = residual.mean;
@@ -94,22 +91,21 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   const bool general = simulation.plan().general.has_value();
   if (!general && virial.degree() > kHighestPower) return;  // no estimate of E[y g(y)]
   const auto right_momentum = [&](const StreamRecord& r) {
-    return r.general ? r.general->right_speed / simulation.stream_time() : 0.0;
+    return r.right_speed / simulation.stream_time();
   };
   // Mean contact force of the mass at rest. The momentum of accumulating impacts is already part of
   // the sums over impacts.
   const auto contact_force_at_rest = [&](const StreamRecord& r) {
     if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralOscillator& o = simulation.plan().general->oscillator;
-    return (o.left.contact_force * r.general->rest_left -
-            o.right.contact_force * r.general->rest_right) /
+    return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
            simulation.stream_samples();
   };
   // Virial of the contact force that holds the mass at rest on the right wall, y = b.
   const auto virial_at_rest = [&](const StreamRecord& r) {
     if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
     const GeneralWall& wall = simulation.plan().general->oscillator.right;
-    return wall.position * std::max(wall.contact_force, 0.0) * r.general->rest_right /
+    return wall.position * std::max(wall.contact_force, 0.0) * r.rest_right /
            simulation.stream_samples();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
@@ -137,7 +133,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
       [&](const StreamRecord& r) {
         return problem::momentum_balance(
             problem, {.mean_force = polynomial_mean(simulation, r, force),
-                      .impact_momentum = r.impact_speed / simulation.stream_time(),
+                      .impact_momentum = r.left_speed / simulation.stream_time(),
                       .right_momentum = right_momentum(r),
                       .mean_cubed_velocity = moment(simulation, r, 0, 3),
                       .contact_momentum_rate = contact_force_at_rest(r)});
@@ -189,19 +185,19 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   const auto& general = simulation.plan().general;
   if (!general || !general->has_contact_atoms) return;
-  const auto add = [&](const GeneralWall& wall, double GeneralSums::*rest) {
+  const auto add = [&](const GeneralWall& wall, double StreamRecord::*rest) {
     if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
     const Estimate p =
         weights.estimate(value_per_stream(simulation.streams(), [&](const StreamRecord& r) {
-          return (*r.general).*rest / simulation.stream_samples();
+          return r.*rest / simulation.stream_samples();
         }));
     solution.atoms.push_back({.y = wall.position,
                               .probability = p.mean,
                               .standard_error = p.standard_error,
                               .error_estimate = {}});
   };
-  add(general->oscillator.left, &GeneralSums::rest_left);
-  add(general->oscillator.right, &GeneralSums::rest_right);
+  add(general->oscillator.left, &StreamRecord::rest_left);
+  add(general->oscillator.right, &StreamRecord::rest_right);
 }
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,

@@ -17,8 +17,7 @@ namespace {
 
 double power_of_y(const Simulation& simulation, const StreamRecord& record, int n) {
   if (n <= static_cast<int>(kHighestPower)) return moment(simulation, record, n, 0);
-  const GeneralSums& sums = record.general.value();
-  return (n == 5 ? sums.y5 : sums.y6) / simulation.stream_samples();
+  return (n == 5 ? record.y5 : record.y6) / simulation.stream_samples();
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace fpkcheck::mcs {
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q);
 
 /// Mean of a polynomial of y in one stream, in wall coordinates.
-/// @pre the degree is at most kHighestPower, or at most 6 where the record has GeneralSums
+/// @pre the degree is at most 6
 double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
                        const numerics::Polynomial& g);
 

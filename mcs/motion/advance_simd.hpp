@@ -97,8 +97,8 @@ struct LaneState {
         record.powers[p] += simd::lane_value(powers[p], i);
       record.samples += simd::lane_value(samples, i);
       record.impacts += simd::lane_value(impacts, i);
-      record.impact_speed += simd::lane_value(impact_speed, i);
-      record.impact_energy += simd::lane_value(impact_energy, i);
+      record.left_speed += simd::lane_value(impact_speed, i);
+      record.left_energy += simd::lane_value(impact_energy, i);
       record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
     }
   }

@@ -29,7 +29,7 @@ inline void apply_general_impulse(const GeneralMotionParameters& motion, Stream&
   Branch& b = stream.branch;
   const double before = b.v;
   b.v += b.amplitude;
-  stream.general.time_to_rest = -1;
+  b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
     ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
@@ -46,10 +46,9 @@ inline void apply_general_impulse(const GeneralMotionParameters& motion, Stream&
 /// the kick and half of the interval after it.
 inline void apply_kick(const GeneralMotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
-  GeneralBranch& g = stream.general;
   const NoiseKicks& kicks = motion.kicks;
   const double next = time_to_next_kick(motion, b.y, b.v);
-  const double time = (g.kick_interval + next) / 2;
+  const double time = (b.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
   // (1 - exp(-2x)) / (2x), computed by its series if the difference loses digits
@@ -60,16 +59,15 @@ inline void apply_kick(const GeneralMotionParameters& motion, Stream& stream) {
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;
-  g.time_to_rest = -1;
+  b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    stream.record.general->kicks += 1;
     // The work of a kick as counted here has expectation 0 for any motion.
     stream.record.work +=
         damped * kick + (kick * kick - 2 * kicks.diffusion * time * mean_decay) / 2;
   }
-  g.until_kick = next;
-  g.kick_interval = next;
+  b.until_kick = next;
+  b.kick_interval = next;
 }
 
 }  // namespace

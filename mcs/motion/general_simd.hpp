@@ -37,14 +37,13 @@ struct GeneralLaneState {
     Array<double> a[8];
     for (int i = 0; i < W; ++i) {
       const Branch& b = streams[i]->branch;
-      const GeneralBranch& g = streams[i]->general;
       a[0].at[i] = b.y;
       a[1].at[i] = b.v;
       a[2].at[i] = b.until_impulse;
       a[3].at[i] = b.until_sample;
       a[4].at[i] = b.remaining;
-      a[5].at[i] = g.until_kick;
-      a[6].at[i] = g.time_to_rest;
+      a[5].at[i] = b.until_kick;
+      a[6].at[i] = b.time_to_rest;
       a[7].at[i] = branch_weight(motion, *streams[i]);
     }
     y = simd::load<Real>(a[0].at);
@@ -64,8 +63,8 @@ struct GeneralLaneState {
       b.until_impulse = simd::lane_value(until_impulse, i);
       b.until_sample = simd::lane_value(until_sample, i);
       b.remaining = simd::lane_value(remaining, i);
-      streams[i]->general.until_kick = simd::lane_value(until_kick, i);
-      streams[i]->general.time_to_rest = simd::lane_value(time_to_rest, i);
+      b.until_kick = simd::lane_value(until_kick, i);
+      b.time_to_rest = simd::lane_value(time_to_rest, i);
     }
   }
 
@@ -76,16 +75,15 @@ struct GeneralLaneState {
         record.powers[p] += simd::lane_value(powers[p], i);
       record.samples += simd::lane_value(samples, i);
       record.impacts += simd::lane_value(impacts, i);
-      record.impact_speed += simd::lane_value(left_speed, i);
-      record.impact_energy += simd::lane_value(left_energy, i);
+      record.left_speed += simd::lane_value(left_speed, i);
+      record.left_energy += simd::lane_value(left_energy, i);
       record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
-      GeneralSums& sums = *record.general;
-      sums.y5 += simd::lane_value(y5, i);
-      sums.y6 += simd::lane_value(y6, i);
-      sums.right_speed += simd::lane_value(right_speed, i);
-      sums.right_energy += simd::lane_value(right_energy, i);
-      sums.rest_left += simd::lane_value(rest_left, i);
-      sums.rest_right += simd::lane_value(rest_right, i);
+      record.y5 += simd::lane_value(y5, i);
+      record.y6 += simd::lane_value(y6, i);
+      record.right_speed += simd::lane_value(right_speed, i);
+      record.right_energy += simd::lane_value(right_energy, i);
+      record.rest_left += simd::lane_value(rest_left, i);
+      record.rest_right += simd::lane_value(rest_right, i);
     }
   }
 
@@ -280,14 +278,14 @@ struct GeneralLaneState {
       b.y = a[0].at[i];
       b.v = a[1].at[i];
       b.until_impulse = a[2].at[i];
-      stream.general.until_kick = a[3].at[i];
-      stream.general.time_to_rest = a[4].at[i];
+      b.until_kick = a[3].at[i];
+      b.time_to_rest = a[4].at[i];
       if (simd::lane_value(impulse_now, i) != 0) apply_general_impulse(motion, stream);
       if (simd::lane_value(kick_now, i) != 0) apply_kick(motion, stream);
       a[1].at[i] = b.v;
       a[2].at[i] = b.until_impulse;
-      a[3].at[i] = stream.general.until_kick;
-      a[4].at[i] = stream.general.time_to_rest;
+      a[3].at[i] = b.until_kick;
+      a[4].at[i] = b.time_to_rest;
     }
     v = simd::load<Real>(a[1].at);
     until_impulse = simd::load<Real>(a[2].at);

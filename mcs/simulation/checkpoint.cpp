@@ -23,9 +23,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// First line of checkpoints of any version, and of this version.
+// Beginning of the first line of checkpoints of any version.
 constexpr std::string_view kFormatPrefix = "fpkcheck mcs checkpoint ";
-constexpr std::string_view kFormatLine = "fpkcheck mcs checkpoint 4\n";
 
 /// FNV-1a hash of a text.
 std::uint64_t checksum(std::string_view text) {
@@ -45,7 +44,7 @@ constexpr const char* kUnwritableReason =
 std::string write_checkpoint(const std::string& path, const std::string& fingerprint,
                              const Simulation& simulation) {
   std::ostringstream contents;
-  contents << kFormatLine << fingerprint << '\n';
+  contents << kCheckpointFormatLine << fingerprint << '\n';
   simulation.save(contents);
   std::string text = std::move(contents).str();
   const std::uint64_t sum = checksum(text);
@@ -118,7 +117,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   try {
     const base::ExitBlocker in_hand;
     const fs::path probe = base::partial_file_path(path_);
-    base::write_new_file(probe, kFormatLine);
+    base::write_new_file(probe, kCheckpointFormatLine);
     fs::remove(probe);
   } catch (const std::system_error&) {
     throw InputError(write_failure_message(path_, kUnwritableReason));
@@ -166,7 +165,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
                     name));
   }
   const std::string& text = *read;
-  if (!text.starts_with(kFormatLine)) {
+  if (!text.starts_with(kCheckpointFormatLine)) {
     throw InputError(fmt::format(
         "{} is no checkpoint of this version of fpkcheck mcs: its first line differs; start "
         "without --resume",
@@ -174,13 +173,14 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   }
   std::uint64_t sum = 0;
   const std::size_t size = text.size() - sizeof sum;
-  if (text.size() > kFormatLine.size() + sizeof sum) std::memcpy(&sum, &text[size], sizeof sum);
+  if (text.size() > kCheckpointFormatLine.size() + sizeof sum)
+    std::memcpy(&sum, &text[size], sizeof sum);
   const std::string_view contents(text.data(), size);
   if (sum != checksum(contents)) {
     throw InputError(
         fmt::format("the checkpoint {} is damaged: wrong checksum; start without --resume", name));
   }
-  const std::string_view rest = contents.substr(kFormatLine.size());
+  const std::string_view rest = contents.substr(kCheckpointFormatLine.size());
   const std::size_t end = rest.find('\n');
   if (rest.substr(0, end) != fingerprint) {
     throw InputError(

@@ -3,10 +3,14 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "mcs/simulation/simulation.hpp"
 
 namespace fpkcheck::mcs {
+
+/// First line of checkpoints of this version.
+inline constexpr std::string_view kCheckpointFormatLine = "fpkcheck mcs checkpoint 5\n";
 
 /// Text that identifies a simulation by all inputs that determine its numbers, except the duration:
 /// problem, seed, streams, lengths of steps and rounds, bins, thresholds. The text states numbers

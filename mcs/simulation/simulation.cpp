@@ -40,7 +40,8 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
          y <= (o.right.exists ? o.right.position : centre + farthest);
 }
 
-bool is_valid_state(const GeneralBranch& branch, const NoiseKicks& kicks) {
+/// Whether the times until the next kick and until rest are possible.
+bool has_valid_times(const Branch& branch, const NoiseKicks& kicks) {
   const double longest_interval = 1.01 * kicks.longest_interval;  // with an allowance for rounding
   const bool waits = kicks.is_present()
                          ? branch.until_kick >= 0 && branch.until_kick <= longest_interval &&
@@ -65,7 +66,8 @@ bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
   return is_between_walls(branch.y, y, plan) && between(-v, branch.v, v) &&
          between(-strongest, branch.amplitude, strongest) &&
          between(0, branch.until_impulse, kRarestDraws * impulses.interval) &&
-         between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0);
+         between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0) &&
+         has_valid_times(branch, plan.general ? plan.general->kicks : NoiseKicks{});
 }
 
 /// Makes a stream at its initial state.
@@ -134,14 +136,13 @@ void Simulation::start_general_streams(const problem::Problem& problem,
     if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
     Stream made = make_stream(start, first, source, plan);
     made.noise = NoiseSource(plan.seed, stream);
-    made.record.general.emplace();
     if (general.kicks.is_present()) {
       // The first kick has a random phase, so that on average the samples are evenly distributed
       // over the interval between kicks.
       const double share =
           uniform_numbers(plan.seed, stream, RandomNumberPurpose::start, kBlockSize).third[1];
-      made.general.kick_interval = general.kicks.longest_interval;
-      made.general.until_kick = share * general.kicks.longest_interval;
+      made.branch.kick_interval = general.kicks.longest_interval;
+      made.branch.until_kick = share * general.kicks.longest_interval;
     }
     streams_.push_back(std::move(made));
   }
@@ -200,10 +201,7 @@ bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
 void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
   write_binary(out, stream.branch);
   write_binary(out, stream.source.number());
-  if (general_) {
-    write_binary(out, stream.general);
-    write_binary(out, stream.noise.number());
-  }
+  write_binary(out, stream.noise.number());
   for_each_sum(stream.record, [&](const auto& sum) { write_binary(out, sum); });
 }
 
@@ -218,12 +216,8 @@ void Simulation::load_stream(std::istream& in, Stream& stream) const {
                       stream.branch.floor_level <= threshold_count);
   read_binary(in, number);
   stream.source.continue_from(number);
-  if (general_) {
-    read_binary(in, stream.general);
-    require_valid_state(is_valid_state(stream.general, plan_->general->kicks));
-    read_binary(in, number);
-    stream.noise.continue_from(number);
-  }
+  read_binary(in, number);
+  stream.noise.continue_from(number);
   for_each_sum(stream.record, [&](auto& sum) {
     read_binary(in, sum);
     require_valid_state(is_finite(sum));

@@ -52,17 +52,14 @@ void ImportanceSplitting::split(Stream& stream, int from, bool at_impulse) const
   if (!may_split(stream.record)) return;
   stream.branch.split |= bits(first, to);
   const Branch origin = stream.branch;
-  const GeneralBranch general = stream.general;
-  stream.pending_branches.push_back({.branch = origin, .general = general});
+  stream.pending_branches.push_back({.branch = origin});
   // At threshold i + 1 each of the present branches becomes kCopies branches.
   int branches = 1;
   for (int i = first; i < to; ++i) {
     Branch copy = origin;
     copy.floor_level = i + 1;
-    stream.pending_branches.push_back({.branch = copy,
-                                       .general = general,
-                                       .copies = branches * (kCopies - 1),
-                                       .at_impulse = at_impulse});
+    stream.pending_branches.push_back(
+        {.branch = copy, .copies = branches * (kCopies - 1), .at_impulse = at_impulse});
     branches *= kCopies;
   }
   resume_next_branch(stream);
@@ -94,7 +91,6 @@ void ImportanceSplitting::split_initial_state(Stream& stream) const {
 void resume_next_branch(Stream& stream) {
   PendingBranch& next = stream.pending_branches.back();
   stream.branch = next.branch;
-  stream.general = next.general;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next_impulse();
     // Copies made between impulses have the time of the next impulse in common, but not the

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,15 +29,6 @@ inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
                                                               {1, 3},
                                                               {0, 4}}};
 
-/// Additional sums over samples and events for an oscillator other than the paper's.
-struct GeneralSums {
-  double y5 = 0, y6 = 0;  ///< sums of y^5 and y^6 over samples, for forces up to degree 5
-  double right_speed = 0, right_energy = 0;  ///< sums of |v| and v^2 over impacts on the right wall
-  /// Weight of samples at rest in contact with a wall; not in the histogram
-  double rest_left = 0, rest_right = 0;
-  double kicks = 0;  ///< number of kicks of the Gaussian noise
-};
-
 /// Statistics of one stream: sums over samples and events. Each term has the weight of its branch,
 /// which is 1 without splitting.
 struct StreamRecord {
@@ -47,10 +37,18 @@ struct StreamRecord {
   /// Minima of y above the wall in the bins of y, with the outer bins
   std::vector<double> troughs;
   std::array<double, kPowers.size()> powers{};
+  /// Sums of y^5 and y^6 over samples. Only forces of degree 4 or 5 need these sums; flights whose
+  /// step is limited by the energy (cubic forces) do not compute them.
+  double y5 = 0, y6 = 0;
   double samples = 0;
-  double impacts = 0;
-  double impact_speed = 0;            ///< sum of |v| over impacts
-  double impact_energy = 0;           ///< sum of v^2 over impacts
+  double rest_left = 0;               ///< weight of samples at rest in contact with the left wall;
+                                      ///< these samples are not in the histogram
+  double rest_right = 0;              ///< weight of samples at rest in contact with the right wall
+  double impacts = 0;                 ///< number of impacts on both walls
+  double left_speed = 0;              ///< sum of |v| over impacts on the left wall
+  double left_energy = 0;             ///< sum of v^2 over impacts on the left wall
+  double right_speed = 0;             ///< sum of |v| over impacts on the right wall
+  double right_energy = 0;            ///< sum of v^2 over impacts on the right wall
   double work = 0;                    ///< work of the impulses, see Excitation::work
   std::uint64_t impulses = 0;         ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;  ///< number of impulses of all other branches
@@ -60,8 +58,6 @@ struct StreamRecord {
   std::vector<double> energies{};
   /// Sums deposited on the grid of Options::deposit; empty without such a grid.
   DepositedSums deposit{};
-  /// Additional sums, only for oscillators other than the paper's.
-  std::optional<GeneralSums> general{};
 
   StreamRecord(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
@@ -71,26 +67,19 @@ struct StreamRecord {
 template <class Record, class Visit>
 void for_each_sum(Record& record, Visit visit) {
   visit(record.powers);
-  visit(record.samples);
-  visit(record.impacts);
-  visit(record.impact_speed);
-  visit(record.impact_energy);
-  visit(record.work);
-  visit(record.impulses);
-  visit(record.branch_impulses);
-  visit(record.flights);
+  for (auto* sum : {&record.y5, &record.y6, &record.samples, &record.rest_left, &record.rest_right,
+                    &record.impacts, &record.left_speed, &record.left_energy, &record.right_speed,
+                    &record.right_energy, &record.work}) {
+    visit(*sum);
+  }
+  for (auto* number : {&record.impulses, &record.branch_impulses, &record.flights}) {
+    visit(*number);
+  }
   visit(record.histogram.weights());
   visit(record.peaks);
   visit(record.troughs);
   visit(record.energies);
   if (!record.deposit.flow.empty()) for_each_deposit_sum(record.deposit, visit);
-  if (record.general) {
-    auto& sums = *record.general;
-    for (auto* sum : {&sums.y5, &sums.y6, &sums.right_speed, &sums.right_energy, &sums.rest_left,
-                      &sums.rest_right, &sums.kicks}) {
-      visit(*sum);
-    }
-  }
 }
 
 /// Current state of a branch of the trajectory, and the times until its next events.
@@ -100,25 +89,21 @@ struct Branch {
   double until_impulse;
   double amplitude;  ///< amplitude of the next impulse
   double until_sample;
-  double remaining;      ///< time to simulate
+  double remaining;  ///< time to simulate
+  /// Time until the next kick of the Gaussian noise; infinite without noise
+  double until_kick = std::numeric_limits<double>::infinity();
+  double kick_interval = 0;  ///< length of the interval that ends with the next kick
+  /// Time until the bounces on a wall end; 0 at rest in contact, -1 during free motion.
+  double time_to_rest = -1;
   int energy_level = 0;  ///< number of splitting thresholds below the energy
   int floor_level = 0;   ///< the branch ends when energy_level falls below this level
   /// Bit i is set if threshold i + 1 has split the branch during its rise (ImportanceSplitting).
   std::uint64_t split = 0;
 };
 
-/// Additional state of the trajectory of an oscillator other than the paper's.
-struct GeneralBranch {
-  double until_kick = std::numeric_limits<double>::infinity();
-  double kick_interval = 0;  ///< length of the interval that ends with the next kick
-  /// Time until the bounces on a wall end; 0 at rest in contact, -1 during free motion.
-  double time_to_rest = -1;
-};
-
 /// A pending branch of a stream, or several pending branches with the same initial state.
 struct PendingBranch {
   Branch branch;
-  GeneralBranch general;
   /// Number of pending branches, each of which draws its next impulse. If 0, there is one branch
   /// whose next impulse is stored.
   int copies = 0;
@@ -133,7 +118,6 @@ struct Stream {
   StreamRecord record;
   /// Pending branches, the main branch first. ImportanceSplitting bounds their number.
   std::vector<PendingBranch> pending_branches{};
-  GeneralBranch general{};
   NoiseSource noise{0, 0};  ///< normal numbers of the Gaussian noise
 
   /// Whether the current branch is the main branch of the stream.

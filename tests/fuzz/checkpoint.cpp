@@ -17,7 +17,7 @@ struct SmallSimulation {
 };
 
 std::string make_checkpoint(const std::string& fingerprint, std::string_view state) {
-  std::string text = "fpkcheck mcs checkpoint 3\n" + fingerprint + '\n';
+  std::string text = std::string(mcs::kCheckpointFormatLine) + fingerprint + '\n';
   text += state;
   std::uint64_t sum = 14695981039346656037u;  // FNV-1a
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 1099511628211u;

@@ -44,10 +44,9 @@ struct FreeStreams {
                          .source = ImpulseSource(standard_normal_impulses(), 1, number),
                          .record = StreamRecord(y, v),
                          .noise = NoiseSource(1, number)});
-      streams.back().record.general.emplace();
       if (kicks.is_present()) {
-        streams.back().general.kick_interval = kicks.longest_interval;
-        streams.back().general.until_kick = kicks.longest_interval / 2;
+        streams.back().branch.kick_interval = kicks.longest_interval;
+        streams.back().branch.until_kick = kicks.longest_interval / 2;
       }
       ++number;
     }
@@ -148,8 +147,8 @@ TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
   free.advance(100 * period);
   for (const Stream& stream : free.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
-    EXPECT_NEAR(stream.record.impact_speed, 100 * u, 1e-3);
-    EXPECT_NEAR(stream.record.impact_energy, 100 * u * u, 1e-3);
+    EXPECT_NEAR(stream.record.left_speed, 100 * u, 1e-3);
+    EXPECT_NEAR(stream.record.left_energy, 100 * u * u, 1e-3);
   }
   // The mirror image of this motion, with the wall on the other side.
   GeneralOscillator mirrored{
@@ -159,8 +158,8 @@ TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
   right.advance(100 * period);
   for (const Stream& stream : right.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
-    EXPECT_NEAR(stream.record.general->right_speed, 100 * u, 1e-3);
-    EXPECT_EQ(stream.record.impact_speed, 0);
+    EXPECT_NEAR(stream.record.right_speed, 100 * u, 1e-3);
+    EXPECT_EQ(stream.record.left_speed, 0);
   }
 }
 
@@ -176,8 +175,8 @@ TEST(GeneralMotionParameters, MovesBetweenTwoWalls) {
   EXPECT_EQ(stream.record.impacts, 3);
   EXPECT_NEAR(stream.branch.y, b / 2, 1e-12);
   EXPECT_NEAR(stream.branch.v, -u * r * s * s, 1e-12);
-  EXPECT_NEAR(stream.record.general->right_speed, u + u * r * s, 1e-12);
-  EXPECT_NEAR(stream.record.impact_speed, u * s, 1e-12);
+  EXPECT_NEAR(stream.record.right_speed, u + u * r * s, 1e-12);
+  EXPECT_NEAR(stream.record.left_speed, u * s, 1e-12);
 }
 
 /// A ball on a floor, g = 1.
@@ -201,12 +200,12 @@ TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
     const double to_rest = u * (1 + r) / (1 - r);
     EXPECT_EQ(free[0].branch.y, 0);
     EXPECT_EQ(free[0].branch.v, 0);
-    EXPECT_NEAR(record.general->rest_left, (time - to_rest) / kBetweenSamples, 1.0);
-    EXPECT_NEAR(record.impact_speed, u / (1 - r), 1e-8);
-    EXPECT_NEAR(record.impact_energy, u * u / (1 - r * r), 1e-8);
+    EXPECT_NEAR(record.rest_left, (time - to_rest) / kBetweenSamples, 1.0);
+    EXPECT_NEAR(record.left_speed, u / (1 - r), 1e-8);
+    EXPECT_NEAR(record.left_energy, u * u / (1 - r * r), 1e-8);
     double in_bins = 0;
     for (const double weight : record.histogram.weights()) in_bins += weight;
-    EXPECT_EQ(in_bins + record.general->rest_left, record.samples);
+    EXPECT_EQ(in_bins + record.rest_left, record.samples);
   }
   // A ball below a ceiling.
   GeneralOscillator up{
@@ -216,9 +215,8 @@ TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
   FreeStreams above(up, {{3 - u * u / 2, 0}});
   above.advance(time);
   EXPECT_EQ(above[0].branch.y, 3);
-  EXPECT_EQ(above[0].record.general->rest_left, 0);
-  EXPECT_NEAR(above[0].record.general->rest_right, (time - u * (1 + r) / (1 - r)) / kBetweenSamples,
-              1.0);
+  EXPECT_EQ(above[0].record.rest_left, 0);
+  EXPECT_NEAR(above[0].record.rest_right, (time - u * (1 + r) / (1 - r)) / kBetweenSamples, 1.0);
 }
 
 TEST(GeneralMotionParameters, LeavesRestByAnImpulseEitherWay) {

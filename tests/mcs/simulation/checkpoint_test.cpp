@@ -143,6 +143,16 @@ TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   expect_refused(options, "cannot read");
 }
 
+TEST_F(Checkpoint, OfAnEarlierVersionIsRefused) {
+  interrupted(brief(false));
+  std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(kCheckpointFormatLine.find('5')));
+  file.put('4').flush();
+  Options options = brief(false);
+  options.resume = file_;
+  expect_refused(options, "no checkpoint of this version of fpkcheck mcs: its first line differs");
+}
+
 // The test forges the checksum.
 TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
   interrupted(brief(false));
@@ -175,9 +185,9 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
       expect_refused(options, "impossible");
     }
   }
-  // In the file the sums are stored after the branch and the number of impulses.
+  // In the file the sums are stored after the branch and the numbers of impulses and normal numbers.
   for (const double number : {HUGE_VAL, std::nan("")}) {
-    write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 1, number));
+    write_with_checksum(with(1 + sizeof(Branch) / sizeof(double) + 2, number));
     expect_refused(options, "impossible");
   }
   write_with_checksum(text + "more");

@@ -71,20 +71,19 @@ TEST(ImportanceSplitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
 
-// For oscillators other than the paper's.
 TEST(ImportanceSplitting, BranchesGoOnBouncingWhereTheyBegan) {
   const auto problem = tests::make_problem({.cubic = 4});
   const ImportanceSplitting splitting(problem.system.potential(), {1.9}, 100);
   Stream stream = make_stream(problem, 1, 1);
-  stream.general.time_to_rest = 0.25;
+  stream.branch.time_to_rest = 0.25;
   splitting.split_initial_state(stream);
   ASSERT_FALSE(stream.is_on_main_branch());
   while (!stream.is_on_main_branch()) {
-    EXPECT_EQ(stream.general.time_to_rest, 0.25);
-    stream.general.time_to_rest = -1;
+    EXPECT_EQ(stream.branch.time_to_rest, 0.25);
+    stream.branch.time_to_rest = -1;
     resume_next_branch(stream);
   }
-  EXPECT_EQ(stream.general.time_to_rest, 0.25);
+  EXPECT_EQ(stream.branch.time_to_rest, 0.25);
 }
 
 // A long-tailed law crosses all thresholds with one impulse; 4^12 branches would be 17 million.
