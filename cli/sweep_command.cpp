@@ -26,13 +26,11 @@
 #include "cli/solve_and_report.hpp"
 #include "cli/standard_streams.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/execution/merge_journals.hpp"
-#include "workflows/sweep/execution/solve_on_ranks.hpp"
+#include "workflows/sweep/execution/shards.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
-#include "workflows/sweep/plan/plan_file.hpp"
-#include "workflows/sweep/report/forecast_text.hpp"
+#include "workflows/sweep/plan/plan.hpp"
 #include "workflows/sweep/report/sweep_files.hpp"
-#include "workflows/sweep/report/table.hpp"
+#include "workflows/sweep/report/tables.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::cli {
@@ -264,7 +262,8 @@ int print_forecast(const SweepArguments& arguments, const sweep::Plan& plan, int
   return kSuccess;
 }
 
-// Runs the sweep on the process that writes the journal: rank 0 of mpirun, else the only process.
+// Runs the sweep on this process. Only the process that writes the journal (rank 0 of mpirun, else
+// the only process) shows progress and writes results.
 int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sweep::Shard& shard,
               int threads, base::Communicator* ranks, const CommandCall& call,
               std::chrono::steady_clock::time_point begin) {
@@ -285,22 +284,20 @@ int run_sweep(const SweepArguments& arguments, const sweep::Plan& plan, const sw
   };
   std::optional<OutputDirectory> directory;
   std::optional<sweep::JournaledQueue> progress;
-  try {
+  const auto open_queue = [&]() -> sweep::JournaledQueue& {
     directory.emplace(common.out);
     progress.emplace(plan, *common.out, shard, report_progress);
-  } catch (...) {
-    if (ranks != nullptr) sweep::release_workers(*ranks);
-    throw;
+    report_progress(progress->state());
+    if (const auto resumed = progress->resumption_text(); !resumed.empty() && !common.quiet) {
+      print_message(resumed);
+    }
+    return *progress;
+  };
+  if (ranks != nullptr && !ranks->is_first_rank()) {
+    set_exit_message("the finished points are in the journal of rank 0");
   }
-  report_progress(progress->state());
-  if (const auto resumed = progress->resumption_text(); !resumed.empty() && !common.quiet) {
-    print_message(resumed);
-  }
-  if (ranks != nullptr) {
-    sweep::run_coordinator(plan, *progress, *ranks, threads);
-  } else {
-    sweep::solve_remaining_points(plan, *progress, threads);
-  }
+  sweep::solve_plan(plan, *common.out, ranks, threads, open_queue);
+  if (!progress) return kSuccess;
   line.erase();
   if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
@@ -343,11 +340,6 @@ int sweep_command(const CommandCall& call) {
 
   const auto ranks = base::Communicator::launched_by_mpi() ? base::Communicator::initialise_mpi()
                                                            : std::unique_ptr<base::Communicator>();
-  if (ranks && !ranks->is_first_rank()) {
-    set_exit_message("the finished points are in the journal of rank 0");
-    sweep::run_worker(plan, *common.out, *ranks, threads);
-    return kSuccess;
-  }
   return run_sweep(arguments, plan, shard, threads, ranks.get(), call, begin);
 }
 

@@ -1,13 +1,67 @@
-#include "workflows/sweep/execution/forecast.hpp"
-
 #include <gtest/gtest.h>
-
+#include <cmath>
+#include <numeric>
+#include <set>
 #include <vector>
 
 #include "made_up_sweep.hpp"
-#include "workflows/sweep/report/forecast_text.hpp"
+#include "workflows/sweep/execution/forecast.hpp"
+#include "workflows/sweep/report/tables.hpp"
 
 namespace fpkcheck::sweep {
+namespace {
+
+// Seconds that are a power of the rate, with another factor for another law.
+double seconds_at(const Plan& plan, std::size_t point) {
+  const double rate = std::get<double>(plan.points[point][0]);
+  const bool laplace = plan.points[point][1] == base::Value(std::string("laplace"));
+  return 0.3 * std::pow(rate, 1.5) * (laplace ? 2 : 1);
+}
+
+TEST(CostModel, FindsPowersAndWords) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.rate", "log:0.1:10:21", "x"),
+                                    parse_axis("impulse.law", "gaussian,laplace", "x")});
+  std::vector<std::size_t> all(plan.points.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<CostModel::Measurement> measured;
+  for (const auto point : evenly_spread_sample(all, 24))
+    measured.push_back({point, seconds_at(plan, point)});
+  const CostModel model(plan, measured);
+  double sum = 0, expected = 0;
+  for (const auto point : all) {
+    EXPECT_NEAR(std::log(model.expected_seconds(point) / seconds_at(plan, point)), 0, 0.1) << point;
+    sum += seconds_at(plan, point);
+    expected += model.expected_seconds(point);
+  }
+  EXPECT_NEAR(expected / sum, 1, 0.03);
+}
+
+TEST(CostModel, WithoutMeasurementsAllTimesAreEqual) {
+  const Plan plan = tests::small_plan();
+  EXPECT_EQ(CostModel(plan, {}).all_expected_seconds(), std::vector<double>(6, 1.0));
+}
+
+TEST(CostModel, MeasuredPointsKeepTheirTimes) {
+  const Plan plan = tests::small_plan();
+  const std::vector<CostModel::Measurement> measured{{3, 7.0}, {0, 1.0}};
+  EXPECT_EQ(CostModel(plan, measured).expected_seconds(3), 7);
+}
+
+TEST(Spread, GivesEachPointOnceFromAllRegions) {
+  std::vector<std::size_t> all(1000);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto chosen = evenly_spread_sample(all, 20);
+  ASSERT_EQ(chosen.size(), 20);
+  std::set<std::size_t> tenths;
+  for (const auto point : chosen) tenths.insert(point / 100);
+  EXPECT_EQ(tenths.size(), 10);
+  EXPECT_EQ(std::set<std::size_t>(chosen.begin(), chosen.end()).size(), 20);
+  EXPECT_EQ(evenly_spread_sample({5, 7}, 20).size(), 2);
+  EXPECT_TRUE(evenly_spread_sample({}, 20).empty());
+}
+
+}  // namespace
+
 namespace {
 
 TEST(Makespan, IsThatOfTheDispatch) {
@@ -41,4 +95,5 @@ TEST(Forecast, OfASolvedPlanIsMeasured) {
 }
 
 }  // namespace
+
 }  // namespace fpkcheck::sweep

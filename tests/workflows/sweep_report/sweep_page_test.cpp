@@ -2,7 +2,7 @@
 
 #include "made_up_sweep.hpp"
 #include "saved_run.hpp"
-#include "workflows/sweep/report/method_columns.hpp"
+#include "workflows/sweep/report/tables.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
 
 namespace fpkcheck::sweep {

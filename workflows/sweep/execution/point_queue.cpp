@@ -1,7 +1,12 @@
 #include "workflows/sweep/execution/point_queue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
+
+#include "base/process/stop_request.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -64,6 +69,44 @@ PointQueue::State PointQueue::state() const {
   const std::lock_guard lock(mutex_);
   return {total_ - unfinished_, total_,
           expected_.empty() ? std::nullopt : std::optional(remaining_seconds_)};
+}
+
+JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& directory,
+                               const Shard& shard, QueueStateListener listener)
+    : plan_(plan),
+      directory_(directory),
+      journal_name_(shard.journal_name()),
+      journal_(directory / journal_name_, plan),
+      queue_(plan, shard.points(plan.points.size()), journal_.initial_content().points),
+      listener_(std::move(listener)),
+      points_(journal_.initial_content().points) {}
+
+std::string JournaledQueue::resumption_text() const {
+  const auto& [plan, points, damaged] = journal_.initial_content();
+  if (points.empty() && damaged == 0) return "";
+  const auto [done, total, remaining_seconds] = queue_.state();
+  std::string text =
+      fmt::format("resumed from {}: {} of {} points kept, {} to solve",
+                  base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
+  // A damaged line of the journal does not show which point the line contains.
+  if (damaged == 1) text += ", including the point of 1 damaged line";
+  if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
+  return text;
+}
+
+std::optional<std::size_t> JournaledQueue::take_next_point() {
+  if (closed_ || base::stop_requested()) return std::nullopt;
+  return queue_.take_next_point();
+}
+
+void JournaledQueue::store(SolvedPoint&& solved) {
+  queue_.record_solved(solved.result.point, solved.result.seconds);
+  const std::lock_guard lock(mutex_);
+  // The marginal densities must exist before the journal lists the point as solved.
+  write_marginals(plan_, directory_, solved);
+  journal_.append(solved.result);
+  points_.push_back(std::move(solved.result));
+  if (listener_) listener_(queue_.state());
 }
 
 }  // namespace fpkcheck::sweep

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "workflows/sweep/execution/cost_model.hpp"
+#include "workflows/sweep/execution/forecast.hpp"
+#include "workflows/sweep/execution/shards.hpp"
+#include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/plan/plan.hpp"
-#include "workflows/sweep/result/point_result.hpp"
+#include "workflows/sweep/result/journal.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -51,6 +58,58 @@ class PointQueue {
   std::vector<double> expected_;      // empty until enough points are measured
   std::size_t unfinished_;
   double remaining_seconds_ = 0;
+};
+
+/// A source of the points that remain to be solved, which receives the results of these points. The
+/// class is thread-safe.
+class PointSource {
+ public:
+  virtual ~PointSource() = default;
+  /// Removes the next point, and waits for this point if another process assigns the points.
+  /// @return the point; empty if no point remains, after a stop request, and after close()
+  virtual std::optional<std::size_t> take_next_point() = 0;
+  /// Stores the result of a point.
+  virtual void store(SolvedPoint&& solved) = 0;
+  /// Ends the assignment of points: take_next_point() returns no further point.
+  virtual void close() = 0;
+};
+
+/// A function that is called with the state of the queue after each solved point. Several threads
+/// call the listener, but never concurrently. An exception of the listener ends the sweep.
+using QueueStateListener = std::function<void(const PointQueue::State&)>;
+
+/// The journal of a sweep, with a queue of the points that the journal lacks. A solved point moves
+/// from the queue to the journal.
+class JournaledQueue final : public PointSource {
+ public:
+  /// Opens the journal in the directory, or creates a new journal.
+  /// @throws the exceptions of Journal's constructor
+  JournaledQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
+                 QueueStateListener listener);
+
+  std::optional<std::size_t> take_next_point() override;
+  /// Writes the result of a solved point to the journal.
+  void store(SolvedPoint&& solved) override;
+  void close() override { closed_ = true; }
+
+  PointQueue::State state() const { return queue_.state(); }
+  /// A line of text about a resumed sweep: the number of points that are kept, the number of points
+  /// that remain, and the number of points that are solved again because of damaged lines. The text
+  /// is empty for a new journal.
+  std::string resumption_text() const;
+  /// The results of all solved points; points of earlier runs come first.
+  std::vector<PointResult> points() const { return points_; }
+
+ private:
+  const Plan& plan_;
+  std::filesystem::path directory_;
+  std::string journal_name_;
+  Journal journal_;
+  PointQueue queue_;
+  QueueStateListener listener_;
+  std::atomic<bool> closed_ = false;
+  std::mutex mutex_;
+  std::vector<PointResult> points_;
 };
 
 }  // namespace fpkcheck::sweep

@@ -2,80 +2,261 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
-#include "base/files/pending_files.hpp"
-#include "base/process/exit_blocker.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
-#include "results/marginals_csv.hpp"
+#include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {
-void write_marginals(const Plan& plan, const std::filesystem::path& directory,
-                     const SolvedPoint& solved) {
-  if (solved.curves.empty()) return;
-  const base::ExitBlocker in_hand;
-  std::filesystem::create_directories(directory / "marginals");
-  const std::vector<results::CaseResult> cases{{.problem = plan.problem_at(solved.result.point),
-                                                .solutions = {},
-                                                .pairs = {},
-                                                .budget = {},
-                                                .limits = {},
-                                                .curves = solved.curves,
-                                                .joints = {}}};
-  std::ostringstream text;
-  results::write_marginals_csv(text, cases);
-  base::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
-                   text.str());
+namespace {
+
+/// Exponential backoff between two polls for messages, since each poll takes processor time from
+/// the solver threads. The waiting time delays no solver thread, since a point is in reserve on
+/// each rank.
+class Backoff {
+ public:
+  void wait() {
+    std::this_thread::sleep_for(next_);
+    next_ = std::min(2 * next_, kLongest);
+  }
+  void reset() { next_ = kShortest; }
+
+ private:
+  static constexpr std::chrono::microseconds kShortest{100}, kLongest{20000};
+  std::chrono::microseconds next_ = kShortest;
+};
+
+// The first letter of a worker's message is its type. The coordinator replies to each request and
+// to each result with the number of the worker's next point, or with kNoPointsLeft.
+constexpr char kRequest = 'w';   // request for a point
+constexpr char kSolved = 's';    // result of a point, and the next request
+constexpr char kFailed = 'f';    // text of an exception; final message
+constexpr char kFinished = 'b';  // final message
+constexpr const char* kNoPointsLeft = "none";
+
+std::optional<std::size_t> point_of_reply(const std::string& text) {
+  std::size_t point = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), point);
+  return error == std::errc() ? std::optional(point) : std::nullopt;
 }
 
-JournaledQueue::JournaledQueue(const Plan& plan, const std::filesystem::path& directory,
-                               const Shard& shard, QueueStateListener listener)
-    : plan_(plan),
-      directory_(directory),
-      journal_name_(shard.journal_name()),
-      journal_(directory / journal_name_, plan),
-      queue_(plan, shard.points(plan.points.size()), journal_.initial_content().points),
-      listener_(std::move(listener)),
-      points_(journal_.initial_content().points) {}
+/// The solver threads of a rank, on which the points are solved while the thread of the owner
+/// exchanges messages with the other ranks.
+class BackgroundSolver {
+ public:
+  BackgroundSolver(const Plan& plan, PointSource& points, int threads)
+      : points_(points), solving_(std::async(std::launch::async, [&plan, &points, threads] {
+          solve_remaining_points(plan, points, threads);
+        })) {}
+  ~BackgroundSolver() { points_.close(); }  // the destructor of solving_ joins the threads
+  BackgroundSolver(const BackgroundSolver&) = delete;
+  BackgroundSolver& operator=(const BackgroundSolver&) = delete;
 
-std::string JournaledQueue::resumption_text() const {
-  const auto& [plan, points, damaged] = journal_.initial_content();
-  if (points.empty() && damaged == 0) return "";
-  const auto [done, total, remaining_seconds] = queue_.state();
-  std::string text =
-      fmt::format("resumed from {}: {} of {} points kept, {} to solve",
-                  base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
-  // A damaged line of the journal does not show which point the line contains.
-  if (damaged == 1) text += ", including the point of 1 damaged line";
-  if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
-  return text;
+  bool is_running() const {
+    return solving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  }
+  /// Joins the threads, and rethrows their first exception.
+  void join() { solving_.get(); }
+
+ private:
+  PointSource& points_;
+  std::future<void> solving_;
+};
+
+/// The points that the coordinator has assigned to a worker, and the results that the worker has
+/// not yet sent.
+class AssignedPoints final : public PointSource {
+ public:
+  AssignedPoints(const Plan& plan, std::filesystem::path directory)
+      : plan_(plan), directory_(std::move(directory)) {}
+
+  std::optional<std::size_t> take_next_point() override {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return closed_ || !waiting_.empty(); });
+    if (closed_ || base::stop_requested()) return std::nullopt;
+    const std::size_t point = waiting_.front();
+    waiting_.pop_front();
+    return point;
+  }
+  void store(SolvedPoint&& solved) override {
+    write_marginals(plan_, directory_, solved);
+    std::string text = kSolved + journal_line(solved.result);
+    const std::lock_guard lock(mutex_);
+    results_.push_back(std::move(text));
+  }
+  void close() override {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    changed_.notify_all();
+  }
+
+  void add(std::size_t point) {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(point);
+    changed_.notify_one();
+  }
+  /// Removes the messages with the results that have not been sent.
+  std::vector<std::string> take_results() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(results_, {});
+  }
+
+ private:
+  const Plan& plan_;
+  std::filesystem::path directory_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::size_t> waiting_;
+  std::vector<std::string> results_;
+  bool closed_ = false;
+};
+
+// Replies to the messages of the workers until each worker has sent its final message and the
+// solver threads of this rank have ended.
+// @param points the source of points; a null pointer if no point can be assigned
+// @param solver the solver threads of this rank; a null pointer if there are none
+// @return the first failure of a worker or of the journal; a null pointer if there was none
+std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
+                                 const BackgroundSolver* solver) {
+  std::exception_ptr failure;
+  const auto end_after = [&](const std::exception_ptr& why) {
+    if (!failure) failure = why;
+    if (points != nullptr) points->close();
+  };
+  Backoff backoff;
+  for (int workers = ranks.size() - 1;
+       workers > 0 || (solver != nullptr && solver->is_running());) {
+    const auto message = ranks.receive();
+    if (!message) {
+      backoff.wait();
+      continue;
+    }
+    backoff.reset();
+    const char type = message->text.at(0);
+    const std::string content = message->text.substr(1);
+    if (type == kFailed) {
+      end_after(std::make_exception_ptr(
+          std::runtime_error(fmt::format("rank {}: {}", message->from, content))));
+    }
+    if (type == kFailed || type == kFinished) {
+      --workers;
+      continue;
+    }
+    std::optional<std::size_t> next;
+    if (points != nullptr) {
+      try {
+        if (type == kSolved) points->store({point_from_json(results::Json::parse(content)), {}});
+      } catch (...) {
+        end_after(std::current_exception());
+      }
+      next = points->take_next_point();
+    }
+    ranks.send(message->from, next ? std::to_string(*next) : kNoPointsLeft);
+  }
+  return failure;
 }
 
-std::optional<std::size_t> JournaledQueue::take_next_point() {
-  if (base::stop_requested()) return std::nullopt;
-  return queue_.take_next_point();
+void run_coordinator(const Plan& plan, JournaledQueue& points, base::Communicator& ranks,
+                     int threads) {
+  BackgroundSolver solver(plan, points, threads);
+  const auto failure = serve_workers(ranks, &points, &solver);
+  solver.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
-void JournaledQueue::store(SolvedPoint&& solved) {
-  queue_.record_solved(solved.result.point, solved.result.seconds);
-  const std::lock_guard lock(mutex_);
-  // The marginal densities must exist before the journal lists the point as solved.
-  write_marginals(plan_, directory_, solved);
-  journal_.append(solved.result);
-  points_.push_back(std::move(solved.result));
-  if (listener_) listener_(queue_.state());
+void run_worker(const Plan& plan, const std::filesystem::path& directory, base::Communicator& ranks,
+                int threads) {
+  constexpr int kCoordinator = 0;
+  AssignedPoints points(plan, directory);
+  BackgroundSolver solver(plan, points, threads);
+  // The number of open requests, which have no reply yet, exceeds the number of threads by one, so
+  // that one point is in reserve and no thread waits for a reply.
+  int open_requests = base::number_of_threads(threads) + 1, unsolved = 0;
+  for (int k = 0; k < open_requests; ++k) ranks.send(kCoordinator, std::string(1, kRequest));
+  Backoff backoff;
+  // The solver threads end before the last point only after an exception or a stop request.
+  while ((open_requests > 0 || unsolved > 0) && solver.is_running()) {
+    bool idle = true;
+    if (const auto message = ranks.receive()) {
+      idle = false;
+      --open_requests;
+      if (const auto point = point_of_reply(message->text)) {
+        ++unsolved;
+        points.add(*point);
+      }
+    }
+    for (const auto& text : points.take_results()) {
+      idle = false;
+      --unsolved;
+      ++open_requests;
+      ranks.send(kCoordinator, text);
+    }
+    if (idle) {
+      backoff.wait();
+    } else {
+      backoff.reset();
+    }
+  }
+  points.close();
+  try {
+    solver.join();
+  } catch (const std::exception& error) {
+    for (const auto& text : points.take_results()) ranks.send(kCoordinator, text);
+    ranks.send(kCoordinator, kFailed + std::string(error.what()));
+    throw;
+  }
+  ranks.send(kCoordinator, std::string(1, kFinished));
 }
 
-void solve_remaining_points(const Plan& plan, JournaledQueue& progress, int threads) {
+}  // namespace
+
+void solve_remaining_points(const Plan& plan, PointSource& points, int threads) {
   const int thread_count = base::number_of_threads(threads);
   base::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
-    for (auto point = progress.take_next_point(); point; point = progress.take_next_point()) {
-      progress.store(solve_point(plan, *point));
+    try {
+      for (auto point = points.take_next_point(); point; point = points.take_next_point()) {
+        points.store(solve_point(plan, *point));
+      }
+    } catch (...) {
+      points.close();
+      throw;
     }
   });
+}
+
+void solve_plan(const Plan& plan, const std::filesystem::path& directory, base::Communicator* ranks,
+                int threads, const std::function<JournaledQueue&()>& open_queue) {
+  if (ranks != nullptr && !ranks->is_first_rank()) {
+    run_worker(plan, directory, *ranks, threads);
+    return;
+  }
+  JournaledQueue* points = nullptr;
+  try {
+    points = &open_queue();
+  } catch (...) {
+    if (ranks != nullptr) serve_workers(*ranks, nullptr, nullptr);
+    throw;
+  }
+  if (ranks != nullptr) {
+    run_coordinator(plan, *points, *ranks, threads);
+  } else {
+    solve_remaining_points(plan, *points, threads);
+  }
 }
 
 }  // namespace fpkcheck::sweep

@@ -2,62 +2,29 @@
 
 #include <filesystem>
 #include <functional>
-#include <string>
-#include <vector>
 
+#include "base/mpi/communicator.hpp"
 #include "workflows/sweep/execution/point_queue.hpp"
-#include "workflows/sweep/execution/shard.hpp"
-#include "workflows/sweep/execution/solve_point.hpp"
 #include "workflows/sweep/plan/plan.hpp"
-#include "workflows/sweep/result/journal.hpp"
 
 namespace fpkcheck::sweep {
 
-/// A function that is called with the state of the queue after each solved point. Several threads
-/// call the listener, but never concurrently. An exception of the listener ends the sweep.
-using QueueStateListener = std::function<void(const PointQueue::State&)>;
-
-/// The journal of a sweep, with a queue of the points that the journal lacks. A solved point moves
-/// from the queue to the journal. The class is thread-safe.
-class JournaledQueue {
- public:
-  /// Opens the journal in the directory, or creates a new journal.
-  /// @throws the exceptions of Journal's constructor
-  JournaledQueue(const Plan& plan, const std::filesystem::path& directory, const Shard& shard,
-                 QueueStateListener listener);
-
-  /// Removes the next point from the queue; empty if no point remains, or after a stop request.
-  std::optional<std::size_t> take_next_point();
-  /// Writes the result of a solved point to the journal.
-  void store(SolvedPoint&& solved);
-
-  PointQueue::State state() const { return queue_.state(); }
-  /// A line of text about a resumed sweep: the number of points that are kept, the number of points
-  /// that remain, and the number of points that are solved again because of damaged lines. The text
-  /// is empty for a new journal.
-  std::string resumption_text() const;
-  /// The results of all solved points; points of earlier runs come first.
-  std::vector<PointResult> points() const { return points_; }
-
- private:
-  const Plan& plan_;
-  std::filesystem::path directory_;
-  std::string journal_name_;
-  Journal journal_;
-  PointQueue queue_;
-  QueueStateListener listener_;
-  std::mutex mutex_;
-  std::vector<PointResult> points_;
-};
-
-/// Writes the marginal densities of a point to marginals/NUMBER.csv. No file is written if the
-/// point has no marginal density.
-/// @throws std::runtime_error with a message of one line
-void write_marginals(const Plan& plan, const std::filesystem::path& directory,
-                     const SolvedPoint& solved);
-
-/// Solves the remaining points of the queue; each thread solves one point at a time.
+/// Solves the remaining points of a source; each thread solves one point at a time. After an
+/// exception on a thread, the points in progress are completed, and the exception is rethrown.
 /// @param threads number of threads; 0 for one thread per processor
-void solve_remaining_points(const Plan& plan, JournaledQueue& progress, int threads);
+void solve_remaining_points(const Plan& plan, PointSource& points, int threads);
+
+/// Solves the remaining points of a plan on the threads of this process or, under MPI, of all
+/// ranks, each of which calls this function. The first rank, the coordinator, writes the journal,
+/// assigns points to free threads (by decreasing expected time) and also solves points. The other
+/// ranks, the workers, only solve points. After an exception on a thread or a rank, the points in
+/// progress are completed, and the exception is rethrown.
+/// @param directory output directory for the marginal densities
+/// @param ranks the communicator of the MPI ranks; a null pointer without MPI
+/// @param threads number of threads of this rank; 0 for one thread per processor of the rank
+/// @param open_queue function that opens the journal; called on the first rank only. The workers
+///                   end if this function throws an exception.
+void solve_plan(const Plan& plan, const std::filesystem::path& directory, base::Communicator* ranks,
+                int threads, const std::function<JournaledQueue&()>& open_queue);
 
 }  // namespace fpkcheck::sweep

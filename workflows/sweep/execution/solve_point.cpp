@@ -5,15 +5,19 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <utility>
 
+#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "methods/complete_error_estimates.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
 #include "results/make_curve.hpp"
+#include "results/marginals_csv.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -136,6 +140,24 @@ SolvedPoint solve_point(const Plan& plan, std::size_t point) {
   solved_point.result.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solved_point;
+}
+
+void write_marginals(const Plan& plan, const std::filesystem::path& directory,
+                     const SolvedPoint& solved) {
+  if (solved.curves.empty()) return;
+  const base::ExitBlocker in_hand;
+  std::filesystem::create_directories(directory / "marginals");
+  const std::vector<results::CaseResult> cases{{.problem = plan.problem_at(solved.result.point),
+                                                .solutions = {},
+                                                .pairs = {},
+                                                .budget = {},
+                                                .limits = {},
+                                                .curves = solved.curves,
+                                                .joints = {}}};
+  std::ostringstream text;
+  results::write_marginals_csv(text, cases);
+  base::write_file(directory / "marginals" / fmt::format("{:06}.csv", solved.result.point),
+                   text.str());
 }
 
 }  // namespace fpkcheck::sweep

@@ -1,8 +1,124 @@
 #include "workflows/sweep/plan/plan.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "base/files/ini_file.hpp"
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/options/parse_enum.hpp"
+#include "base/text/sanitise.hpp"
+#include "problem/case_file.hpp"
+#include "problem/named_cases.hpp"
 
 namespace fpkcheck::sweep {
+namespace {
+
+void require_at_most_max_points(double count) {
+  if (count <= static_cast<double>(kMaxPoints)) return;
+  throw InputError(fmt::format("a plan of {:.3g} points (at most {}: vary less, or split the plan)",
+                               count, kMaxPoints));
+}
+
+void require_values(const Axis& axis) {
+  if (!axis.values.empty()) return;
+  throw InputError(fmt::format("{} has no number of points (write {}:N, or --design sobol)",
+                               axis.text(), axis.text()));
+}
+
+Points product(const std::vector<Axis>& axes) {
+  double count = 1;
+  for (const auto& axis : axes) {
+    require_values(axis);
+    count *= static_cast<double>(axis.values.size());
+    require_at_most_max_points(count);
+  }
+  Points points{{}};
+  for (const auto& axis : axes) {
+    Points longer;
+    for (const auto& point : points) {
+      for (const auto& value : axis.values) {
+        longer.push_back(point);
+        longer.back().push_back(value);
+      }
+    }
+    points = std::move(longer);
+  }
+  return points;
+}
+
+Points list(const std::vector<Axis>& axes) {
+  for (const auto& axis : axes) {
+    require_values(axis);
+    if (axis.values.size() == axes.front().values.size()) continue;
+    throw InputError(
+        fmt::format("{} has {} values and {} has {} (in a list all keys must have as many)",
+                    axes.front().key, axes.front().values.size(), axis.key, axis.values.size()));
+  }
+  Points points(axes.front().values.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (const auto& axis : axes) points[k].push_back(axis.values[k]);
+  }
+  return points;
+}
+
+// The Sobol sequence without its first point, which is a corner of the box (Sobol 1967; direction
+// numbers of Joe and Kuo 2008).
+Points sobol(const std::vector<Axis>& axes, std::size_t count) {
+  if (count == 0) {
+    throw InputError("the design sobol has no number of points (give --points N)");
+  }
+  require_at_most_max_points(static_cast<double>(count));
+  for (const auto& axis : axes) {
+    if (axis.spacing == Spacing::listed) {
+      throw InputError(
+          fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)", axis.text()));
+    }
+    if (!axis.values.empty()) {
+      throw InputError(fmt::format(
+          "{} with the design sobol (--points sets the number: give FROM:TO)", axis.text()));
+    }
+  }
+  boost::random::sobol engine(axes.size());
+  const double above = static_cast<double>(boost::random::sobol::max()) + 1;
+  Points points(count);
+  for (auto& point : points) {
+    for (const auto& axis : axes) {
+      point.emplace_back(axis.value_at_fraction(static_cast<double>(engine()) / above));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points) {
+  if (axes.empty()) {
+    throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
+  }
+  for (const auto& axis : axes) {
+    if (std::ranges::count(axes, axis.key, &Axis::key) > 1) {
+      throw InputError(fmt::format("{} is varied twice (keep one)", axis.key));
+    }
+  }
+  if (design != PlanDesign::sobol && sobol_points != 0) {
+    throw InputError("a number of points without the design sobol (the values of the axes set it)");
+  }
+  switch (design) {
+    case PlanDesign::product:
+      return product(axes);
+    case PlanDesign::list:
+      return list(axes);
+    case PlanDesign::sobol:
+      return sobol(axes, sobol_points);
+  }
+  return {};
+}
 
 problem::Problem Plan::problem_at(std::size_t point) const {
   auto sections = problem::sections(base);
@@ -21,6 +137,90 @@ problem::Problem Plan::problem_at(std::size_t point) const {
     value->value = points[point][a];
   }
   return problem::problem_from_sections(base.name, sections);
+}
+
+namespace {
+
+using base::in_quotes;
+using base::IniSetting;
+
+constexpr const char* kSweep = "sweep";
+constexpr const char* kVary = "vary";
+
+std::size_t parse_point_count(const IniSetting& line) {
+  std::size_t count = 0;
+  const char *const begin = line.text.data(), *const end = begin + line.text.size();
+  if (std::from_chars(begin, end, count).ptr == end && count > 0 && count <= kMaxPoints) {
+    return count;
+  }
+  throw InputError(fmt::format("{}: points {} (must be an integer, 1 .. {})", line.where,
+                               in_quotes(line.text), kMaxPoints));
+}
+
+/// The lines of the section [sweep], by key.
+using SweepLines = std::map<std::string, IniSetting>;
+
+SweepLines sweep_lines(const std::vector<IniSetting>& all) {
+  SweepLines lines;
+  for (const auto& line : all) {
+    if (line.section != kSweep) continue;
+    if (!lines.emplace(line.key, line).second) {
+      throw InputError(
+          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+PlanSpecification read_plan(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides) {
+  constexpr std::size_t kMaxBytes = 1 << 20;
+  const bool named = problem::find_built_in_case(name_or_path) != nullptr;
+  const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMaxBytes);
+  if (!text) return {problem::load_case(name_or_path, overrides)};
+
+  std::istringstream ini(*text);
+  const std::string where = fmt::format("plan {}", base::sanitise(name_or_path));
+  const auto all = base::read_ini_settings(ini, where);
+  std::vector<IniSetting> of_case;
+  std::ranges::copy_if(all, std::back_inserter(of_case), [](const IniSetting& line) {
+    return line.section != kSweep && line.section != kVary;
+  });
+  if (of_case.size() == all.size()) return {problem::load_case(name_or_path, overrides)};
+
+  const SweepLines lines = sweep_lines(all);
+  const auto base_case = lines.find("case");
+  if (base_case != lines.end() && !of_case.empty()) {
+    throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
+                                 of_case.front().section));
+  }
+  PlanSpecification plan{base_case != lines.end()
+                             ? problem::load_case(base_case->second.text, overrides)
+                             : problem::case_from_settings(
+                                   of_case, std::filesystem::path(name_or_path).stem().string(),
+                                   where, overrides, problem::CaseNaming::from_file,
+                                   std::filesystem::path(name_or_path).parent_path())};
+  for (const auto& line : all) {
+    if (line.section == kVary) plan.axes.push_back(parse_axis(line.key, line.text, line.where));
+  }
+  for (const auto& [key, line] : lines) {
+    if (key == "case") continue;
+    if (key == "design") {
+      plan.design = base::parse_enum<PlanDesign>(line.where + ": design", line.text);
+    } else if (key == "closure_errors") {
+      plan.closure_errors =
+          base::parse_enum<ClosureErrorSource>(line.where + ": closure_errors", line.text);
+    } else if (key == "points") {
+      plan.points = parse_point_count(line);
+    } else if (key == "methods") {
+      plan.methods = line.text;
+    } else {
+      plan.options.push_back(line);
+    }
+  }
+  return plan;
 }
 
 }  // namespace fpkcheck::sweep

@@ -1,16 +1,46 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/files/ini_file.hpp"
 #include "base/options/enum_names.hpp"
 #include "methods/method.hpp"
 #include "problem/problem.hpp"
-#include "workflows/sweep/plan/points.hpp"
+#include "workflows/sweep/plan/axis.hpp"
 
 namespace fpkcheck::sweep {
+
+/// The design of a plan: the rule by which the axes determine the points.
+enum class PlanDesign {
+  product,  ///< Cartesian product of the axes; the last axis varies fastest
+  list,     ///< point k has the k-th value of every axis
+  sobol     ///< a Sobol sequence in the box of the ranges
+};
+inline constexpr base::EnumEntry<PlanDesign> kPlanDesignNames[] = {
+    {PlanDesign::product, "product", "every value with every other"},
+    {PlanDesign::list, "list", "the k-th values of all keys together"},
+    {PlanDesign::sobol, "sobol", "N points of a Sobol sequence in the box of the ranges"}};
+constexpr std::span<const base::EnumEntry<PlanDesign>> enumerator_names(PlanDesign) {
+  return kPlanDesignNames;
+}
+constexpr std::string_view name(PlanDesign design) { return base::name_of(design); }
+
+inline constexpr std::size_t kMaxPoints = 1'000'000;
+
+/// The points of a plan. A point has a value of each axis, in the order of the axes.
+using Points = std::vector<std::vector<base::Value>>;
+
+/// Makes the points of a plan from axes and design.
+/// @param sobol_points number of points for the design sobol; 0 for other designs
+/// @throws InputError with a message of one line if axes and design are inconsistent, or if the
+///         plan has more than kMaxPoints points
+Points make_points(const std::vector<Axis>& axes, PlanDesign design, std::size_t sobol_points);
 
 /// The source of the error estimates of closures in a sweep.
 enum class ClosureErrorSource {
@@ -41,5 +71,37 @@ struct Plan {
   /// @throws InputError if the values are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
+
+/// A parsed plan that has the names of methods instead of the methods: a registry makes the methods
+/// from these names.
+struct PlanSpecification {
+  problem::Problem base;
+  std::vector<Axis> axes{};
+  std::optional<PlanDesign> design{};
+  std::optional<ClosureErrorSource> closure_errors{};
+  std::optional<std::size_t> points{};
+  std::optional<std::string> methods{};
+  std::vector<base::IniSetting> options{};  ///< options of the methods: all other lines of [sweep]
+};
+
+/// Reads a case (as problem::load_case) or a plan. A plan is a case file with two additional
+/// sections:
+///
+///     [sweep]
+///     case = case1            ; instead of [system] and [impulse]
+///     methods = epc,fd-kf
+///     design = product        ; or list, sobol
+///     points = 1000           ; for the design sobol
+///     closure_errors = residuals   ; or reference
+///     max_seconds = 5         ; an option of the methods
+///     [vary]
+///     system.restitution = 0.5:0.99:50
+///     impulse.rate = log:0.2:20:9
+///
+/// @param name_or_path "case1" .. "case4", a case file or a plan
+/// @param overrides "key=value" pairs that replace values of the case
+/// @throws InputError with a message of one line
+PlanSpecification read_plan(const std::string& name_or_path,
+                            const std::vector<std::string>& overrides);
 
 }  // namespace fpkcheck::sweep

@@ -12,8 +12,7 @@
 #include "base/process/exit_blocker.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/crc32.hpp"
-#include "workflows/sweep/plan/plan_json.hpp"
-#include "workflows/sweep/result/point_json.hpp"
+#include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {
 namespace {

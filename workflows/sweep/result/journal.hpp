@@ -7,7 +7,7 @@
 
 #include "base/files/line_log.hpp"
 #include "workflows/sweep/plan/plan.hpp"
-#include "workflows/sweep/result/point_result.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 

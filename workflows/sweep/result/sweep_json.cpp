@@ -1,11 +1,229 @@
+#include "workflows/sweep/result/sweep_json.hpp"
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
 #include "results/json.hpp"
-#include "workflows/sweep/plan/plan_json.hpp"
-#include "workflows/sweep/result/point_json.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
+namespace {
+
+using results::Json;
+
+Json axis_json(const Axis& axis) {
+  Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
+  if (axis.spacing != Spacing::listed) {
+    json["from"] = axis.from;
+    json["to"] = axis.to;
+  }
+  json["values"] = Json::array();
+  for (const auto& value : axis.values) json["values"].push_back(results::value_json(value));
+  return json;
+}
+
+template <class Enum>
+Enum enum_from_json(const Json& json) {
+  const auto text = json.get<std::string>();
+  const auto value = base::enum_from_name<Enum>(text);
+  if (!value) throw InputError(fmt::format("{} is unknown", base::in_quotes(text)));
+  return *value;
+}
+
+// Converts an integer to a double: JSON does not distinguish 1 from 1.0, and all numeric values of
+// keys are doubles.
+base::Value integer_to_double(base::Value value) {
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole == nullptr ? value : static_cast<double>(*whole);
+}
+
+Axis axis_from_json(const Json& json) {
+  Axis axis{.key = json.at("key"), .spacing = enum_from_json<Spacing>(json.at("spacing"))};
+  if (axis.spacing != Spacing::listed) {
+    axis.from = json.at("from");
+    axis.to = json.at("to");
+  }
+  for (const auto& value : json.at("values")) {
+    axis.values.push_back(integer_to_double(results::value_from_json(value)));
+  }
+  return axis;
+}
+
+methods::Method method_from_json(const Json& json, const methods::Registry& registry) {
+  const auto solver = json.at("method").get<std::string>();
+  const auto* found = registry.find_solver(solver);
+  if (found == nullptr) {
+    throw InputError(fmt::format("solver {} is unknown", base::in_quotes(solver)));
+  }
+  return registry.make_method(*found, results::values_from_json(json.at("options")));
+}
+
+// The name of an element of a list, for error messages.
+std::string element_title(const Json& json) {
+  for (const char* field : {"id", "key"}) {
+    if (json.is_object() && json.contains(field)) return results::json_text(json.at(field));
+  }
+  return json.is_structured() ? "" : results::json_text(json);
+}
+
+std::string element_titles(const Json& list) {
+  std::string text;
+  for (const auto& element : list) text += (text.empty() ? "" : ", ") + element_title(element);
+  return base::sanitise(text);
+}
+
+// The text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty if there is
+// no difference.
+std::string first_difference(const std::string& where, const Json& was, const Json& is) {
+  if (was == is) return "";
+  if (was.is_object() && is.is_object()) {
+    for (const auto& [key, value] : is.items()) {
+      const auto difference =
+          first_difference(where + ' ' + key, was.contains(key) ? was.at(key) : Json(), value);
+      if (!difference.empty()) return difference;
+    }
+  }
+  if (was.is_array() && is.is_array()) {
+    const std::string titles_then = element_titles(was), titles_now = element_titles(is);
+    if (titles_then != titles_now || was.size() != is.size()) {
+      return fmt::format("{}: {} then, {} now", where, titles_then, titles_now);
+    }
+    for (std::size_t k = 0; k < is.size(); ++k) {
+      const auto difference = first_difference(where + ' ' + element_title(is[k]), was[k], is[k]);
+      if (!difference.empty()) return difference;
+    }
+  }
+  return fmt::format("{}: {} then, {} now", where, base::sanitise(was.dump()),
+                     base::sanitise(is.dump()));
+}
+
+}  // namespace
+
+Json plan_json(const Plan& plan) {
+  Json json{{"case", results::problem_json(plan.base)},
+            {"vary", Json::array()},
+            {"design", name(plan.design)},
+            {"points", plan.sobol_points},
+            {"marginals", plan.marginals},
+            {"closure_errors", name(plan.closure_errors)},
+            {"methods", Json::array()}};
+  for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
+  for (const auto& method : plan.methods) {
+    json["methods"].push_back({{"id", method.id()},
+                               {"method", method.identity.method},
+                               {"options", results::values_json(method.options)}});
+  }
+  return json;
+}
+
+Plan plan_from_json(const Json& json, const methods::Registry& registry) {
+  Plan plan{.base = results::problem_from_json(json.at("case")),
+            .axes = {},
+            .design = enum_from_json<PlanDesign>(json.at("design")),
+            .sobol_points = json.at("points"),
+            .marginals = json.at("marginals"),
+            .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
+  for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
+  for (const auto& method : json.at("methods")) {
+    plan.methods.push_back(method_from_json(method, registry));
+  }
+  plan.points = make_points(plan.axes, plan.design, plan.sobol_points);
+  return plan;
+}
+
+std::string plan_difference(const Json& before, const Json& now) {
+  for (const char* part :
+       {"methods", "vary", "design", "points", "marginals", "closure_errors", "case"}) {
+    const Json was = before.contains(part) ? before.at(part) : Json();
+    const std::string difference = first_difference(part, was, now.at(part));
+    if (!difference.empty()) return difference;
+  }
+  return "";
+}
+
+namespace {
+
+using results::Json;
+using transform::Moments;
+
+Json pair_json(const MarginalL1Pair& pair) { return {pair.y, pair.ydot}; }
+
+MarginalL1Pair pair_from_json(const Json& json) {
+  const auto number = [&](std::size_t k) {
+    const Json& value = json.at(k);
+    return value.is_null() ? results::kNotANumber : value.get<double>();
+  };
+  return {number(0), number(1)};
+}
+
+Json method_json(const MethodResult& result) {
+  Json json{{"status", name(result.status)}, {"seconds", result.seconds}};
+  if (!result.reason.empty()) json["reason"] = result.reason;
+  if (result.moments) {
+    json["moments"] = Json::array();
+    for (const auto& moment : transform::kMoments) {
+      json["moments"].push_back((*result.moments).*moment.moment);
+    }
+  }
+  if (result.l1) json["l1"] = pair_json(*result.l1);
+  if (result.error) json["error"] = pair_json(*result.error);
+  for (const auto& share : result.budget) json["budget"][share.part] = pair_json(share.l1);
+  return json;
+}
+
+MethodResult method_from_json(const Json& json) {
+  const auto text = json.at("status").get<std::string>();
+  const auto status = base::enum_from_name<transform::Status>(text);
+  if (!status) throw InputError(fmt::format("status {} is unknown", base::in_quotes(text)));
+  MethodResult result{.status = *status, .seconds = json.at("seconds")};
+  if (json.contains("reason")) result.reason = json.at("reason");
+  if (json.contains("moments")) {
+    result.moments.emplace();
+    std::size_t k = 0;
+    for (const auto& moment : transform::kMoments) {
+      const Json& value = json.at("moments").at(k++);
+      (*result.moments).*moment.moment =
+          value.is_null() ? results::kNotANumber : value.get<double>();
+    }
+  }
+  if (json.contains("l1")) result.l1 = pair_from_json(json.at("l1"));
+  if (json.contains("error")) result.error = pair_from_json(json.at("error"));
+  if (json.contains("budget")) {
+    for (const auto& [part, l1] : json.at("budget").items()) {
+      result.budget.push_back({part, pair_from_json(l1)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Json point_json(const PointResult& result) {
+  Json json{{"point", result.point},
+            {"seconds", result.seconds},
+            {"reference", result.reference},
+            {"methods", Json::array()}};
+  for (const auto& method : result.methods) json["methods"].push_back(method_json(method));
+  return json;
+}
+
+std::string journal_line(const PointResult& result) {
+  return results::with_null_for_non_finite(point_json(result))
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+PointResult point_from_json(const Json& json) {
+  PointResult result{.point = json.at("point").get<std::size_t>(),
+                     .seconds = json.value("seconds", 0.0),
+                     .reference = json.at("reference")};
+  for (const auto& method : json.at("methods")) {
+    result.methods.push_back(method_from_json(method));
+    if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
+  }
+  return result;
+}
 
 std::string json(const SweepResults& results, const std::string& command) {
   using results::Json;

@@ -1,9 +1,188 @@
 #include "workflows/sweep/result/sweep_results.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
 #include <utility>
 
+#include "base/input_error.hpp"
+#include "results/csv_field.hpp"
+#include "results/netcdf/problem_attributes.hpp"
+#include "results/netcdf/writer.hpp"
+#include "results/run.hpp"
+#include "workflows/sweep/map/validity_map.hpp"
+
 namespace fpkcheck::sweep {
+namespace {
+
+/// A number of each method's result: a column of sweep.csv and a variable of sweep.nc.
+struct ResultColumn {
+  std::string header;    ///< of the column of sweep.csv
+  std::string variable;  ///< name of the variable of sweep.nc
+  std::string meaning;   ///< description of the variable of sweep.nc
+  /// The number of a result; empty if the result has no such number.
+  std::function<std::optional<double>(const MethodResult&)> number;
+};
+
+std::vector<ResultColumn> moment_columns() {
+  std::vector<ResultColumn> columns;
+  for (const auto& moment : transform::kMoments) {
+    columns.push_back({moment.name, moment.name, moment.symbol,
+                       [member = moment.moment](const MethodResult& one) {
+                         return one.moments ? std::optional((*one.moments).*member) : std::nullopt;
+                       }});
+  }
+  return columns;
+}
+
+// The columns of the two marginal densities.
+// @param header, variable the names with "{}" in the place of the variable y or ydot
+std::vector<ResultColumn> marginal_columns(
+    const std::string& header, const std::string& variable, const std::string& meaning,
+    const std::function<std::optional<MarginalL1Pair>(const MethodResult&)>& pair) {
+  const auto column = [&](const char* name, const char* symbol, double MarginalL1Pair::*member) {
+    return ResultColumn{
+        fmt::format(fmt::runtime(header), name), fmt::format(fmt::runtime(variable), name),
+        fmt::format("{} of {}", meaning, symbol), [pair, member](const MethodResult& one) {
+          const auto found = pair(one);
+          return found ? std::optional((*found).*member) : std::nullopt;
+        }};
+  };
+  return {column("y", "p(y)", &MarginalL1Pair::y), column("ydot", "p(y')", &MarginalL1Pair::ydot)};
+}
+
+std::vector<ResultColumn> distance_columns() {
+  return marginal_columns("l1_{}", "l1_{}", "L1 distance to the reference",
+                          [](const MethodResult& one) { return one.l1; });
+}
+
+// The columns of the error estimates, and of the parts of the error budgets.
+std::vector<ResultColumn> error_columns(const SweepResults& results) {
+  auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
+                                  [](const MethodResult& one) { return one.error; });
+  for (const auto& part : results.budget_parts()) {
+    // "closure + impact" becomes "closure_and_impact" in sweep.csv, "closure___impact" in sweep.nc.
+    std::string header = part, variable = part;
+    for (std::size_t at = header.find(" + "); at != header.npos; at = header.find(" + ")) {
+      header.replace(at, 3, "_and_");
+    }
+    std::ranges::replace(header, ' ', '_');
+    std::ranges::replace(variable, ' ', '_');
+    std::ranges::replace(variable, '+', '_');
+    std::ranges::move(
+        marginal_columns("budget_{}_" + header, "budget_" + variable + "_{}",
+                         fmt::format("contribution of \"{}\" to the L1 distance", part),
+                         [part](const MethodResult& one) -> std::optional<MarginalL1Pair> {
+                           const auto share =
+                               std::ranges::find(one.budget, part, &BudgetContribution::part);
+                           if (share == one.budget.end()) return std::nullopt;
+                           return share->l1;
+                         }),
+        std::back_inserter(columns));
+  }
+  return columns;
+}
+
+std::string value_cell(const base::Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{}", *number)
+                           : results::csv_field(std::get<std::string>(value));
+}
+
+// The cells are empty if the values of the point are inconsistent.
+std::string groups_cells(const Plan& plan, std::size_t point) {
+  try {
+    const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));
+    return fmt::format("{:.4g},{:.4g},{:.4g}", groups.impulses_per_decay_time, groups.damping_ratio,
+                       groups.cubic_share);
+  } catch (const InputError&) {
+    return ",,";
+  }
+}
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// A writer of a netCDF file that has the dimensions of a plan.
+class SweepNetcdfFile {
+ public:
+  SweepNetcdfFile(results::NetCdfWriter& file, const SweepResults& results)
+      : file_(file), results_(results) {
+    const Plan& plan = results.plan;
+    if (plan.design == PlanDesign::product) {
+      for (const auto& axis : plan.axes) {
+        dimensions_.push_back(file_.define_dimension(axis.key, axis.values.size()));
+        coordinate(axis.key, dimensions_.back(), axis.values);
+      }
+    } else {
+      dimensions_.push_back(file_.define_dimension("point", plan.points.size()));
+      for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+        std::vector<base::Value> values;
+        for (const auto& point : plan.points) values.push_back(point[a]);
+        coordinate(plan.axes[a].key, dimensions_.back(), values);
+      }
+    }
+    std::vector<std::string> ids;
+    for (const auto& method : plan.methods) ids.push_back(method.id());
+    solution_ = file_.define_dimension("solution", ids.size());
+    file_.write_labels("solution", solution_, ids);
+  }
+
+  /// @return the variable's id
+  int write_variable(const ResultColumn& column, double missing_value = kMissing) {
+    const std::size_t methods = results_.plan.methods.size();
+    std::vector<double> values(results_.plan.points.size() * methods, missing_value);
+    for (const auto& point : results_.points) {
+      for (std::size_t m = 0; m < methods; ++m) {
+        values[point.point * methods + m] = column.number(point.methods[m]).value_or(missing_value);
+      }
+    }
+    auto dimensions = dimensions_;
+    dimensions.push_back(solution_);
+    return file_.write_compressed_doubles(column.variable, dimensions, column.meaning, values);
+  }
+  void write_variables(const std::vector<ResultColumn>& columns) {
+    for (const auto& column : columns) write_variable(column);
+  }
+
+  void write_references() {
+    std::vector<double> values(results_.plan.points.size(), -1);
+    for (const auto& point : results_.points) {
+      const auto& methods = results_.plan.methods;
+      const auto found = std::ranges::find_if(
+          methods, [&](const methods::Method& method) { return method.id() == point.reference; });
+      if (found != methods.end()) {
+        values[point.point] = static_cast<double>(found - methods.begin());
+      }
+    }
+    file_.write_compressed_doubles("reference", dimensions_,
+                                   "index of the reference solution, or -1", values);
+  }
+
+ private:
+  void coordinate(const std::string& key, int dimension, const std::vector<base::Value>& values) {
+    if (std::holds_alternative<std::string>(values.front())) {
+      std::vector<std::string> words;
+      for (const auto& value : values) words.push_back(std::get<std::string>(value));
+      file_.write_labels(key, dimension, words);
+      return;
+    }
+    std::vector<double> numbers;
+    for (const auto& value : values) numbers.push_back(std::get<double>(value));
+    file_.write_variable(key, {dimension}, key, numbers);
+  }
+
+  results::NetCdfWriter& file_;
+  const SweepResults& results_;
+  std::vector<int> dimensions_;  // dimensions of the points
+  int solution_ = 0;
+};
+
+}  // namespace
 
 SweepResults make_sweep_results(Plan plan, std::vector<PointResult> points) {
   std::ranges::sort(points, {}, &PointResult::point);
@@ -20,6 +199,78 @@ std::vector<std::string> SweepResults::budget_parts() const {
     }
   }
   return names;
+}
+
+std::string csv(const SweepResults& results) {
+  const Plan& plan = results.plan;
+  const auto moments = moment_columns(), distances = distance_columns();
+  const auto errors = error_columns(results);
+  std::vector<std::string> header;
+  const auto add_headers = [&](const std::vector<ResultColumn>& columns) {
+    for (const auto& column : columns) header.push_back(column.header);
+  };
+  for (const auto& axis : plan.axes) header.push_back(axis.key);
+  header.insert(header.end(), {"solution", "status", "reason"});
+  add_headers(moments);
+  add_headers(distances);
+  header.insert(header.end(), {"reference", "seconds"});
+  add_headers(errors);
+  header.insert(header.end(), {"impulses_per_decay_time", "damping_ratio", "cubic_share"});
+  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  for (const auto& point : results.points) {
+    std::string keys;
+    for (const auto& value : plan.points[point.point]) keys += value_cell(value) + ',';
+    const std::string groups = groups_cells(plan, point.point);
+    for (std::size_t m = 0; m < point.methods.size(); ++m) {
+      const MethodResult& method = point.methods[m];
+      std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
+                                     results::csv_field(method.reason)};
+      // Ten digits exceed the accuracy of every solver, and keep the file small.
+      const auto add_cells = [&](const std::vector<ResultColumn>& columns) {
+        for (const auto& column : columns) {
+          const auto number = column.number(method);
+          cells.push_back(number && std::isfinite(*number) ? fmt::format("{:.10g}", *number) : "");
+        }
+      };
+      add_cells(moments);
+      add_cells(distances);
+      cells.push_back(point.reference);
+      cells.push_back(fmt::format("{:.3g}", method.seconds));
+      add_cells(errors);
+      text += fmt::format("{}{},{}\n", keys, fmt::join(cells, ","), groups);
+    }
+  }
+  return text;
+}
+
+std::string netcdf(const SweepResults& results, const std::string& command) {
+  results::NetCdfWriter file;
+  const auto program = results::this_program(command);
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title", "solutions over the parameters of an oscillator");
+  file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
+  file.write_attribute("command", program.command);
+  file.write_attribute("case", results.plan.base.name);
+  results::write_problem_attributes(file, results.plan.base);
+
+  SweepNetcdfFile sweep(file, results);
+  const ResultColumn statuses{{}, "status", "status of the solution", [](const MethodResult& one) {
+                                return static_cast<double>(one.status);
+                              }};
+  const int status = sweep.write_variable(statuses, -1);
+  std::string values;
+  for (const auto& entry : transform::kStatusNames) {
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", static_cast<int>(entry.value),
+                          entry.name);
+  }
+  file.write_attribute("flags", values + ", -1 not solved", status);
+  sweep.write_variables(moment_columns());
+  sweep.write_variables(distance_columns());
+  sweep.write_variables(error_columns(results));
+  sweep.write_variable(
+      {{}, "seconds", "wall-clock time", [](const MethodResult& one) { return one.seconds; }});
+  sweep.write_references();
+  return file.close_and_take_bytes();
 }
 
 }  // namespace fpkcheck::sweep

@@ -14,7 +14,7 @@
 #include "report/page/parts.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 #include "workflows/sweep/report/figure/sweep_view.hpp"
-#include "workflows/sweep/report/method_columns.hpp"
+#include "workflows/sweep/report/tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {

@@ -3,6 +3,7 @@
 #include "methods/registry.hpp"
 #include "results/json.hpp"
 #include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -16,5 +17,17 @@ Plan plan_from_json(const results::Json& json, const methods::Registry& registry
 
 /// The text that describes the first difference between two plans; empty if the plans are equal.
 std::string plan_difference(const results::Json& before, const results::Json& now);
+
+/// The JSON of a point's result for a line of the journal. The keys are short, since a journal has
+/// many lines.
+results::Json point_json(const PointResult& result);
+
+/// The JSON of point_json as one line of text; control characters in texts are escaped, and invalid
+/// UTF-8 is replaced.
+std::string journal_line(const PointResult& result);
+
+/// Reads the result of a point from the JSON that point_json makes.
+/// @throws nlohmann::json::exception, InputError
+PointResult point_from_json(const results::Json& json);
 
 }  // namespace fpkcheck::sweep

@@ -1,19 +1,58 @@
-#include "workflows/sweep/execution/merge_journals.hpp"
-
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/input_error.hpp"
 #include "made_up_sweep.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/execution/shard.hpp"
+#include "workflows/sweep/execution/shards.hpp"
 #include "workflows/sweep/result/journal.hpp"
 
 namespace fpkcheck::sweep {
+namespace {
+
+TEST(Shard, EveryPointIsInOne) {
+  std::multiset<std::size_t> all;
+  for (std::size_t i = 1; i <= 4; ++i) {
+    for (const auto point : Shard{i, 4}.points(10)) all.insert(point);
+  }
+  EXPECT_EQ(all, (std::multiset<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ((Shard{2, 4}.points(10)), (std::vector<std::size_t>{1, 5, 9}));
+}
+
+TEST(Shard, IsReadFromTheNameOfItsJournal) {
+  const auto shard = shard_of_journal("journal.3-of-16");
+  ASSERT_TRUE(shard);
+  EXPECT_EQ(shard->number, 3u);
+  EXPECT_EQ(shard->of, 16u);
+  ASSERT_TRUE(shard_of_journal("journal"));
+  EXPECT_EQ(shard_of_journal("journal")->of, 1u);
+  for (const char* bad : {"", "journal.", "journal.old", "journal.3-of-2", "journal.1-of-2x"}) {
+    EXPECT_FALSE(shard_of_journal(bad)) << bad;
+  }
+}
+
+TEST(Shard, HoldsItsPoints) {
+  for (std::size_t i = 1; i <= 4; ++i) {
+    for (const auto point : Shard{i, 4}.points(10)) {
+      EXPECT_EQ(Shard::containing(point, 4).number, i);
+    }
+  }
+}
+
+TEST(Shard, IsReadFromITheSlashAndN) {
+  EXPECT_EQ(parse_shard("3/16").journal_name(), "journal.3-of-16");
+  EXPECT_EQ(Shard{}.journal_name(), "journal");
+  for (const char* bad : {"", "3", "0/4", "5/4", "1/", "/4", "1/4x", "-1/4", "1.5/4"}) {
+    EXPECT_THROW(parse_shard(bad), InputError) << bad;
+  }
+}
+
+}  // namespace
+
 namespace {
 
 void write_shard(const Plan& plan, const std::filesystem::path& directory, const Shard& shard) {
@@ -89,4 +128,5 @@ TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
 }
 
 }  // namespace
+
 }  // namespace fpkcheck::sweep

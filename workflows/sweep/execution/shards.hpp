@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "methods/registry.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -28,5 +32,17 @@ std::optional<Shard> shard_of_journal(std::string_view name);
 /// Parses the text i/N of a shard.
 /// @throws InputError if the text has another form
 Shard parse_shard(std::string_view text);
+
+/// The joined results of several journals of one sweep.
+struct MergedSweep {
+  SweepResults results;
+  std::vector<std::string> remarks{};  ///< on missing points and damaged lines
+};
+
+/// Reads all journals in the directories and joins their results.
+/// @throws InputError with a message of one line if a directory has no journal, or if the journals
+///         have different plans
+MergedSweep merge_journals(const std::vector<std::filesystem::path>& directories,
+                           const methods::Registry& registry);
 
 }  // namespace fpkcheck::sweep

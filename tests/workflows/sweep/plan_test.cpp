@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/input_error.hpp"
+#include "made_up_sweep.hpp"
+#include "temporary_directory.hpp"
+#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/result/sweep_json.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+const Axis kRates = parse_axis("impulse.rate", "1,2", "x");
+const Axis kLosses = parse_axis("system.restitution", "0.8,0.9,1", "x");
+
+TEST(Points, OfAProductTheLastAxisVariesFastest) {
+  const Points points = make_points({kRates, kLosses}, PlanDesign::product, 0);
+  ASSERT_EQ(points.size(), 6);
+  EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
+  EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
+}
+
+TEST(Points, OfAListHaveTheKthValues) {
+  const Axis two = parse_axis("system.restitution", "0.8,0.9", "x");
+  EXPECT_EQ(make_points({kRates, two}, PlanDesign::list, 0), (Points{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_THROW(make_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
+}
+
+// Each sixteenth of each range gets the same number of points, unlike random points.
+TEST(Points, OfASobolSequenceFillTheBoxEvenly) {
+  const std::vector<Axis> axes{parse_axis("impulse.rate", "log:0.1:10", "x"),
+                               parse_axis("system.restitution", "0.5:1", "x"),
+                               parse_axis("system.cubic", "1:2", "x")};
+  const Points points = make_points(axes, PlanDesign::sobol, 255);
+  ASSERT_EQ(points.size(), 255);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    std::array<int, 16> counts{};
+    for (const auto& point : points) {
+      const double value = std::get<double>(point[a]);
+      const double part = a == 0   ? (std::log10(value) + 1) / 2
+                          : a == 1 ? (value - 0.5) / 0.5
+                                   : value - 1;
+      ASSERT_GT(part, 0);
+      ASSERT_LT(part, 1);
+      ++counts[static_cast<std::size_t>(part * 16 + 1e-9)];
+    }
+    EXPECT_EQ(std::ranges::max(counts), 16);
+    EXPECT_EQ(std::ranges::min(counts), 15);  // without the corner
+  }
+}
+
+TEST(Points, RefusesInconsistentInput) {
+  EXPECT_THROW(make_points({}, PlanDesign::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates, kRates}, PlanDesign::product, 0), InputError);
+  EXPECT_THROW(make_points({kRates}, PlanDesign::product, 5), InputError);
+  EXPECT_THROW(make_points({kRates}, PlanDesign::sobol, 5), InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, PlanDesign::product, 0),
+               InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2", "x")}, PlanDesign::sobol, 0),
+               InputError);
+  EXPECT_THROW(make_points({parse_axis("impulse.rate", "1:2:2000", "x"),
+                            parse_axis("system.cubic", "1:2:2000", "x")},
+                           PlanDesign::product, 0),
+               InputError);
+}
+
+TEST(Plan, AProblemHasTheValuesOfItsPoint) {
+  const Plan plan = tests::small_plan();
+  const auto problem = plan.problem_at(4);
+  EXPECT_EQ(problem.impulses.arrival_rate(), 2);
+  EXPECT_EQ(problem.system.coefficients().restitution, 0.9);
+  EXPECT_EQ(problem.system.coefficients().cubic, plan.base.system.coefficients().cubic);
+  EXPECT_EQ(problem.name, plan.base.name);
+}
+
+}  // namespace
+
+namespace {
+
+class PlanFile : public testing::Test {
+ protected:
+  std::string file(const std::string& text) {
+    const auto path = directory_.path() / "mine.ini";
+    std::ofstream(path) << text;
+    return path.string();
+  }
+  std::string complaint(const std::string& text) {
+    try {
+      read_plan(file(text), {});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  tests::TemporaryDirectory directory_;
+};
+
+constexpr const char* kCase =
+    "[system]\ndamping = 0.2\nstiffness = 1\ncubic = 0\nrestitution = 0.9\n"
+    "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.1\n";
+
+TEST_F(PlanFile, HasACaseAndVariedKeys) {
+  const auto plan = read_plan(
+      file(std::string("[sweep]\nmethods = epc,fd-kf ; all of them\ndesign = sobol\npoints = 7\n"
+                       "accuracy = 0.1\n[vary]\nsystem.cubic = 0:1\nimpulse.rate=log:1:2\n") +
+           kCase),
+      {"system.damping=0.3"});
+  EXPECT_EQ(plan.base.name, "mine");
+  EXPECT_EQ(plan.base.system.coefficients().damping, 0.3);
+  ASSERT_EQ(plan.axes.size(), 2);
+  EXPECT_EQ(plan.axes[1].text(), "impulse.rate = log:1:2");
+  EXPECT_EQ(plan.design, PlanDesign::sobol);
+  EXPECT_EQ(plan.points, 7);
+  EXPECT_EQ(plan.methods, "epc,fd-kf");
+  ASSERT_EQ(plan.options.size(), 1);
+  EXPECT_EQ(plan.options[0].key, "accuracy");
+}
+
+TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
+  EXPECT_EQ(read_plan(file("[sweep]\ncase = case3\n[vary]\nsystem.cubic = 1,2\n"), {}).base.name,
+            "case3");
+  EXPECT_TRUE(read_plan(file(kCase), {}).axes.empty());
+  EXPECT_EQ(read_plan("case2", {}).base.name, "case2");
+}
+
+TEST_F(PlanFile, ReportsInvalidInputWithItsLine) {
+  EXPECT_NE(complaint("[sweep]\ncase = case1\n[system]\ndamping = 1\n").find(":2: a case beside"),
+            std::string::npos);
+  EXPECT_NE(complaint("[sweep]\ncase = case1\ncase = case2\n").find(":3: key 'sweep.case'"),
+            std::string::npos);
+  EXPECT_NE(complaint("[sweep]\ncase = case1\ndesign = all\n").find(":3: design 'all'"),
+            std::string::npos);
+  EXPECT_NE(complaint("[sweep]\ncase = case1\npoints = -1\n").find(":3: points '-1'"),
+            std::string::npos);
+  EXPECT_NE(complaint("[sweep]\ncase = case1\n[vary]\nsystem.colour = 1\n").find("system.colour"),
+            std::string::npos);
+  EXPECT_NE(complaint("[sweep]\n[vary]\nsystem.cubic = 1,2\n[system]\ndamping = 1\n")
+                .find("'system.stiffness' is missing"),
+            std::string::npos);
+}
+
+}  // namespace
+
+namespace {
+
+std::string difference(const Plan& before, const Plan& now) {
+  return plan_difference(plan_json(before), plan_json(now));
+}
+
+TEST(PlanJson, IsReadBackUnchanged) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.law", "gaussian,laplace", "x"),
+                                    parse_axis("system.cubic", "log:1:100:3", "x")});
+  const auto json = results::Json::parse(plan_json(plan).dump());
+  const Plan again = plan_from_json(json, methods::builtin_registry());
+  EXPECT_EQ(again.points, plan.points);
+  EXPECT_EQ(difference(plan, again), "");
+  EXPECT_EQ(again.methods[1].id(), "fd-kf");
+}
+
+TEST(PlanJson, ReportsTheFirstDifference) {
+  const Plan plan = tests::small_plan();
+  const auto with = [&](auto change) {
+    Plan other = tests::small_plan();
+    change(other);
+    return difference(plan, other);
+  };
+  EXPECT_EQ(with([](Plan& p) { p.marginals = true; }), "marginals: false then, true now");
+  EXPECT_EQ(with([](Plan& p) { p.closure_errors = ClosureErrorSource::residuals; }),
+            "closure_errors: \"reference\" then, \"residuals\" now");
+  EXPECT_NE(with([](Plan& p) { p.axes[0].values[1] = 3.0; }).find("impulse.rate"),
+            std::string::npos);
+  EXPECT_NE(with([](Plan& p) { p.methods.pop_back(); }).find("fd-kf"), std::string::npos);
+  EXPECT_NE(with([](Plan& p) {
+              p.base = tests::make_problem({.damping = 0.2});
+            }).find("case system damping: 0.1 then, 0.2 now"),
+            std::string::npos);
+  const std::string option = with([](Plan& p) {
+    p.methods =
+        methods::builtin_registry().select_methods("epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
+  });
+  EXPECT_NE(option.find("\"epc-gaussian-n2\" options accuracy: 0.02 then, 0.5 now"),
+            std::string::npos)
+      << option;
+}
+
+}  // namespace
+
+}  // namespace fpkcheck::sweep
