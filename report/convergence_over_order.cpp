@@ -22,11 +22,11 @@ std::vector<UncertaintyLine> uncertainty_lines(const ConvergenceOverOrder& dista
     const double l1 = distances.l1(*other);
     if (l1 > 0)
       all.push_back(
-          {fmt::format("distance of {} to {}", other->id(), distances.reference->id()), l1, "dot"});
+          {fmt::format("distance of {} to {}", other->id(), distances.reference->id()), l1, "(2,4)"});
   }
   const double own = compare::l1_error_estimate(*distances.reference, distances.variable);
   if (std::isfinite(own) && own > 0) {
-    all.push_back({"error estimate of " + distances.reference->id(), own, "dash"});
+    all.push_back({"error estimate of " + distances.reference->id(), own, "(8,4)"});
   }
   return all;
 }

@@ -17,7 +17,7 @@ namespace fpkcheck::report {
 struct UncertaintyLine {
   std::string name;
   double l1;
-  const char* dash;  ///< dash style of plotly.js: "dot" or "dash"
+  const char* dash;  ///< dash type of gnuplot
 };
 
 /// L1 distances of one marginal density to the reference of a case, by family and order. The

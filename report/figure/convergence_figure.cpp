@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "compare/reference.hpp"
 #include "report/convergence_over_order.hpp"
 #include "report/families.hpp"
+#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/ranges.hpp"
 #include "report/figure/script_parts.hpp"
 
 namespace fpkcheck::report {
@@ -20,18 +18,6 @@ using transform::Variable;
 
 std::string panel_title(Variable variable) {
   return variable == Variable::y ? "displacement" : "velocity";
-}
-
-/// The logarithmic axis that contains the coordinate of all points, with a margin for marks and
-/// labels.
-FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
-                            double FigurePoint::*coordinate) {
-  LogAxisRange range;
-  for (const auto& series : all) {
-    for (const auto& point : series.points) range.include(point.*coordinate);
-  }
-  const auto [from, to] = range.exponents(0.3, 0.4);
-  return {label, std::pow(10, from), std::pow(10, to), true};
 }
 
 FigureAxis distance_axis(Variable variable, const Solution& reference,
@@ -84,7 +70,7 @@ std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distanc
                         .open = !external_density->is_ok(),
                         .name = series.name}};
     } else {
-      series.dash = "longdash";
+      series.dash = "(20,6)";
       series.points = {{.x = x.from, .y = l1}, {.x = x.to, .y = l1}};
     }
     all.push_back(series);
@@ -128,7 +114,7 @@ std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
 }  // namespace
 
 Figure convergence_figure(const results::CaseResult& case_result) {
-  Figure figure;
+  Figure figure{.title = problem_title(case_result.problem)};
   for (const Variable variable : transform::kVariables) {
     const auto distances = convergence_over_order(case_result, variable);
     if (!distances) continue;
@@ -144,7 +130,7 @@ Figure convergence_figure(const results::CaseResult& case_result) {
 }
 
 Figure cost_figure(const results::CaseResult& case_result) {
-  Figure figure;
+  Figure figure{.title = problem_title(case_result.problem)};
   const Solution* reference = compare::select_reference(case_result.solutions);
   if (reference == nullptr) return figure;
   for (const Variable variable : transform::kVariables) {

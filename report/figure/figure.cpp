@@ -5,34 +5,59 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <set>
-#include <utility>
 
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
+#include "report/figure/ranges.hpp"
 #include "report/figure/script_parts.hpp"
 #include "report/figure/text.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
+// Width of a colour bar, and of a colour bar with tics and label, in pixels.
+constexpr int kColourBar = 14, kBesideMap = 110;
+
+/// The data blocks of a script. Series with the same points share a block.
+class DataBlocks {
+ public:
+  /// @param rows rows of the block, each ended by a newline
+  /// @return name of the block
+  std::string add(const std::string& rows) {
+    const auto [block, is_new] = names_.try_emplace(rows, fmt::format("data{}", names_.size()));
+    if (is_new) text_ += data_block(block->second, rows);
+    return '$' + block->second;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::map<std::string, std::string> names_;
+  std::string text_;
+};
+
+std::string number_cell(double value, bool is_logarithmic) {
+  return std::isfinite(value) && (value > 0 || !is_logarithmic) ? fmt::format("{:.6g}", value)
+                                                                : "NaN";
+}
+
 bool has_open_marks(const FigureSeries& series) {
   return !series.symbol.empty() && std::ranges::any_of(series.points, &FigurePoint::open);
 }
 
-const char* gnuplot_dash_type(const std::string& dash) {
-  return dash == "dot"        ? "(2,4)"
-         : dash == "dash"     ? "(8,4)"
-         : dash == "longdash" ? "(20,6)"
-                              : "solid";
-}
-
-// The style of a series after "with lines", "with points" or "with linespoints".
-std::string series_style(const FigureSeries& series) {
-  std::string style = fmt::format("linewidth {:g} linecolor rgb {}", series.line_width,
-                                  gnuplot_string(series.colour));
-  if (!series.dash.empty()) style += fmt::format(" dashtype {}", gnuplot_dash_type(series.dash));
+// The plot style of a series, in the colour of the series or of its legend entry. Styles may come
+// from a file: quoting prevents that a quotation mark in a colour ends the string.
+std::string series_style(const FigureSeries& series, const std::string& colour) {
+  std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}",
+                                  series.symbol.empty() ? "lines"
+                                  : series.dash.empty() ? "points"
+                                                        : "linespoints",
+                                  series.line_width, gnuplot_string(colour));
+  if (!series.dash.empty()) style += fmt::format(" dashtype {}", dash_type(series.dash));
   if (!series.symbol.empty()) {
     style += fmt::format(" pointtype {} pointsize {:g}", point_types(series.symbol).filled,
                          series.mark_size);
@@ -40,39 +65,73 @@ std::string series_style(const FigureSeries& series) {
   return style;
 }
 
-std::string series_kind(const FigureSeries& series) {
-  return series.symbol.empty() ? "lines" : series.dash.empty() ? "points" : "linespoints";
-}
-
 // An open mark is a white filled mark below the outline of the mark, so that the line does not
 // cross the mark.
-std::string series_plot(const FigureSeries& series, const std::string& block) {
-  std::string plot = fmt::format("${} using 1:2 with {} {} notitle", block, series_kind(series),
-                                 series_style(series));
-  if (!has_open_marks(series)) return plot;
+std::vector<std::string> series_plots(const FigureSeries& series, const FigurePanel& panel,
+                                      DataBlocks& blocks) {
+  std::string rows;
+  for (const auto& point : series.points) {
+    rows += fmt::format("{} {} {:d}\n", number_cell(point.x, panel.x.is_logarithmic),
+                        number_cell(point.y, panel.y.is_logarithmic), point.open);
+  }
+  const std::string block = blocks.add(rows);
+  std::vector<std::string> plots{
+      fmt::format("{} using 1:2 {} notitle", block, series_style(series, series.colour))};
+  if (!has_open_marks(series)) return plots;
   const auto [filled, open] = point_types(series.symbol);
   for (const auto& [type, colour] :
        {std::pair{filled, std::string("white")}, {open, series.colour}}) {
-    plot += fmt::format(
-        ", \\\n     ${} using 1:($3 == 1 ? $2 : NaN) with points linewidth {:g} linecolor rgb {} "
-        "pointtype {} pointsize {:g} notitle",
-        block, series.line_width, gnuplot_string(colour), type, series.mark_size);
+    plots.push_back(fmt::format(
+        "{} using 1:($3 == 1 ? $2 : NaN) with points linewidth {:g} linecolor rgb {} pointtype {} "
+        "pointsize {:g} notitle",
+        block, series.line_width, gnuplot_string(colour), type, series.mark_size));
   }
-  return plot;
+  return plots;
 }
 
-std::string series_block(char letter, std::size_t number) {
-  return fmt::format("{}{}", letter, number);
+std::string map_plot(const FigureHeatMap& map, DataBlocks& blocks) {
+  std::string rows;
+  for (std::size_t k = 0; k < map.values.size(); ++k) {
+    rows += fmt::format("{:.4g}{}", map.values[k], (k + 1) % map.columns == 0 ? '\n' : ' ');
+  }
+  const auto centres = [](const std::array<double, 2>& range, std::size_t cells) {
+    const double width = (range[1] - range[0]) / static_cast<double>(cells);
+    return fmt::format("{:.8g}+{:.8g}", range[0] + width / 2, width);
+  };
+  return fmt::format("{} matrix using ({}*$1):({}*$2):3 with image notitle", blocks.add(rows),
+                     centres(map.x_range, map.columns),
+                     centres(map.y_range, map.values.size() / map.columns));
 }
 
-std::string axis_commands(const FigureAxis& axis, char name) {
+/// @param name x, y, or cb for the colours of a map
+std::string axis_commands(const FigureAxis& axis, const std::string& name) {
+  std::vector<std::string> tics;
+  for (const auto& tic : axis.tics) {
+    tics.push_back(fmt::format("{} {:.6g}", gnuplot_text(tic.label), tic.place));
+  }
   return fmt::format(
-      "set {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n{5}", name,
-      gnuplot_text(axis.label), axis.from, axis.to,
-      axis.tic_step > 0 ? fmt::format("{:g}", axis.tic_step) : "autofreq",
-      axis.is_logarithmic
-          ? fmt::format("set logscale {0}\nset format {0} {1}\n", name, kPowerOfTenFormat)
-          : fmt::format("unset logscale {0}\nset format {0} '%g'\n", name));
+      "set {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n{5}set logscale {0}\n"
+      "set format {0} {6}\n",
+      name, gnuplot_text(axis.label), axis.from, axis.to,
+      !tics.empty()       ? fmt::format("({})", fmt::join(tics, ", "))
+      : axis.tic_step > 0 ? fmt::format("{:g}", axis.tic_step)
+                          : "autofreq",
+      axis.is_logarithmic ? "" : "un",
+      axis.is_logarithmic ? kPowerOfTenFormat : "say('%h', '$%h$')");
+}
+
+// The colour scale of a map, with a colour bar to the right of the panel.
+std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int figure_width) {
+  std::vector<std::string> colours;
+  for (const auto& [position, colour] : map.colours) {
+    colours.push_back(fmt::format("{:g} {}", position, gnuplot_string(colour)));
+  }
+  return axis_commands(map.colour_axis, "cb") +
+         fmt::format(
+             "set palette defined ({})\n"
+             "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
+             fmt::join(colours, ", "), place.right + 8.0 / figure_width, place.bottom,
+             static_cast<double>(kColourBar) / figure_width, place.top - place.bottom);
 }
 
 Legend figure_legend(const Figure& figure) {
@@ -82,9 +141,9 @@ Legend figure_legend(const Figure& figure) {
   for (const auto& panel : figure.panels) {
     for (const auto& series : panel.series) {
       any_open = any_open || has_open_marks(series);
-      if (!listed.insert(series.name).second) continue;
-      legend.entries.push_back(
-          {fmt::format("NaN with {} {}", series_kind(series), series_style(series)), series.name});
+      if (series.points.empty() || !listed.insert(series.name).second) continue;
+      const auto& colour = series.legend_colour.empty() ? series.colour : series.legend_colour;
+      legend.entries.push_back({fmt::format("NaN {}", series_style(series, colour)), series.name});
     }
   }
   if (any_open) {
@@ -95,45 +154,90 @@ Legend figure_legend(const Figure& figure) {
   return legend;
 }
 
+PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth width) {
+  PanelGrid grid = panel_grid(width, figure.screen_width);
+  const int panels = static_cast<int>(figure.panels.size());
+  grid.columns = width == FigureWidth::one_column ? 1 : std::min(figure.columns, panels);
+  grid.rows = (panels + grid.columns - 1) / grid.columns;
+  grid.panel_height = width == FigureWidth::screen        ? figure.panel_height
+                      : width == FigureWidth::two_columns ? 3 * figure.panel_height / 4
+                                                          : 2 * figure.panel_height / 3;
+  if (std::ranges::any_of(figure.panels, [](const auto& panel) { return panel.map.has_value(); })) {
+    grid.panel_right_margin = kBesideMap;
+  }
+  grid.legend_height = legend.entries.empty() ? 0 : legend_height(legend, grid.width);
+  return grid;
+}
+
 }  // namespace
 
-std::string figure_script(const Figure& figure, const problem::Problem& problem,
-                          const std::string& file_stem, FigureWidth width) {
+FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style) {
+  return {.name = name,
+          .colour = plot_style.colour,
+          .dash = plot_style.dash,
+          .symbol = plot_style.symbol};
+}
+
+FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
+                            double FigurePoint::*coordinate) {
+  LogAxisRange range;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) range.include(point.*coordinate);
+  }
+  const auto [from, to] = range.exponents(0.3, 0.4);
+  return {label, std::pow(10, from), std::pow(10, to), true};
+}
+
+FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
+                       double FigurePoint::*coordinate) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) {
+      if (!std::isfinite(point.*coordinate)) continue;
+      low = std::min(low, point.*coordinate);
+      high = std::max(high, point.*coordinate);
+    }
+  }
+  if (high < low) return {label, 0, 1};
+  const double margin = std::max(0.06 * (high - low), 2e-4 * std::abs(high) + 1e-12);
+  return {label, low - margin, high + margin};
+}
+
+std::string figure_script(const Figure& figure, const std::string& file_stem, FigureWidth width) {
   assert(!figure.panels.empty());
-  constexpr int kOnScreen = 1100;
-  const bool narrow = width == FigureWidth::one_column;
   const Legend legend = figure_legend(figure);
-  PanelGrid grid = panel_grid(width, kOnScreen);
-  (narrow ? grid.rows : grid.columns) = static_cast<int>(figure.panels.size());
-  grid.panel_height = narrow ? 200 : 300;
-  grid.legend_height = legend_height(legend, grid.width);
-  const FigureTitle title = figure_title(problem, grid.size());
+  PanelGrid grid = figure_grid(figure, legend, width);
+  const FigureTitle title = figure_title(figure.title, grid.size());
   grid.title_height = title.height;
 
-  std::string data, commands;
+  DataBlocks blocks;
+  std::string commands;
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const FigurePanel& panel = figure.panels[k];
-    const auto letter = static_cast<char>('a' + k);
+    PanelBox place = grid.panel_box(k);
+    if (k + 1 == figure.panels.size()) place.right = grid.panel_box(0, grid.columns - 1).right;
     std::vector<std::string> plots;
-    for (const auto& series : panel.series) {
-      std::string rows;
-      for (const auto& point : series.points) {
-        rows += fmt::format("{:g} {:.6g} {:d}\n", point.x, point.y, point.open);
-      }
-      const std::string block = series_block(letter, plots.size());
-      data += data_block(block, rows);
-      plots.push_back(series_plot(series, block));
+    if (panel.map) {
+      plots.push_back(map_plot(*panel.map, blocks));
+      commands += colour_commands(*panel.map, place, grid.width);
     }
-    commands += fmt::format("set title '({}) {}'\n{}{}{}plot {}\n\n", letter, panel.title,
-                            panel_position_commands(grid.panel_box(k)), axis_commands(panel.x, 'x'),
-                            axis_commands(panel.y, 'y'), fmt::join(plots, ", \\\n     "));
+    for (const auto& series : panel.series) {
+      if (series.points.empty()) continue;
+      for (auto& plot : series_plots(series, panel, blocks)) plots.push_back(std::move(plot));
+    }
+    commands +=
+        fmt::format("set title {}\n{}{}{}plot {}\n\n",
+                    gnuplot_text(fmt::format("({}) {}", static_cast<char>('a' + k), panel.title)),
+                    panel_position_commands(place), axis_commands(panel.x, "x"),
+                    axis_commands(panel.y, "y"), fmt::join(plots, ", \\\n     "));
   }
   return gnuplot_output_commands(file_stem, grid.size()) +
-         "# Columns: abscissa, ordinate, 1 for an open mark\n" + data +
+         "# Columns of a series: abscissa, ordinate, 1 for an open mark\n" + blocks.text() +
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +
          PanelGrid::kLabels + title.command + commands +
-         legend_strip_commands(legend, grid.size()) + "unset multiplot\nunset output\n";
+         (legend.entries.empty() ? "" : legend_strip_commands(legend, grid.size())) +
+         "unset multiplot\nunset output\n";
 }
 
 }  // namespace fpkcheck::report

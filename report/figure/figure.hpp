@@ -1,16 +1,20 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "problem/problem.hpp"
 #include "report/figure/options.hpp"
+#include "transform/identity.hpp"
 
-/// The model of a figure that consists of points and lines. A figure is made once from results;
-/// figure_script writes the figure for gnuplot, figure_plots (report/page/figure_plots.hpp) for the
-/// page.
+/// The model of a figure. A figure is made once from results; figure_script writes the figure for
+/// gnuplot, figure_plots (report/page/figure_plots.hpp) for the page.
 namespace fpkcheck::report {
 
+/// A point of a series. A coordinate that is not finite, or has no logarithm on a logarithmic axis,
+/// is a gap of the line.
 struct FigurePoint {
   double x, y;
   bool open = false;        ///< whether the mark is open: the solution is not ok
@@ -19,41 +23,77 @@ struct FigurePoint {
   std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
 };
 
-/// Points with marks, a line through the points, or both.
+/// Points with marks, a line through the points, or both. Series with the same name share an entry
+/// of the legend.
 struct FigureSeries {
-  std::string name;   ///< entry of the legend, plain text
-  std::string group;  ///< the page hides and shows the series of a group together
+  std::string name;        ///< entry of the legend, plain text
+  std::string group = "";  ///< the page hides and shows the series of a group together
   std::string colour;
-  std::string dash = "";  ///< dash style of plotly.js: solid, dot, dash, longdash; "" for no line
+  std::string dash = "";  ///< dash type of gnuplot: "solid", "(10,4)"; "" for no line
   double line_width = 2;
   std::string symbol = "";  ///< symbol of plotly.js; "" for no marks
   double mark_size = 1.3;   ///< in units of gnuplot's point size
   std::vector<FigurePoint> points = {};
+  std::string legend_colour = "";  ///< colour of an entry that series of several colours share
+};
+
+/// A series without points, with colour, dash type and symbol of a plot style.
+FigureSeries make_series(const std::string& name, const transform::PlotStyle& plot_style);
+
+struct FigureTic {
+  std::string label;  ///< in gnuplot's enhanced text
+  double place;
 };
 
 struct FigureAxis {
   std::string label;  ///< in gnuplot's enhanced text
   double from, to;
   bool is_logarithmic = false;
-  double tic_step = 0;  ///< 0 for an automatic step
+  double tic_step = 0;               ///< 0 for an automatic step
+  std::vector<FigureTic> tics = {};  ///< empty for automatic tics
+};
+
+/// The logarithmic axis that contains a coordinate of all points, with a margin for marks and
+/// labels.
+FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
+                            double FigurePoint::*coordinate);
+
+/// The linear axis that contains a coordinate of all points, with a margin.
+FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
+                       double FigurePoint::*coordinate);
+
+/// A map that shows values on a grid of equal cells by colours, below the series of its panel.
+struct FigureHeatMap {
+  std::array<double, 2> x_range, y_range;  ///< outer edges of the cells
+  std::size_t columns;
+  std::vector<double> values;  ///< rows of constant y, from the lowest row
+  FigureAxis colour_axis;
+  /// Positions, from 0 to 1, and colours of the colour scale.
+  std::vector<std::pair<double, std::string>> colours;
 };
 
 struct FigurePanel {
-  std::string id;       ///< part of the id of the plot on the page
-  std::string title;    ///< title in a picture, after the letter of the panel
-  std::string caption;  ///< caption on the page, plain text
+  std::string id = "";       ///< part of the id of the plot on the page
+  std::string title;         ///< title in a picture, after the letter; in gnuplot's enhanced text
+  std::string caption = "";  ///< caption on the page, plain text
   FigureAxis x, y;
   std::vector<FigureSeries> series = {};
+  std::optional<FigureHeatMap> map = {};
 };
 
 struct Figure {
-  std::vector<FigurePanel> panels;
+  /// The title in plain text; a picture breaks the title into lines between these parts.
+  std::vector<std::string> title = {};
+  std::vector<FigurePanel> panels = {};
+  int columns = 2;          ///< a figure for a single journal column has one column of panels
+  int screen_width = 1100;  ///< width in pixels on a screen
+  int panel_height = 300;   ///< height in pixels of the axes of a panel on a screen
 };
 
-/// A gnuplot script with the data that draws the panels side by side, or one below the other in a
-/// single journal column, with a common legend.
+/// A gnuplot script with the data that draws the panels of a figure row by row, with a common
+/// legend. A last panel without a neighbour has the width of the row.
 /// @pre the figure has at least one panel
-std::string figure_script(const Figure& figure, const problem::Problem& problem,
-                          const std::string& file_stem, FigureWidth width);
+std::string figure_script(const Figure& figure, const std::string& file_stem,
+                          FigureWidth width = FigureWidth::screen);
 
 }  // namespace fpkcheck::report

@@ -128,7 +128,7 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
 
 // All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
 // font.
-FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
+std::vector<std::string> problem_title(const problem::Problem& problem) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::parameters_text(problem, true);
   for (std::size_t from = 0; from < parameters.size();) {
@@ -137,7 +137,11 @@ FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size
     parts.push_back(parameters.substr(from, to - from));
     from = to;
   }
-  return figure_title(parts, size);
+  return parts;
+}
+
+FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
+  return figure_title(problem_title(problem), size);
 }
 
 }  // namespace fpkcheck::report

@@ -40,7 +40,8 @@ struct FigureTitle {
 ///              "case1: c = 0.1, ", "r = 0.98"
 FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size);
 
-/// The title of a figure with the name and the parameters of a problem.
+/// The name and the parameters of a problem as the parts of a figure's title.
+std::vector<std::string> problem_title(const problem::Problem& problem);
 FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size);
 
 }  // namespace fpkcheck::report

@@ -155,7 +155,7 @@ std::string curve_style(const transform::PlotStyle& plot_style, bool with_interv
                        with_interval ? "yerrorbars" : "points", plot_style.width, colour);
   }
   return fmt::format("with lines linewidth {} dashtype {} linecolor rgb {}", plot_style.width,
-                     dash_type(plot_style), colour);
+                     dash_type(plot_style.dash), colour);
 }
 
 bool has_marks(const transform::SolutionIdentity& identity) {

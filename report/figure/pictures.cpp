@@ -44,8 +44,7 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
           {sources_stem(stem), error_source_script(case_result, sources_stem(stem), width)});
     }
     if (const Figure convergence = convergence_figure(case_result); !convergence.panels.empty()) {
-      pictures.push_back({order_stem(stem), figure_script(convergence, case_result.problem,
-                                                          order_stem(stem), width)});
+      pictures.push_back({order_stem(stem), figure_script(convergence, order_stem(stem), width)});
     }
   }
   return pictures;

@@ -40,20 +40,21 @@ PointTypes point_types(const std::string& symbol) {
   for (const auto& [shape, types] : kShapes) {
     if (shape == symbol) return types;
   }
+  if (symbol == "circle-open") return {6, 6};
   constexpr int kCross = 2, kPlus = 1;
   return {kCross, kPlus};
 }
 
-std::string dash_type(const transform::PlotStyle& plot_style) {
-  const bool lengths = plot_style.dash.find_first_not_of("(),.0123456789") == std::string::npos;
-  return lengths && !plot_style.dash.empty() ? plot_style.dash : "solid";
+std::string dash_type(const std::string& dash) {
+  const bool lengths = dash.find_first_not_of("(),.0123456789") == std::string::npos;
+  return lengths && !dash.empty() ? dash : "solid";
 }
 
 std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdentity> identities) {
   std::vector<SeriesStyle> looks;
   for (const auto& one : identities) {
     const auto [filled, open] = point_types(one.plot_style.symbol);
-    looks.push_back({one.plot_style.colour, filled, open, dash_type(one.plot_style)});
+    looks.push_back({one.plot_style.colour, filled, open, dash_type(one.plot_style.dash)});
   }
   return looks;
 }

@@ -36,9 +36,9 @@ struct PointTypes {
 /// The gnuplot point types with the shape of a plotly.js marker (the symbol of a plot style).
 PointTypes point_types(const std::string& symbol);
 
-/// The dash type of a plot style; "solid" if the dash type is invalid, since a file may contain an
+/// The dash type of gnuplot; "solid" if the dash type is invalid, since a file may contain an
 /// invalid dash type.
-std::string dash_type(const transform::PlotStyle& plot_style);
+std::string dash_type(const std::string& dash);
 
 /// The plot style of a series of points. In grey print the shapes of marks distinguish families,
 /// and the dash types distinguish members of a family.

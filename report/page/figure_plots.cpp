@@ -42,12 +42,15 @@ const char* label_position(std::size_t series, std::size_t point) {
   return kSides[(series + point) % kSides.size()];
 }
 
-Json series_trace(const FigureSeries& series, std::size_t number) {
+Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::size_t number) {
   Json x = Json::array(), y = x, names = x, labels = x, positions = x, symbols = x, colours = x;
-  const auto number_or_null = [](double value) { return value > 0 ? Json(value) : Json(); };
+  const auto number_or_null = [](double value, const FigureAxis& axis) {
+    const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
+    return is_drawn ? Json(value) : Json();
+  };
   for (const auto& point : series.points) {
-    x.push_back(number_or_null(point.x));
-    y.push_back(number_or_null(point.y));
+    x.push_back(number_or_null(point.x, panel.x));
+    y.push_back(number_or_null(point.y, panel.y));
     names.push_back(plotly_text(point.name));
     labels.push_back(plotly_text(point.label));
     positions.push_back(label_position(number, positions.size()));
@@ -63,7 +66,8 @@ Json series_trace(const FigureSeries& series, std::size_t number) {
              {"legendgroup", series.group}, {"x", x},       {"y", y},
              {"hovertemplate", "%{y:.3g}"}};
   if (!series.dash.empty()) {
-    trace["line"] = {{"color", series.colour}, {"width", series.line_width}, {"dash", series.dash}};
+    trace["line"] = {
+        {"color", series.colour}, {"width", series.line_width}, {"dash", plotly_dash(series.dash)}};
   }
   if (!series.symbol.empty()) {
     constexpr double kPixelsPerPointSize = 7;
@@ -104,7 +108,8 @@ std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix) 
   std::vector<Plot> plots;
   for (const auto& panel : figure.panels) {
     Json data = Json::array();
-    for (const auto& series : panel.series) data.push_back(series_trace(series, data.size()));
+    for (const auto& series : panel.series)
+      data.push_back(series_trace(series, panel, data.size()));
     const Json json{
         {"height", 340},
         {"arrays", Json::object()},

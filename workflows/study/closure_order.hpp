@@ -7,7 +7,7 @@
 #include "methods/registry.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure.hpp"
 #include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
 
@@ -82,10 +82,8 @@ std::string csv(const ClosureOrderStudy& study);
 /// The table of the closures, the reasons of closures that are not ok, the folds of branches, and
 /// the convergence with increasing order n.
 std::string table(const ClosureOrderStudy& study, const report::TextFormat& format);
-/// A gnuplot script that draws the L1 distances against the order n, and below these panels the
-/// branches of solutions.
-std::string figure(const ClosureOrderStudy& study, const std::string& file_stem,
-                   report::FigureWidth width = report::FigureWidth::screen);
+/// The L1 distances against the order n, and below these panels the branches of solutions.
+report::Figure figure(const ClosureOrderStudy& study);
 
 Record make_record(const ClosureOrderRow& row);
 

@@ -7,7 +7,7 @@
 #include "methods/registry.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure.hpp"
 #include "transform/richardson.hpp"
 #include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
@@ -96,10 +96,9 @@ std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
 /// The tables of grids, limits and other methods, and the fastest method for each accuracy.
 std::string table(const GridStudy& study, const report::TextFormat& format);
-/// A gnuplot script that draws the L1 distance against the cell width for each order of the scheme,
-/// and against the wall-clock time for all methods.
-std::string figure(const GridStudy& study, const std::string& file_stem,
-                   report::FigureWidth width = report::FigureWidth::screen);
+/// The L1 distances against the refinement of the grid for each order of the scheme, and against
+/// the wall-clock time for all methods; without panels if no distance is known.
+report::Figure figure(const GridStudy& study);
 
 Record make_record(const GridRow& row);
 Record make_record(const GridLimit& limit);

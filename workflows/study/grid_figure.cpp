@@ -1,46 +1,49 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "methods/plot_style.hpp"
 #include "report/figure/frame.hpp"
-#include "report/figure/layout.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_parts.hpp"
 #include "workflows/study/grid.hpp"
 #include "workflows/study/plot_series.hpp"
 
 namespace fpkcheck::study {
 namespace {
 
+using report::FigurePanel;
+using report::FigurePoint;
+using report::FigureSeries;
 using transform::Variable;
+using Distance = double MarginalL1Distances::*;
 
 template <class Row>
-bool is_drawn(const Row& row) {
-  return row.solution.is_ok() && row.l1;
+std::optional<FigurePoint> point(const Row& row, double abscissa, Distance distance) {
+  if (!row.solution.is_ok() || !row.l1) return std::nullopt;
+  return FigurePoint{.x = abscissa, .y = (*row.l1).*distance};
 }
 
-// A row of a data block: "cells-per-deviation milliseconds l1_y l1_ydot".
-template <class Row>
-std::string point(const Row& row, double fineness) {
-  if (!is_drawn(row)) return "";
-  return fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", fineness, row.solution.seconds * 1000,
-                     row.l1->y, row.l1->ydot);
-}
+double milliseconds(const transform::Solution& solution) { return solution.seconds * 1000; }
 
-std::vector<PlotSeries> grids(const GridStudy& study) {
+/// @param abscissa function that returns the abscissa of a row
+template <class Abscissa>
+std::vector<FigureSeries> scheme_series(const GridStudy& study, Distance distance,
+                                        Abscissa abscissa) {
   auto all = make_series(
-      study.rows, "grid_",
+      study.rows,
       [](const GridRow& row) { return fmt::format("finite volumes, order {}", row.order); },
-      [](const GridRow& row) { return point(row, row.refinement); });
-  std::vector<transform::SolutionIdentity> schemes;
+      [&](const GridRow& row) { return point(row, abscissa(row), distance); });
   for (std::size_t k = 0; k < all.size(); ++k) {
-    schemes.push_back({.id = all[k].label, .method = "fd", .plot_style = methods::scheme_style(k)});
+    auto points = std::move(all[k].points);
+    all[k] = report::make_series(all[k].name, methods::scheme_style(k));
+    all[k].points = std::move(points);
   }
-  const auto looks = series_styles(schemes);
-  for (std::size_t k = 0; k < all.size(); ++k) all[k].plot_style = looks[k];
   return all;
 }
 
@@ -52,117 +55,83 @@ std::string method_label(const ComparedMethodRow& row) {
                      identity.order ? ", n = 2, 4, .." : "");
 }
 
-constexpr const char* kSlopeStyle = "with lines dt (6,6) lc rgb '#AAAAAA'";
-
-std::string line_style(const SeriesStyle& plot_style) {
-  return fmt::format("with linespoints lc rgb '{}' lw 2 dt {} pt {} ps 1.2", plot_style.colour,
-                     plot_style.dash, plot_style.filled);
-}
-
-// Dashed lines with the slope of each scheme's nominal order, through the first point of the
+// A dashed line with the slope of each scheme's nominal order, through the first point of the
 // scheme.
-std::string order_slopes(const GridStudy& study, double MarginalL1Distances::*variable) {
-  std::string text;
-  std::set<int> drawn;
-  for (const auto& row : study.rows) {
-    if (!is_drawn(row) || !drawn.insert(row.order).second) continue;
-    text += fmt::format(", {:.6g}*(x/{:.6g})**(-{}) {} notitle", (*row.l1).*variable,
-                        row.refinement, row.order, kSlopeStyle);
+std::vector<FigureSeries> order_slopes(const GridStudy& study, Distance distance) {
+  std::vector<FigureSeries> slopes;
+  for (auto row = study.rows.begin(); row != study.rows.end();) {
+    const int order = row->order;
+    const auto end = std::find_if(row, study.rows.end(),
+                                  [&](const GridRow& other) { return other.order != order; });
+    const double finest = std::prev(end)->refinement;
+    const auto first = std::find_if(
+        row, end, [&](const GridRow& other) { return point(other, 1, distance).has_value(); });
+    row = end;
+    if (first == end) continue;
+    const double l1 = (*first->l1).*distance;
+    slopes.push_back({.name = "slope of the scheme's order",
+                      .colour = "#AAAAAA",
+                      .dash = "(6,6)",
+                      .points = {{first->refinement, l1},
+                                 {finest, l1 * std::pow(finest / first->refinement, -order)}}});
   }
-  return text;
+  return slopes;
 }
 
-/// The column of the data blocks that is the abscissa of a panel.
-enum Abscissa { by_fineness = 1, by_time = 2 };
-
-std::string panel(const std::vector<PlotSeries>& all, const std::string& title, Variable variable,
-                  Abscissa abscissa, const PanelBox& place, const std::string& beside = "") {
-  std::string plots;
-  for (const auto& series : all) {
-    if (series.points.empty()) continue;
-    plots += fmt::format("{}${} using {}:{} {} notitle", plots.empty() ? "" : ", ", series.block,
-                         static_cast<int>(abscissa), variable == Variable::y ? 3 : 4,
-                         line_style(series.plot_style));
-  }
-  if (plots.empty()) return "";
-  return fmt::format("set title '{}'\n{}set ylabel {}\nplot {}\n\n", title,
-                     panel_position_commands(place),
-                     report::gnuplot_text(fmt::format(
-                         "{{/:Italic L}}_1 distance of {} to the limit", density_symbol(variable))),
-                     plots + beside);
+report::FigureAxis distance_axis(Variable variable, const std::vector<FigureSeries>& all) {
+  return report::logarithmic_axis(
+      fmt::format("{{/:Italic L}}_1 distance of {} to the limit", report::density_symbol(variable)),
+      all, &FigurePoint::y);
 }
 
-// Axis ranges with a margin for the tick marks. The ranges contain the points, but not necessarily
-// the dashed lines.
-std::string axis_ranges(const GridStudy& study) {
-  double least = 1, most = 1e-9;
-  for (const auto& row : study.rows) {
-    if (!is_drawn(row)) continue;
-    for (const double l1 : {row.l1->y, row.l1->ydot}) {
-      if (l1 > 0) least = std::min(least, l1);
-      most = std::max(most, l1);
-    }
+FigurePanel refinement_panel(const GridStudy& study, const std::string& title, Variable variable,
+                             Distance distance) {
+  constexpr std::array kRefinements{0.125, 0.25, 0.35, 0.5, 0.71, 1.0,
+                                    1.41,  2.0,  2.83, 4.0, 5.66, 8.0};
+  auto series = scheme_series(study, distance, [](const GridRow& row) { return row.refinement; });
+  FigurePanel panel{
+      .title = "grids: " + title,
+      .x = {"cells per direction, relative to the automatic grid",
+            study.rows.front().refinement / 1.15, study.rows.back().refinement * 1.15, true},
+      .y = distance_axis(variable, series)};
+  for (const double refinement : kRefinements) {
+    panel.x.tics.push_back({fmt::format("{:g}", refinement), refinement});
   }
-  return fmt::format("set xrange [{:.4g}:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\n",
-                     study.rows.front().refinement / 1.15, study.rows.back().refinement * 1.15,
-                     least / 2, most * 2);
+  std::ranges::move(order_slopes(study, distance), std::back_inserter(series));
+  panel.series = series;
+  return panel;
 }
 
-report::Legend legend(const std::vector<PlotSeries>& all) {
-  report::Legend legend{{}, 4};
-  for (const auto& series : all) {
-    if (series.points.empty()) continue;
-    legend.entries.push_back({fmt::format("NaN {}", line_style(series.plot_style)), series.label});
-  }
-  legend.entries.push_back({fmt::format("NaN {}", kSlopeStyle), "slope of the scheme's order"});
-  return legend;
+FigurePanel cost_panel(const GridStudy& study, const std::string& title, Variable variable,
+                       Distance distance) {
+  auto series =
+      scheme_series(study, distance, [](const GridRow& row) { return milliseconds(row.solution); });
+  std::ranges::move(make_series(study.others, method_label,
+                                [&](const ComparedMethodRow& row) {
+                                  return point(row, milliseconds(row.solution), distance);
+                                }),
+                    std::back_inserter(series));
+  return {
+      .title = "error against cost: " + title,
+      .x = report::logarithmic_axis("wall-clock time of one solve, ms", series, &FigurePoint::x),
+      .y = distance_axis(variable, series),
+      .series = series};
 }
 
 }  // namespace
 
-std::string figure(const GridStudy& study, const std::string& file_stem,
-                   report::FigureWidth width) {
-  constexpr int kScreenWidth = 1300;
-  const auto fd = grids(study);
-  auto all = fd;
-  for (auto& series : make_series(study.others, "other_", method_label,
-                                  [](const ComparedMethodRow& row) { return point(row, 0); })) {
-    all.push_back(std::move(series));
+report::Figure figure(const GridStudy& study) {
+  report::Figure figure{.title = report::problem_title(study.problem), .screen_width = 1300};
+  for (const auto make_panel : {refinement_panel, cost_panel}) {
+    for (const FigurePanel& panel :
+         {make_panel(study, "displacement", Variable::y, &MarginalL1Distances::y),
+          make_panel(study, "velocity", Variable::ydot, &MarginalL1Distances::ydot)}) {
+      const bool is_empty = std::ranges::all_of(panel.series, &std::vector<FigurePoint>::empty,
+                                                &FigureSeries::points);
+      if (!is_empty) figure.panels.push_back(panel);
+    }
   }
-  if (std::ranges::all_of(all, &std::string::empty, &PlotSeries::points)) return "";
-  const report::Legend entries = legend(all);
-  const bool narrow = width == report::FigureWidth::one_column;
-  report::PanelGrid grid = report::panel_grid(width, kScreenWidth);
-  grid.columns = narrow ? 1 : 2;
-  grid.rows = 4 / grid.columns;
-  grid.panel_height = narrow ? 180 : 285;
-  grid.legend_height = report::legend_height(entries, grid.width);
-  const auto title = report::figure_title(study.problem, grid.size());
-  grid.title_height = title.height;
-  const auto place = [&](std::size_t panel) { return grid.panel_box(panel); };
-
-  std::string text = report::gnuplot_output_commands(file_stem, grid.size());
-  for (const auto& series : all) text += data_block(series.block, series.points);
-  text += fmt::format(
-      "set tics out nomirror\nset border 3\nset grid lc rgb '#DDDDDD' lt 1 dt solid lw 0.6\n"
-      "unset key\n{}set logscale xy\nset format y {}\n{}",
-      report::PanelGrid::kLabels, report::kPowerOfTenFormat, title.command);
-  text += fmt::format(
-      "set xlabel 'cells per direction, relative to the automatic grid'\nset format x '%g'\n"
-      "{}set xtics ({})\n",
-      axis_ranges(study), "0.125, 0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4, 5.66, 8");
-  text += panel(fd, "(a) grids: displacement", Variable::y, by_fineness, place(0),
-                order_slopes(study, &MarginalL1Distances::y));
-  text += panel(fd, "(b) grids: velocity", Variable::ydot, by_fineness, place(1),
-                order_slopes(study, &MarginalL1Distances::ydot));
-  text += "set autoscale\n";
-  text +=
-      "set xlabel 'wall-clock time of one solve, ms'\nset xtics autofreq\n"
-      "set format x '%g'\n";
-  text += panel(all, "(c) error against cost: displacement", Variable::y, by_time, place(2));
-  text += panel(all, "(d) error against cost: velocity", Variable::ydot, by_time, place(3));
-  return text + report::legend_strip_commands(entries, grid.size()) +
-         "unset multiplot\nunset output\n";
+  return figure;
 }
 
 }  // namespace fpkcheck::study

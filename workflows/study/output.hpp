@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "report/figure/options.hpp"
+#include "report/figure/figure.hpp"
 #include "report/text/format.hpp"
 
 namespace fpkcheck::study {
@@ -25,7 +25,9 @@ template <class Study>
 StudyOutput output(const Study& study, const std::string& command, const report::TextFormat& format,
                    report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = std::string("study-") + Study::kName;
-  return {stem, json(study, command), csv(study), table(study, format), figure(study, stem, width)};
+  const report::Figure drawn = figure(study);
+  return {stem, json(study, command), csv(study), table(study, format),
+          drawn.panels.empty() ? "" : report::figure_script(drawn, stem, width)};
 }
 
 }  // namespace fpkcheck::study

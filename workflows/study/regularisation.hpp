@@ -7,7 +7,7 @@
 #include "fd_fpk/regularisation_study.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure.hpp"
 #include "workflows/study/output.hpp"
 #include "workflows/study/record.hpp"
 
@@ -45,10 +45,8 @@ std::string json(const RegularisationStudy& study, const std::string& command);
 std::string csv(const RegularisationStudy& study);
 /// The table of the rows, remarks on missing values, and sentences that summarise the numbers.
 std::string table(const RegularisationStudy& study, const report::TextFormat& format);
-/// An empty script: the regularisation study has no figure.
-inline std::string figure(const RegularisationStudy&, const std::string&, report::FigureWidth) {
-  return {};
-}
+/// A figure without panels: the regularisation study has no figure.
+inline report::Figure figure(const RegularisationStudy&) { return {}; }
 
 Record make_record(const RegularisationRow& row);
 

@@ -54,9 +54,8 @@ TEST(ConvergenceFigure, HasOneSeriesForEachFamilyByOrder) {
 
 TEST(ConvergenceFigure, HasTheSameSeriesInAScript) {
   const auto case_result = tests::case_with_external_family({6, 2});
-  const std::string script = figure_script(convergence_figure(case_result), case_result.problem,
-                                           "case1-order", FigureWidth::screen);
-  for (const char* text : {"title 'chi'", "title 'epc-gaussian'", "$a0 << EOD\n2 ", "$b0 << EOD"}) {
+  const std::string script = figure_script(convergence_figure(case_result), "case1-order");
+  for (const char* text : {"title 'chi'", "title 'epc-gaussian'", "$data0 << EOD\n2 ", "$data7 << EOD"}) {
     EXPECT_TRUE(tests::contains(script, text)) << text;
   }
 }

@@ -86,8 +86,9 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
   }
   write_transient_netcdf(directory / kFile, run);
   if (run.result.snapshots.size() < 2) return {"no picture: only t = 0 has a density"};
-  return report::write_pictures(figures, stem, transient_figure(run, stem, options.width), options,
-                                gnuplot);
+  return report::write_pictures(figures, stem,
+                                report::figure_script(transient_figure(run), stem, options.width),
+                                options, gnuplot);
 }
 
 }  // namespace fpkcheck::study

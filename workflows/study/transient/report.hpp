@@ -6,7 +6,7 @@
 
 #include "fd_fpk/transient.hpp"
 #include "problem/problem.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure.hpp"
 
 namespace fpkcheck::study {
 
@@ -34,12 +34,9 @@ std::string transient_json(const TransientRun& run);
 ///              characters
 std::string transient_table(const TransientRun& run, std::size_t width);
 
-/// A gnuplot script that draws (a) p(y, t) and (b) p(y', t) as colour maps over time. The script
-/// contains the data. The script draws FILE_STEM.png; the gnuplot variable format='svg', 'pdf' or
-/// 'tex' selects another format, and the gnuplot variable `target` sets another file name.
-/// @param run must have at least two snapshots
-std::string transient_figure(const TransientRun& run, const std::string& file_stem,
-                             report::FigureWidth width = report::FigureWidth::screen);
+/// The densities p(y, t) and p(y', t) as maps over time.
+/// @pre the run has at least two snapshots
+report::Figure transient_figure(const TransientRun& run);
 
 /// Writes a density over time to a netCDF-4 file (HDF5) that follows the CF conventions:
 ///

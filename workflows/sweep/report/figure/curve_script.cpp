@@ -17,7 +17,7 @@ std::string line_of(const CurveData& data, std::size_t m) {
   constexpr double kThin = 1.5, kBroad = 2.5;  // limits: neighbouring curves need moderate widths
   return fmt::format("with {} lc rgb '{}' lw {:.2g}{}", data.has_words() ? "points" : "linespoints",
                      plot_style.colour, std::clamp(plot_style.width, kThin, kBroad),
-                     data.has_words() ? "" : " dt " + report::dash_type(plot_style));
+                     data.has_words() ? "" : " dt " + report::dash_type(plot_style.dash));
 }
 
 }  // namespace
