@@ -1,6 +1,7 @@
 #include "compare/comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <string>
@@ -60,6 +61,25 @@ void clip_negative_densities(std::span<const Solution> solutions,
 }
 
 }  // namespace
+
+const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
+                                         std::string_view first, std::string_view second,
+                                         Variable variable) {
+  const auto found = std::ranges::find_if(pairs, [&](const PairDistances& pair) {
+    const bool same =
+        (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
+    return same && pair.variable == variable;
+  });
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
+                                          std::string_view first, std::string_view second,
+                                          Variable variable) {
+  const PairDistances* pair = find_pair_distances(pairs, first, second, variable);
+  if (pair == nullptr || !std::isfinite(pair->distances.l1)) return std::nullopt;
+  return pair->distances.l1;
+}
 
 Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
   Comparison result;

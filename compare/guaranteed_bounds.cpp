@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 
 namespace fpkcheck::compare {
 namespace {

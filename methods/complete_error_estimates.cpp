@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 
 namespace fpkcheck::methods {
 
@@ -57,7 +57,8 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               const ResidualErrorEstimator& estimator,
                               std::vector<Solution>& solutions,
                               const compare::Comparison* comparison) {
-  const Solution* const reference = compare::select_reference(solutions);
+  const Solution* const reference =
+      transform::find_solution(solutions, compare::assess_solutions(solutions, {}).reference);
   std::optional<compare::Comparison> computed_comparison;
   const auto distance = [&](const Solution& solution) -> Distance {
     if (reference == nullptr) return {};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {
@@ -52,7 +52,7 @@ std::pair<int, int> ConvergenceOverOrder::order_range() const {
 
 std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseResult& case_result,
                                                            transform::Variable variable) {
-  const Solution* reference = compare::select_reference(case_result.solutions);
+  const Solution* reference = case_result.reference();
   if (reference == nullptr) return std::nullopt;
   ConvergenceOverOrder distances{.case_result = &case_result,
                                  .reference = reference,

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "compare/agreement.hpp"
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "report/guaranteed_bounds.hpp"
 #include "report/references.hpp"
 #include "report/verdict/outcome.hpp"
@@ -156,35 +156,35 @@ void add_residual_based_errors(const CaseResult& one, Sentences& sentences) {
 }
 
 void add_closest_closures(const CaseResult& one, Sentences& sentences) {
-  const Solution* reference = compare::select_reference(one.solutions);
+  const auto& assessment = one.assessment;
   const bool any = std::ranges::any_of(
       one.solutions, [](const Solution& s) { return s.identity.role == SolutionRole::closure; });
-  if (reference == nullptr || !any) return;
-  auto ranks = compare::closures_by_reference_distance(one.solutions, one.pairs);
+  if (assessment.reference.empty() || !any) return;
+  auto ranks = assessment.ranked_closures();
   if (ranks.empty()) {
     sentences.emplace_back("No closure has status ok.");
     return;
   }
-  const auto nearest = ranks.front();
-  std::erase_if(ranks, [](const auto& rank) { return std::max(rank.y, rank.ydot) > kCloseL1; });
+  const auto* nearest = ranks.front();
+  std::erase_if(ranks, [](const auto* rank) { return *rank->largest_l1() > compare::kCloseL1; });
   if (ranks.empty()) {
     sentences.push_back(
         fmt::format("No closure with status ok is within L1 {} of {}: the closest, {}, has L1 {}.",
-                    kCloseL1, reference->id(), nearest.solution->id(),
-                    distances_text(MarginalDistances{nearest.y, nearest.ydot})));
+                    compare::kCloseL1, assessment.reference, nearest->id,
+                    distances_text(MarginalDistances{nearest->y, nearest->ydot})));
     return;
   }
   // For each family and formulation: the closure closest to the reference, and all closures that
   // are indistinguishable from the closest closure.
-  std::map<std::pair<std::string, std::string>, std::vector<const compare::ReferenceDistance*>>
+  std::map<std::pair<std::string, std::string>, std::vector<const compare::SolutionAssessment*>>
       groups;
   bool several = false;
-  for (const auto& rank : ranks) {
-    const auto& identity = rank.solution->identity;
+  for (const auto* rank : ranks) {
+    const auto& identity = one.find(rank->id)->identity;
     auto& closest = groups[{identity.family, identity.formulation}];
     const bool first = closest.empty();
-    if (first || compare::are_indistinguishable(*closest.front(), rank, *reference)) {
-      closest.push_back(&rank);
+    if (first || assessment.are_indistinguishable(*closest.front(), *rank)) {
+      closest.push_back(rank);
       several = several || !first;
     }
   }
@@ -193,8 +193,8 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
     Sentences ids;
     MarginalDistances most{0, 0};
     for (const auto* rank : closest) {
-      ids.push_back(rank->solution->id());
-      most = {std::max(*most.y, rank->y), std::max(*most.ydot, rank->ydot)};
+      ids.push_back(rank->id);
+      most.take_larger_distances(rank->y, rank->ydot);
     }
     const bool tie = ids.size() > 1;
     parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
@@ -202,7 +202,7 @@ void add_closest_closures(const CaseResult& one, Sentences& sentences) {
                                 distances_text(most)));
   }
   sentences.push_back(fmt::format(
-      "Closest to {} among the closures with status ok: {}.{}", reference->id(),
+      "Closest to {} among the closures with status ok: {}.{}", assessment.reference,
       fmt::join(parts, "; "),
       several
           ? " Indistinguishable: the distances differ by no more than the error estimate of the "
@@ -283,7 +283,7 @@ std::string measured_error_text(const MeasuredL1Error& marginal_error, Variable 
 }
 
 void add_measured_errors(const CaseResult& one, Sentences& sentences) {
-  const Solution* measure = compare::select_reference(one.solutions);
+  const Solution* measure = one.reference();
   if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : references(one)) {
     if (other == measure || !has_smooth_distances(one, *other, *measure)) continue;
@@ -380,7 +380,7 @@ void add_solver_notes(const CaseResult& one, Sentences& sentences) {
 
 std::vector<std::string> findings(const CaseResult& one) {
   Sentences sentences = guaranteed_bounds_findings(one);
-  if (one.solutions.size() > 1) sentences.push_back(compare::reference_text(one.solutions));
+  if (one.solutions.size() > 1) sentences.push_back(reference_text(one));
   add_discretisation_errors(one, sentences);
   add_approximation_errors(one, sentences);
   add_closest_closures(one, sentences);

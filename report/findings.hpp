@@ -11,14 +11,14 @@ namespace fpkcheck::report {
 /// solutions with status ok:
 ///
 ///   - findings on the guaranteed bounds (report/guaranteed_bounds.hpp);
-///   - the reference (compare/reference.hpp), if the case has several solutions;
+///   - the reference (compare/assessment.hpp), if the case has several solutions;
 ///   - the discretisation error of an equation that was solved with an error estimate, or the
 ///     largest such error of several equations; this sentence is omitted if the case has an error
 ///     budget, which contains these errors;
 ///   - the L1 error of each approximate equation or impact condition: the L1 distance to the
 ///     solution by the same method without this approximation;
 ///   - for each family and formulation the closure closest to the reference, if its distance is at
-///     most kCloseL1; closures are indistinguishable if their distances differ by at most the error
+///     most compare::kCloseL1; closures are indistinguishable if their distances differ by at most the error
 ///     estimate of the reference;
 ///   - the distances of the other solutions of the full problem to the reference, with sampling
 ///     errors;

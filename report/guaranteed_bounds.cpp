@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "report/table.hpp"
 #include "report/text/columns.hpp"
 #include "report/text/round_outward.hpp"

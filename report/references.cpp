@@ -1,11 +1,13 @@
 #include "report/references.hpp"
 
-#include "compare/reference.hpp"
+#include <fmt/format.h>
+
+#include "compare/assessment.hpp"
 
 namespace fpkcheck::report {
 
 std::vector<const transform::Solution*> references(const results::CaseResult& case_result) {
-  const auto* chosen = compare::select_reference(case_result.solutions);
+  const auto* chosen = case_result.reference();
   if (chosen == nullptr) return {};
   std::vector<const transform::Solution*> all{chosen};
   for (const auto& solution : case_result.solutions) {
@@ -13,6 +15,20 @@ std::vector<const transform::Solution*> references(const results::CaseResult& ca
       all.push_back(&solution);
   }
   return all;
+}
+
+std::string reference_text(const results::CaseResult& case_result) {
+  const auto& assessment = case_result.assessment;
+  if (assessment.reference.empty())
+    return "There is no reference: no solution of the full problem has status ok.";
+  const std::string known =
+      assessment.is_selected_by_error_estimate()
+          ? fmt::format(
+                ", the solution with the smallest error estimate (L1 {:.1g} in p(y), {:.1g} in "
+                "p(y'))",
+                assessment.reference_y_l1, assessment.reference_ydot_l1)
+          : std::string();
+  return fmt::format("Reference: {}{}.", assessment.reference, known);
 }
 
 }  // namespace fpkcheck::report

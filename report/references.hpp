@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "results/run.hpp"
@@ -11,5 +12,8 @@ namespace fpkcheck::report {
 /// The reference of the case is the first element; the remaining solutions have the order of the
 /// case. The list of solutions is empty if the case has no reference.
 std::vector<const transform::Solution*> references(const results::CaseResult& case_result);
+
+/// A sentence on the id of the reference and the reason for its selection.
+std::string reference_text(const results::CaseResult& case_result);
 
 }  // namespace fpkcheck::report

@@ -98,6 +98,7 @@ CaseResult make_case_result(const problem::Problem& problem, const compare::Comp
   for (auto& found : comparison.marginals) result.curves.push_back(make_curve(std::move(found)));
   for (auto& found : comparison.smooth) result.smooth.push_back(make_curve(std::move(found)));
   result.joints = joint_densities(axes, result.solutions);
+  result.assess();
   return result;
 }
 

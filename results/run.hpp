@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
 #include "compare/comparison_axes.hpp"
 #include "compare/guaranteed_bounds.hpp"
@@ -76,13 +77,19 @@ struct CaseResult {
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<ErrorSource> error_sources = {};  ///< sources of the errors of E[y^2] and E[y'^2]
   std::optional<compare::GuaranteedBounds> bounds =
-      {};  ///< guaranteed bounds; empty if not computed
+      {};                               ///< guaranteed bounds; empty if not computed
+  compare::Assessment assessment = {};  ///< the assessment of the solutions by assess()
 
   const std::string& name() const { return problem.name; }
   /// The solution with this id; null if there is none.
   const transform::Solution* find(std::string_view id) const {
     return transform::find_solution(solutions, id);
   }
+  /// The reference of the case; null if there is none.
+  const transform::Solution* reference() const { return find(assessment.reference); }
+  /// Assesses the solutions of the case. A function that changes the solutions or their distances
+  /// calls this function afterwards.
+  void assess() { assessment = compare::assess_solutions(solutions, pairs); }
   /// The marginal density of a solution over the comparison bins; null if there is none.
   const Curve* curve(std::string_view solution, transform::Variable variable) const;
   /// The marginal density of a solution over smooth bins; null if there is none.
@@ -124,7 +131,7 @@ struct Run {
   std::vector<FileChecksum> files = {};
 };
 
-/// Compares the solutions of a case and returns the result for the case.
+/// Compares and assesses the solutions of a case and returns the result for the case.
 /// @param solutions by increasing trust
 CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
                             std::vector<transform::Solution> solutions);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -9,7 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "results/json.hpp"
 #include "results/solution_json.hpp"
 
@@ -96,6 +97,27 @@ Json moment_error_estimate_json(const MomentErrorEstimate& own) {
           {"error", moments_json(own.error)}};
 }
 
+Json assessment_json(const compare::Assessment& assessment) {
+  Json json{{"reference", Json()}, {"confirmation", Json()}, {"solutions", Json::array()}};
+  if (!assessment.reference.empty()) {
+    json["reference"] = {
+        {"solution", assessment.reference},
+        {"selected_by", assessment.is_selected_by_error_estimate() ? "error_estimate" : "trust"},
+        {"y_l1", assessment.reference_y_l1},
+        {"ydot_l1", assessment.reference_ydot_l1}};
+  }
+  if (const auto& second = assessment.confirmation)
+    json["confirmation"] = {{"solution", second->id}, {"agrees", second->has_agreement}};
+  for (const auto& solution : assessment.solutions) {
+    json["solutions"].push_back({{"solution", solution.id},
+                                 {"agreement", name(solution.agreement)},
+                                 {"y_l1", number_or_null_json(solution.y)},
+                                 {"ydot_l1", number_or_null_json(solution.ydot)},
+                                 {"rank", solution.rank ? Json(*solution.rank) : Json()}});
+  }
+  return json;
+}
+
 Json case_json(const CaseResult& case_result) {
   Json json = problem_json(case_result.problem);
   json["solutions"] = json_list(case_result.solutions, solution_json);
@@ -105,8 +127,9 @@ Json case_json(const CaseResult& case_result) {
   if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
   if (!case_result.moment_error_estimates.empty())
     json["own_errors"] = json_list(case_result.moment_error_estimates, moment_error_estimate_json);
-  const auto* reference = compare::select_reference(case_result.solutions);
-  json["reference"] = reference == nullptr ? Json() : Json(reference->id());
+  const auto& reference = case_result.assessment.reference;
+  json["reference"] = reference.empty() ? Json() : Json(reference);
+  json["assessment"] = assessment_json(case_result.assessment);
   return json;
 }
 
@@ -185,6 +208,43 @@ compare::GuaranteedBounds bounds_from_json(const Json& json) {
   return bounds;
 }
 
+// The assessment of exactly the solutions of the case, in the same order.
+compare::Assessment assessment_from_json(const Json& json, const CaseResult& case_result) {
+  const auto id_in = [&](const Json& object) {
+    auto id = object.at("solution").get<std::string>();
+    if (case_result.find(id) == nullptr) {
+      throw InputError(fmt::format("\"assessment\" has the unknown solution {}; run again",
+                                   base::in_quotes(id)));
+    }
+    return id;
+  };
+  compare::Assessment assessment;
+  if (const Json& reference = json.at("reference"); !reference.is_null()) {
+    assessment.reference = id_in(reference);
+    assessment.reference_y_l1 = number_or_default(kInfinity, reference.at("y_l1"));
+    assessment.reference_ydot_l1 = number_or_default(kInfinity, reference.at("ydot_l1"));
+  }
+  if (const Json& second = json.at("confirmation"); !second.is_null())
+    assessment.confirmation = {id_in(second), second.at("agrees")};
+  for (const auto& solution : json.at("solutions")) {
+    const auto agreement =
+        base::enum_from_name<compare::Agreement>(solution.at("agreement").get<std::string>());
+    if (!agreement) throw InputError("\"assessment\" has an unknown agreement; run again");
+    assessment.solutions.push_back({.id = id_in(solution),
+                                    .agreement = *agreement,
+                                    .y = optional_number_in(solution, "y_l1"),
+                                    .ydot = optional_number_in(solution, "ydot_l1"),
+                                    .rank = {}});
+    if (!solution.at("rank").is_null())
+      assessment.solutions.back().rank = integer_in(solution, "rank");
+  }
+  if (!std::ranges::equal(assessment.solutions, case_result.solutions, {},
+                          &compare::SolutionAssessment::id, &transform::Solution::id)) {
+    throw InputError("\"assessment\" has other solutions than \"solutions\"; run again");
+  }
+  return assessment;
+}
+
 CaseResult case_from_json(const Json& json) {
   CaseResult case_result{.problem = problem_from_json(json),
                          .solutions = {},
@@ -213,6 +273,11 @@ CaseResult case_from_json(const Json& json) {
                                                     moments_from_json(own.at("corrected")),
                                                     moments_from_json(own.at("error"))});
     }
+  }
+  if (json.contains("assessment")) {
+    case_result.assessment = assessment_from_json(json.at("assessment"), case_result);
+  } else {
+    case_result.assess();  // an older version saved the run
   }
   return case_result;
 }

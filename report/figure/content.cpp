@@ -4,8 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "compare/reference.hpp"
-
 namespace fpkcheck::report {
 namespace {
 
@@ -28,7 +26,7 @@ const Curve* smooth_reference(const CaseResult& case_result, const std::string& 
 // The id of the reference of a case; empty if the case has no reference, or if the reference lacks
 // the curve of one of the marginal densities.
 std::string reference_id(const CaseResult& case_result) {
-  const auto* reference = compare::select_reference(case_result.solutions);
+  const auto* reference = case_result.reference();
   if (reference == nullptr) return "";
   const bool whole = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
     return case_result.curve(reference->id(), variable) != nullptr;

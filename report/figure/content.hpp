@@ -22,7 +22,7 @@ struct MarginalCurves {
 
 /// The content of the figure of a case. The curves point to objects of the case.
 struct FigureContent {
-  /// Id of the reference (compare::select_reference), which is subtracted from all other solutions,
+  /// Id of the reference (compare::Assessment), which is subtracted from all other solutions,
   /// or "".
   std::string reference;
   /// Whether the differences are differences between averages over smooth bins. Averages over

@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "compare/reference.hpp"
+#include <cmath>
+
 #include "report/convergence_over_order.hpp"
 #include "report/families.hpp"
 #include "report/figure/frame.hpp"
@@ -131,7 +132,7 @@ Figure convergence_figure(const results::CaseResult& case_result) {
 
 Figure cost_figure(const results::CaseResult& case_result) {
   Figure figure{.title = problem_title(case_result.problem)};
-  const Solution* reference = compare::select_reference(case_result.solutions);
+  const Solution* reference = case_result.reference();
   if (reference == nullptr) return figure;
   for (const Variable variable : transform::kVariables) {
     const auto series = cost_series(case_result, *reference, variable);

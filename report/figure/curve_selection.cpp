@@ -7,7 +7,6 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "compare/reference.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {
@@ -38,17 +37,18 @@ std::vector<const transform::Solution*> solutions_by_priority(
     if (is_new && has_curve(case_result, solution)) order.push_back(&solution);
   };
   for (const auto* solution : references(case_result)) add(*solution);
-  const auto closures =
-      compare::closures_by_reference_distance(case_result.solutions, case_result.pairs);
+  std::vector<const transform::Solution*> closures;
+  for (const auto* closure : case_result.assessment.ranked_closures())
+    closures.push_back(case_result.find(closure->id));
   std::set<std::string> formulations;
-  for (const auto& rank : closures) {
-    if (formulations.insert(rank.solution->identity.formulation).second) add(*rank.solution);
+  for (const auto* closure : closures) {
+    if (formulations.insert(closure->identity.formulation).second) add(*closure);
   }
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
        ++solution) {
     if (solution->identity.role != SolutionRole::closure && solution->is_ok()) add(*solution);
   }
-  for (const auto& rank : closures) add(*rank.solution);
+  for (const auto* closure : closures) add(*closure);
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
        ++solution) {
     add(*solution);

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
@@ -44,12 +44,10 @@ std::vector<std::string> selected_solutions(const CaseResult& case_result,
     });
     if (whole && ids.size() < most) ids.push_back(solution.id());
   };
-  for (const auto& rank :
-       compare::closures_by_reference_distance(case_result.solutions, case_result.pairs)) {
-    const auto& identity = rank.solution->identity;
-    if (ids.size() + 1 < most && formulations.insert(identity.formulation).second) {
-      add(*rank.solution);
-    }
+  for (const auto* ranked : case_result.assessment.ranked_closures()) {
+    const auto& closure = *case_result.find(ranked->id);
+    if (ids.size() + 1 < most && formulations.insert(closure.identity.formulation).second)
+      add(closure);
   }
   std::ranges::reverse(ids);  // by increasing accuracy from left to right
   for (const auto& solution : case_result.solutions) {

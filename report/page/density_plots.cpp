@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "compare/reference.hpp"
 #include "report/figure/content.hpp"
 #include "report/page/encoding.hpp"
 #include "report/references.hpp"
@@ -239,10 +238,9 @@ class DensityPlot {
 
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result) {
   std::set<std::string> ids, families;
-  for (const auto& rank :
-       compare::closures_by_reference_distance(case_result.solutions, case_result.pairs)) {
-    const auto& closure = *rank.solution;
-    if (families.insert(closure.identity.family).second) ids.insert(closure.id());
+  for (const auto* closure : case_result.assessment.ranked_closures()) {
+    const auto& family = case_result.find(closure->id)->identity.family;
+    if (families.insert(family).second) ids.insert(closure->id);
   }
   for (const auto* solution : references(case_result)) ids.insert(solution->id());
   for (const auto& solution : case_result.solutions) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/reference.hpp"
 #include "report/figure/text.hpp"
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
@@ -29,15 +28,11 @@ class DistancePlot {
       }
     }
     for (const auto& case_result : run.cases) {
-      if (const Solution* reference = compare::select_reference(case_result.solutions)) {
-        const double error =
-            std::max(compare::l1_error_estimate(*reference, transform::Variable::y),
-                     compare::l1_error_estimate(*reference, transform::Variable::ydot));
-        if (std::isfinite(error)) reference_error_ = std::max(reference_error_, error);
-      }
+      const double error = case_result.assessment.largest_reference_l1();
+      if (std::isfinite(error)) reference_error_ = std::max(reference_error_, error);
     }
     if (reference_error_ > 0) include(reference_error_);
-    if (any_) include(kCloseL1);
+    if (any_) include(compare::kCloseL1);
   }
 
   bool empty() const { return !any_; }
@@ -94,8 +89,9 @@ class DistancePlot {
           "font-size=\"9\">{}</tspan></text>\n",
           x, bottom() + 16, with_minus_signs(fmt::format("{:.0f}", decade)));
     }
-    svg += vertical_line(x_of(kCloseL1), "close") +
-           text(x_of(kCloseL1), kTop - 7, "middle", fmt::format("close: {}", kCloseL1));
+    svg += vertical_line(x_of(compare::kCloseL1), "close") +
+           text(x_of(compare::kCloseL1), kTop - 7, "middle",
+                fmt::format("close: {}", compare::kCloseL1));
     return svg + text((kNames + kWidth - kRight) / 2, bottom() + 36, "middle",
                       "L1 distance to the reference, the larger of p(y) and p(y\u2032)");
   }

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "compare/reference.hpp"
 #include "report/page/encoding.hpp"
 #include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
@@ -35,9 +34,7 @@ constexpr MappedMoment kMappedMoments[] = {{"y2", "E[y\u00b2]", &Moments::y2},
 // other solutions.
 std::vector<std::string> solutions_by_accuracy(const CaseResult& one) {
   std::vector<std::string> ids;
-  for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
-    ids.push_back(rank.solution->id());
-  }
+  for (const auto* closure : one.assessment.ranked_closures()) ids.push_back(closure->id);
   for (const auto& own : one.moment_error_estimates) {
     if (std::ranges::find(ids, own.solution) == ids.end()) ids.push_back(own.solution);
   }
@@ -69,7 +66,7 @@ std::optional<ErrorMaps> error_maps(const CaseResult& one) {
   });
   // The maps use the window of the reference, or the window of the first joint density if there is
   // no reference: nearly all densities have the same window.
-  const auto* measure = compare::select_reference(one.solutions);
+  const auto* measure = one.reference();
   const auto joint = std::ranges::find_if(one.joints, [&](const auto& candidate) {
     return measure == nullptr || candidate.solution == measure->id();
   });

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "compare/rest_atoms.hpp"
 #include "report/page/encoding.hpp"
 #include "report/page/heat_map_values.hpp"
@@ -56,9 +56,7 @@ const JointDensity* find(const results::CaseResult& one, const std::string& solu
 std::vector<std::string> compared_solutions(const results::CaseResult& one,
                                             const std::string& reference) {
   std::vector<std::string> ids;
-  for (const auto& rank : compare::closures_by_reference_distance(one.solutions, one.pairs)) {
-    ids.push_back(rank.solution->id());
-  }
+  for (const auto* closure : one.assessment.ranked_closures()) ids.push_back(closure->id);
   for (const auto& solution : one.solutions) {
     const bool ranked = std::ranges::find(ids, solution.id()) != ids.end();
     if (!ranked && solution.is_ok() && solution.id() != reference) ids.push_back(solution.id());

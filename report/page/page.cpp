@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/reference.hpp"
 #include "report/figure/convergence_figure.hpp"
 #include "report/findings.hpp"
 #include "report/page/budget_view.hpp"
@@ -21,6 +20,7 @@
 #include "report/page/parts.hpp"
 #include "report/page/problem_text.hpp"
 #include "report/page/verdict_view.hpp"
+#include "report/references.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -56,7 +56,7 @@ class CaseSection {
   CaseSection(const results::Run& run, const results::CaseResult& case_result,
               const std::string& id)
       : id_(id) {
-    const std::string reference = compare::reference_text(case_result.solutions);
+    const std::string reference = reference_text(case_result);
     const std::string parameters = run.cases.size() > 1
                                        ? varying_parameters(run, case_result)
                                        : problem::parameters_text(case_result.problem, true);

@@ -41,7 +41,7 @@ std::string key_html(const std::vector<AgreementRow>& all) {
   };
   const Entry entries[] = {
       {Agreement::reference, "the reference"},
-      {Agreement::close, fmt::format("within L1 {:g} of the reference", kCloseL1)},
+      {Agreement::close, fmt::format("within L1 {:g} of the reference", compare::kCloseL1)},
       {Agreement::distant, "farther from the reference"},
       {Agreement::no_density, "no admissible density found"}};
   std::string html;

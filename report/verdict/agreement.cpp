@@ -1,64 +1,20 @@
 #include "report/verdict/agreement.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "compare/reference.hpp"
 
 namespace fpkcheck::report {
 namespace {
-
-using transform::Solution;
-using transform::Status;
-using transform::Variable;
 
 std::optional<double> larger_of(std::optional<double> one, std::optional<double> other) {
   if (one && other) return std::max(*one, *other);
   return one ? one : other;
 }
 
-// Whether the distances are at most the error estimate of the reference, and thus not significant.
-bool is_within_reference_error(const Solution& reference, const AgreementEntry& entry) {
-  const auto within = [&](const std::optional<double>& l1, Variable variable) {
-    const double known = compare::l1_error_estimate(reference, variable);
-    return !l1 || (std::isfinite(known) && *l1 <= known);
-  };
-  return within(entry.y, Variable::y) && within(entry.ydot, Variable::ydot);
-}
-
 }  // namespace
 
-std::optional<double> AgreementEntry::largest_l1() const { return larger_of(y, ydot); }
-
-bool AgreementEntry::reproduces_reference() const {
-  return agreement == Agreement::reference || agreement == Agreement::indistinguishable ||
-         agreement == Agreement::close;
-}
-
 AgreementEntry agreement_entry(const results::CaseResult& one, std::string_view id) {
-  AgreementEntry entry{.solution = one.find(id)};
-  if (entry.solution == nullptr) return entry;
-  const Solution* reference = compare::select_reference(one.solutions);
-  if (reference == entry.solution) {
-    entry.agreement = Agreement::reference;
-    return entry;
-  }
-  if (reference != nullptr) {
-    entry.y = one.l1(id, reference->id(), Variable::y);
-    entry.ydot = one.l1(id, reference->id(), Variable::ydot);
-  }
-  const bool is_density =
-      entry.solution->has_density() && entry.solution->status != Status::inadmissible;
-  if (!is_density) {
-    entry.agreement = Agreement::no_density;
-  } else if (!entry.largest_l1()) {
-    entry.agreement = Agreement::no_reference;
-  } else if (is_within_reference_error(*reference, entry)) {
-    entry.agreement = Agreement::indistinguishable;
-  } else {
-    entry.agreement = *entry.largest_l1() <= kCloseL1 ? Agreement::close : Agreement::distant;
-  }
-  return entry;
+  const auto* assessed = one.assessment.find(id);
+  return assessed == nullptr ? AgreementEntry{} : AgreementEntry{{*assessed}, one.find(id)};
 }
 
 int AgreementRow::case_count() const {

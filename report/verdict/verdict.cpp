@@ -7,17 +7,13 @@
 #include <cmath>
 #include <map>
 
-#include "compare/agreement.hpp"
-#include "compare/reference.hpp"
-#include "report/references.hpp"
+#include "compare/assessment.hpp"
 #include "report/verdict/outcome.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-using transform::Solution;
 using transform::SolutionRole;
-using transform::Variable;
 
 using Words = std::vector<std::string>;
 
@@ -30,9 +26,8 @@ std::string comma_separated(const Words& words) {
 std::string reference_names(const results::Run& run) {
   std::map<std::string, Words> cases;
   for (const auto& case_result : run.cases) {
-    if (const auto* chosen = compare::select_reference(case_result.solutions)) {
-      cases[chosen->id()].push_back(case_result.name());
-    }
+    const auto& reference = case_result.assessment.reference;
+    if (!reference.empty()) cases[reference].push_back(case_result.name());
   }
   const auto most =
       std::ranges::max_element(cases, {}, [](const auto& entry) { return entry.second.size(); });
@@ -56,20 +51,19 @@ struct ReferenceAccuracy {
 ReferenceAccuracy reference_accuracy(const results::Run& run) {
   ReferenceAccuracy known;
   for (const auto& case_result : run.cases) {
-    const auto all = references(case_result);
-    if (all.empty()) continue;
+    const auto& assessment = case_result.assessment;
+    if (assessment.reference.empty()) continue;
     ++known.judged;
-    known.y = std::max(known.y, compare::l1_error_estimate(*all.front(), Variable::y));
-    known.ydot = std::max(known.ydot, compare::l1_error_estimate(*all.front(), Variable::ydot));
-    if (all.size() < 2) continue;
-    const Solution& second = *all.back();
-    if (known.second.empty()) known.second = second.id();
-    if (known.second != second.id()) continue;
+    known.y = std::max(known.y, assessment.reference_y_l1);
+    known.ydot = std::max(known.ydot, assessment.reference_ydot_l1);
+    if (!assessment.confirmation) continue;
+    const auto& [second, has_agreement] = *assessment.confirmation;
+    if (known.second.empty()) known.second = second;
+    if (known.second != second) continue;
     ++known.checked;
-    if (!compare::has_agreement(*all.front(), second, case_result.pairs)) ++known.contradicted;
-    known.apart.take_larger_distances(
-        case_result.l1(second.id(), all.front()->id(), Variable::y),
-        case_result.l1(second.id(), all.front()->id(), Variable::ydot));
+    if (!has_agreement) ++known.contradicted;
+    const auto* assessed = assessment.find(second);
+    known.apart.take_larger_distances(assessed->y, assessed->ydot);
   }
   return known;
 }
@@ -169,7 +163,7 @@ std::string reproduction_sentence(const results::Run& run, const std::vector<Agr
   if (yes.empty() && no.empty()) return "";
   const int cases = static_cast<int>(run.cases.size());
   const std::string within =
-      fmt::format("Within L1 {} of the reference{}", kCloseL1, cases_phrase(cases, cases));
+      fmt::format("Within L1 {} of the reference{}", compare::kCloseL1, cases_phrase(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
   return fmt::format("{}: {}{}.", within, fmt::join(yes, "; "),
                      no.empty() ? "" : fmt::format("; not {}", fmt::join(no, "; ")));

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
 #include "compare/distances.hpp"
-#include "compare/reference.hpp"
 #include "made_up_solutions.hpp"
 
 namespace fpkcheck::compare {
@@ -31,10 +31,12 @@ TEST(SmoothReference, IsTheReferenceByItsSmoothSamplingError) {
   auto one = tests::made_up_case_with_control_variates();
   auto& kf = one.solutions[6];
   kf.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  EXPECT_EQ(select_reference(one.solutions)->id(), "mcs");
+  one.assess();
+  EXPECT_EQ(one.assessment.reference, "mcs");
   EXPECT_EQ(l1_error_estimate(one.solutions.back(), Variable::y), 3e-6);
   kf.error = {.y_l1 = 1e-6, .ydot_l1 = 1e-6};
-  EXPECT_EQ(select_reference(one.solutions)->id(), "fd-kf");
+  one.assess();
+  EXPECT_EQ(one.assessment.reference, "fd-kf");
 }
 
 // Fully correlated errors: the signs of the differences decide which errors add and which cancel.

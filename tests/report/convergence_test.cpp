@@ -50,6 +50,7 @@ TEST(ConvergenceOverOrder, NeedsAReferenceAndAFamilyOfTwoOrders) {
   case_result = tests::whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
+    case_result.assess();
   }
   EXPECT_FALSE(convergence_over_order(case_result, Variable::ydot));
 }

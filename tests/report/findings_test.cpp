@@ -62,6 +62,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
     if (pair.l1_standard_error) pair.l1_standard_error = 5e-7;
   }
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 2.3e-5};
+  case_result.assess();
   const std::string words = "measured by the simulation (mcs)";
   EXPECT_EQ(sentence_with(case_result, words),
             "The full jump equation (fd-kf) has an L1 error of 2.7e-05 +- 5e-07 in p(y) (estimate "
@@ -70,6 +71,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
   EXPECT_EQ(sentence_with(case_result, "differ by"), "");
   // The error exceeds 1.25 times its estimate by more than the sampling error.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.2e-5};
+  case_result.assess();
   EXPECT_TRUE(contains(sentence_with(case_result, words), "(mcs): larger than the estimate."));
   // A distance below three sampling errors is not significant.
   set_l1(case_result, "fd-kf", "mcs", 8e-6, 2.36e-5);
@@ -79,6 +81,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
       << sentence_with(case_result, words);
   // With a smaller error estimate than that of the simulation, fd-kf is the reference.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-8, .ydot_l1 = 1e-8};
+  case_result.assess();
   EXPECT_EQ(sentence_with(case_result, "measured by"), "");
   EXPECT_TRUE(contains(sentence_with(case_result, "differ by"), "the densities disagree"));
 }
@@ -177,6 +180,7 @@ TEST(Findings, CallNoClosureCloseAboveTheStatedDistance) {
 TEST(Findings, StateTheDiscretisationError) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").error = {2.8e-5, 2.5e-5, {.y2 = 1.3e-6, .v2 = 2.4e-6}};
+  case_result.assess();
   EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "");  // the error budget contains the error
   case_result.budget.clear();
@@ -184,6 +188,7 @@ TEST(Findings, StateTheDiscretisationError) {
             "The discretisation error of fd-kf, by its own estimate: L1 2.8e-05 in p(y) and "
             "2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
   solution_of(case_result, "fd-km4").error = {3e-5, 1e-5, {.y2 = 4e-6, .v2 = 1e-6}};
+  case_result.assess();
   EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "The discretisation errors of fd-km4, fd-kf, by their own estimate: at most L1 3e-05 "
             "in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
@@ -197,6 +202,7 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   }
   solution_of(case_result, "fd-white").status = Status::failed;
   solution_of(case_result, "mcs").sampling.reset();
+  case_result.assess();
   const auto sentences = findings(case_result);
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0], "Reference: mcs.");
@@ -205,10 +211,12 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   EXPECT_FALSE(contains(sentences[3], "sampling")) << sentences[3];
 
   case_result.solutions.erase(case_result.solutions.begin() + 4, case_result.solutions.end());
+  case_result.assess();
   ASSERT_EQ(findings(case_result).size(), 1u);
   EXPECT_TRUE(findings(case_result)[0].starts_with("There is no reference"))
       << findings(case_result)[0];
   case_result.solutions.resize(1);
+  case_result.assess();
   EXPECT_TRUE(findings(case_result).empty());
 }
 
@@ -236,6 +244,7 @@ TEST(Findings, StateDistancesOfAFileToFullProblemSolutions) {
   // Combined sampling errors of the file and the simulation (0.0011, 0.0015); the 99 % quantile is
   // twice the expectation.
   solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
+  case_result.assess();
   EXPECT_EQ(
       sentence_with(case_result, "from the simulation"),
       to_mcs +
@@ -256,6 +265,7 @@ TEST(Findings, AssessAFileInItsMarginalsOnly) {
     return pair.a == "epc-gaussian-n2" && pair.variable == transform::Variable::ydot;
   });
   solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011};
+  case_result.assess();
   EXPECT_EQ(sentence_with(case_result, "from the simulation"),
             "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in p(y); its standard "
             "errors and those of mcs account for about 0.0016 in p(y); all errors explain up to "

@@ -15,7 +15,7 @@ inline transform::Solution& solution_of(results::CaseResult& case_result, const 
   throw std::logic_error("no " + id);
 }
 
-/// Sets the L1 distances of a pair.
+/// Sets the L1 distances of a pair, and assesses the case again.
 inline void set_l1(results::CaseResult& case_result, const std::string& a, const std::string& b,
                    double y, double ydot) {
   for (auto& pair : case_result.pairs) {
@@ -23,6 +23,7 @@ inline void set_l1(results::CaseResult& case_result, const std::string& a, const
       pair.distances.l1 = pair.variable == transform::Variable::y ? y : ydot;
     }
   }
+  case_result.assess();
 }
 
 /// The case with only its first `count` solutions and their comparisons.

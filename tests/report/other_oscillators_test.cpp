@@ -55,6 +55,7 @@ results::CaseResult with_not_offered() {
     solution.reason = "this wall is not supported";
     solution.density.reset();
   }
+  case_result.assess();
   return case_result;
 }
 

@@ -102,6 +102,7 @@ TEST(Table, PutsTheReferenceFirstAndKeepsItWhereThereIsLittleRoom) {
   const auto before = table_of(case_result, 100);
   EXPECT_LT(before.find("L1 to mcs"), before.find("L1 to fd-kf"));
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  case_result.assess();
   const auto after = table_of(case_result, 100);
   EXPECT_LT(after.find("L1 to fd-kf"), after.find("L1 to mcs"));
   EXPECT_TRUE(contains(headers_of(table_of(case_result, 80)), "L1 to fd-kf"));

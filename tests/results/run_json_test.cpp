@@ -69,6 +69,7 @@ results::Run full_run() {
   run.cases[0].bounds = compare::GuaranteedBounds{.reason = "wider than asked for",
                                                   .seconds = 0.5,
                                                   .each = {{"E[y^2]", 0.125, 0.25}, {"w1", 1, 2}}};
+  run.cases[0].assess();
   return run;
 }
 
@@ -170,6 +171,40 @@ TEST(Summary, HasEveryFieldOfTheContract) {
   EXPECT_EQ(row.at("tail").dump().substr(0, 25), R"({"from":1e-05,"to":0.001,)");
   EXPECT_EQ(row.at("parts").back().contains("expected"), true);
   EXPECT_EQ(c.at("reference"), "fd-kf");
+  const Json& assessment = c.at("assessment");
+  EXPECT_EQ(assessment.at("reference").dump(),
+            R"({"solution":"fd-kf","selected_by":"error_estimate","y_l1":1e-05,"ydot_l1":2e-05})");
+  EXPECT_EQ(assessment.at("confirmation").at("solution"), "mcs");
+  EXPECT_TRUE(assessment.at("confirmation").at("agrees").is_boolean());
+  ASSERT_EQ(assessment.at("solutions").size(), c.at("solutions").size());
+  const Json& closure = assessment.at("solutions").at(0);
+  EXPECT_EQ(closure.at("solution"), "epc-gaussian-n2");
+  EXPECT_EQ(closure.at("agreement"), "close");
+  EXPECT_TRUE(closure.at("y_l1").is_number());
+  EXPECT_EQ(closure.at("rank"), 2);
+  EXPECT_TRUE(assessment.at("solutions").at(6).at("rank").is_null());
+}
+
+TEST(Summary, OfAnOlderVersionIsAssessedWhenRead) {
+  const results::Run run = full_run();
+  Json json = summary_of(run);
+  json["cases"][0].erase("assessment");
+  EXPECT_EQ(read(json.dump()).cases[0].assessment, run.cases[0].assessment);
+}
+
+TEST(Summary, HasTheStoredAssessment) {
+  Json json = summary_of(full_run());
+  Json& assessment = json["cases"][0]["assessment"];
+  assessment["solutions"][0]["agreement"] = "distant";  // a reader repeats no assessment
+  EXPECT_EQ(read(json.dump()).cases[0].assessment.solutions[0].agreement,
+            compare::Agreement::distant);
+  for (const auto& [field, value] : {std::pair{"solution", "nobody"}, {"agreement", "great"}}) {
+    Json wrong = json;
+    wrong["cases"][0]["assessment"]["solutions"][0][field] = value;
+    EXPECT_TRUE(contains(refusal(wrong.dump()), "assessment")) << field;
+  }
+  assessment["solutions"].erase(0);
+  EXPECT_TRUE(contains(refusal(json.dump()), "other solutions"));
 }
 
 TEST(Summary, IsReadBackAsItWas) {

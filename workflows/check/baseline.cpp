@@ -68,6 +68,7 @@ RepeatedCase plan_repetition(results::CaseResult& case_result, const methods::Re
         fmt::format("{} {} is an external density: it is not solved again and not compared.",
                     case_result.name(), id));
   }
+  case_result.assess();
   return again;
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/reference.hpp"
+#include "compare/assessment.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/criteria.hpp"
@@ -32,7 +32,7 @@ int tail_bin_count(const results::CaseResult& one, transform::Variable variable)
 // used.
 double error_estimate(const results::CaseResult& one, const compare::ErrorBudgetRow& row) {
   const auto* reference = one.find(row.reference);
-  if (reference == nullptr) reference = compare::select_reference(one.solutions);
+  if (reference == nullptr) reference = one.reference();
   return reference == nullptr ? kInfinity : compare::l1_error_estimate(*reference, row.variable);
 }
 

@@ -53,6 +53,7 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
       shown.curves.back().solution = paper_name;
     }
   }
+  shown.assess();
   return shown;
 }
 

@@ -31,6 +31,7 @@ TEST(BudgetFigure, DrawsClosuresThatAreNotOkPaleAndMarked) {
   EXPECT_TRUE(contains(budget_script(case_result, "stem"), "'gaussian-n4 *' 2"));
   EXPECT_TRUE(contains(budget_script(case_result, "stem"), "* not ok"));
   tests::solution_of(case_result, "epc-gaussian-n4").status = transform::Status::ok;
+  case_result.assess();
   EXPECT_FALSE(contains(budget_script(case_result, "stem"), "*'"));
 }
 

@@ -16,6 +16,7 @@ TEST(FigureContent, SubtractsTheReference) {
   auto case_result = made_up_case();
   EXPECT_EQ(figure_content(case_result).reference, "mcs");
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  case_result.assess();
   EXPECT_EQ(figure_content(case_result).reference, "fd-kf");
   const auto content = figure_content(case_result);
   const auto& kf = *case_result.curve("fd-kf", Variable::ydot);
@@ -23,8 +24,10 @@ TEST(FigureContent, SubtractsTheReference) {
     EXPECT_EQ(drawn.difference.values[70], drawn.curve->density[70] - kf.density[70]);
   }
   solution_of(case_result, "fd-kf").status = Status::not_converged;
+  case_result.assess();
   EXPECT_EQ(figure_content(case_result).reference, "mcs");
   solution_of(case_result, "mcs").status = Status::failed;
+  case_result.assess();
   EXPECT_EQ(figure_content(case_result).reference, "");
   EXPECT_TRUE(figure_content(case_result).marginals[0].curves[0].difference.empty());
 }
@@ -46,6 +49,7 @@ TEST(FigureContent, HasAbsoluteDifferencesOverSmoothBins) {
   }
   // With another reference the differences are over sharp bins.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
+  case_result.assess();
   EXPECT_EQ(figure_content(case_result).reference, "fd-kf");
   EXPECT_FALSE(figure_content(case_result).smooth_differences);
   EXPECT_EQ(figure_content(case_result).marginals[0].curves[0].difference.values.size(), 140u);
@@ -85,6 +89,7 @@ TEST(FigureContent, AxisOfDifferencesContainsAllDrawnCurves) {
   // An inaccurate curve with the largest distance to the reference.
   for (auto case_result : {made_up_case(), tests::made_up_case_with_control_variates()}) {
     solution_of(case_result, "fd-white").status = Status::inaccurate;
+    case_result.assess();
     const auto raise = [&](std::vector<results::Curve>& curves) {
       for (auto& curve : curves) {
         if (curve.solution == "fd-white") curve.density[20] += 0.3;

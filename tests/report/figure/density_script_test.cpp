@@ -63,6 +63,7 @@ TEST(DensityScript, HasDifferencesWhereThereIsAReference) {
   EXPECT_TRUE(contains(script_of(case_result), "difference from mcs"));
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
   solution_of(case_result, "mcs").status = transform::Status::failed;
+  case_result.assess();
   EXPECT_FALSE(contains(script_of(case_result), "difference from mcs"));
   EXPECT_FALSE(contains(script_of(case_result), "_difference"));
 }
@@ -75,6 +76,7 @@ TEST(DensityScript, RunsNoCommandOfAnId) {
     if (curve.solution == "mcs") curve.solution = id;
   }
   solution_of(case_result, "mcs").identity.id = id;
+  case_result.assess();
   EXPECT_TRUE(contains(script_of(case_result), "difference from x system ''touch PWNED'' #"));
   EXPECT_FALSE(contains(script_of(case_result), "\nsystem"));
 }

@@ -118,6 +118,7 @@ TEST(DensityPlots, WithoutAReferenceHaveTwoRows) {
   auto case_result = tests::whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
+    case_result.assess();
   }
   const auto plots = density_plots(case_result, "case-1");
   EXPECT_EQ(plots[0].caption, "Displacement y: logarithm of the density; density");
@@ -151,6 +152,7 @@ TEST(InitiallyVisible, AreAllWhereThatLeavesFewerThanTwo) {
   for (auto& solution : case_result.solutions) {
     if (solution.id() != "mcs") solution.status = transform::Status::failed;
   }
+  case_result.assess();
   EXPECT_EQ(initially_visible_solutions(case_result).size(), case_result.solutions.size());
 }
 

@@ -86,6 +86,7 @@ TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
   case_result.joints = joints;
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
+    case_result.assess();
   }
   EXPECT_FALSE(joint_maps(case_result));
 }

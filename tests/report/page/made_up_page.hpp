@@ -18,6 +18,7 @@ namespace fpkcheck::tests {
 inline results::CaseResult whole_case(const std::string& name = "case1") {
   auto case_result = made_up_case(name);
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
+  case_result.assess();
   auto simulated = case_result.joints.back();  // fd-kf
   simulated.solution = "mcs";
   auto& [y_edges, v_edges, averages] = simulated.density;

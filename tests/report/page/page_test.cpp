@@ -76,6 +76,7 @@ TEST(Page, ShowsNamesLiterally) {
   for (auto& curve : case_result.curves) rename(curve.solution);
   for (auto& joint : case_result.joints) rename(joint.solution);
   case_result.limits = hostile;
+  case_result.assess();
   const std::string html = page(run);
   EXPECT_EQ(occurrences(html, "<script"), 3u);
   EXPECT_EQ(occurrences(html, "</script>"), 3u);
@@ -121,6 +122,7 @@ TEST(Page, ShowsDashesWithoutAnyDensity) {
     solution.seconds = kNotANumber;
     solution.moments.y2 = kNotANumber;
   }
+  case_result.assess();
   const std::string html = page(run);
   EXPECT_FALSE(contains(html, ">Densities and differences</h3>"));
   EXPECT_FALSE(contains(html, ">Convergence</h3>"));
@@ -135,6 +137,7 @@ TEST(Page, StatesThatThereIsNoReference) {
     if (solution.identity.role == transform::SolutionRole::closure) continue;
     solution.status = transform::Status::failed;
   }
+  run.cases[0].assess();
   const std::string html = page(run);
   EXPECT_TRUE(
       contains(html, "<p class=\"answer\">There is no reference: no solution of the full problem"));
@@ -159,6 +162,7 @@ TEST(Page, MentionsCirclesOnlyWithASimulation) {
   auto run = made_up_run();
   EXPECT_TRUE(contains(page(run), "Circles in a grey band"));
   solution_of(run.cases[0], "mcs").status = transform::Status::failed;
+  run.cases[0].assess();
   EXPECT_FALSE(contains(page(run), "Circles in a grey band"));
 }
 
@@ -209,6 +213,7 @@ TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderAMegabyteEach) {
       case_result.curves.push_back(curve);
     }
   }
+  case_result.assess();
   ASSERT_EQ(case_result.solutions.size(), 15u);
   EXPECT_LT(page({results::this_program("fpkcheck run"), {case_result}}).size(), 1'000'000u);
   results::Run run{results::this_program("fpkcheck run"), {}};

@@ -129,6 +129,7 @@ TEST(Verdict, OfSeveralCasesStatesTheWorstAndTheirNumber) {
 TEST(Verdict, NamesTheReferenceCaseByCaseWhereItDiffers) {
   auto second = usual("b");
   solution_of(second, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
+  second.assess();
   const auto run_verdict = make_verdict(run_of({usual("a"), second, usual("c")}));
   EXPECT_TRUE(contains(run_verdict.answer[0], "is mcs (fd-kf in b), with"))
       << run_verdict.answer[0];
@@ -149,6 +150,7 @@ TEST(Verdict, RecommendsTheReferenceAndTheFastestSolution) {
             "Fastest solution with status ok: within L1 0.01, epc-gaussian-n6 (0.5 s).");
   // The error estimate of the reference is added to the distance: 0.0047 + 0.006.
   solution_of(case_result, "mcs").sampling = {.y = 0.006, .ydot = 0.006};
+  case_result.assess();
   run_verdict = make_verdict(run_of({case_result}));
   EXPECT_EQ(run_verdict.recommendation[1],
             "Fastest solution with status ok: within L1 0.01, fd-km4 (5 s).");

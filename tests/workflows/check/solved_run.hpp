@@ -150,6 +150,7 @@ inline results::Run only(results::Run run, const std::string& id) {
   std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
   one.pairs.clear();
   one.budget.clear();
+  one.assess();
   return run;
 }
 inline TwoRuns alone(const std::string& id) {

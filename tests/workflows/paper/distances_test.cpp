@@ -49,6 +49,7 @@ TEST(DistanceToTheSimulation, IsEmptyWithoutADensityOrAnAccurateReference) {
   EXPECT_EQ(missing, "case1 has no density of epc-gaussian-n8");
 
   case_in(run, 1).solutions.back().sampling = {.y = 0.011, .ydot = 0.011};
+  case_in(run, 1).assess();
   EXPECT_FALSE(distance_to_simulation(case_in(run, 1), 6, Variable::y, missing));
   EXPECT_EQ(missing, "the reference of case1 has an error of up to L1 0.011: simulate longer");
 

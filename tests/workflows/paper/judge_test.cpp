@@ -185,6 +185,7 @@ TEST(Judge, ClaimsWithoutNumbersAreUnjudgedWithAReason) {
   for (const auto& [lose, why] : losses) {
     auto run = run_with_distances();
     lose(run);
+    for (auto& case_result : run.cases) case_result.assess();
     const auto one = find_judgement(run, 1, kAgrees);
     EXPECT_EQ(one.outcome, ClaimOutcome::unjudged) << why;
     EXPECT_EQ(one.note, why);

@@ -11,8 +11,8 @@
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
 #include "base/process/exit_blocker.hpp"
+#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
-#include "compare/reference.hpp"
 #include "methods/complete_error_estimates.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
@@ -108,7 +108,8 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
     solutions.push_back(solved(method, *problem, {axes, {}, &residuals, !by_reference}));
   }
 
-  const Solution* reference = compare::select_reference(solutions);
+  const Solution* reference =
+      transform::find_solution(solutions, compare::assess_solutions(solutions, {}).reference);
   compare::Comparison comparison;
   if (reference != nullptr || plan.marginals) {
     comparison = compare::compare_solutions(axes, solutions);

@@ -1,0 +1,162 @@
+#include "compare/assessment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/agreement.hpp"
+
+namespace fpkcheck::compare {
+
+using problem::Equation;
+using problem::Impact;
+using transform::Solution;
+using transform::SolutionRole;
+using transform::Variable;
+
+namespace {
+
+constexpr double kUnknownError = std::numeric_limits<double>::infinity();
+
+const Solution* select_reference(std::span<const Solution> solutions) {
+  const Solution* best = nullptr;
+  for (const auto& solution : solutions) {
+    if (!is_solution_of_full_problem(solution)) continue;
+    if (best == nullptr || !(l1_error_estimate(*best) < l1_error_estimate(solution)))
+      best = &solution;
+  }
+  return best;
+}
+
+std::optional<Confirmation> confirmation_of(const Solution& reference,
+                                            std::span<const Solution> solutions,
+                                            std::span<const PairDistances> pairs) {
+  const Solution* second = nullptr;
+  for (const auto& solution : solutions) {
+    if (&solution != &reference && is_solution_of_full_problem(solution)) second = &solution;
+  }
+  if (second == nullptr) return std::nullopt;
+  return Confirmation{second->id(), has_agreement(reference, *second, pairs)};
+}
+
+// Whether the distances are at most the error estimate of the reference, and thus not significant.
+bool is_within_reference_error(const Assessment& assessment, const SolutionAssessment& solution) {
+  const auto within = [](const std::optional<double>& l1, double error) {
+    return !l1 || (std::isfinite(error) && *l1 <= error);
+  };
+  return within(solution.y, assessment.reference_y_l1) &&
+         within(solution.ydot, assessment.reference_ydot_l1);
+}
+
+Agreement agreement_of(const Assessment& assessment, const Solution& solution,
+                       const SolutionAssessment& assessed) {
+  if (assessed.id == assessment.reference) return Agreement::reference;
+  if (!solution.has_density() || solution.status == transform::Status::inadmissible)
+    return Agreement::no_density;
+  const auto l1 = assessed.largest_l1();
+  if (!l1) return Agreement::no_reference;
+  if (is_within_reference_error(assessment, assessed)) return Agreement::indistinguishable;
+  return *l1 <= kCloseL1 ? Agreement::close : Agreement::distant;
+}
+
+double l1_sum(const SolutionAssessment& closure) { return *closure.y + *closure.ydot; }
+
+void rank_closures(std::span<const Solution> solutions, Assessment& assessment) {
+  std::vector<SolutionAssessment*> closures;
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    auto& assessed = assessment.solutions[k];
+    const bool closure =
+        solutions[k].identity.role == SolutionRole::closure && solutions[k].is_ok();
+    if (closure && assessed.y && assessed.ydot) closures.push_back(&assessed);
+  }
+  std::ranges::stable_sort(closures, {}, [](const auto* closure) { return l1_sum(*closure); });
+  int rank = 0;
+  for (auto* closure : closures) closure->rank = ++rank;
+}
+
+}  // namespace
+
+double l1_error_estimate(const Solution& solution, Variable variable) {
+  if (solution.error) return l1(*solution.error, variable);
+  if (const auto& sampling = best_sampling_error(solution)) {
+    return expected_l1_error(*sampling, variable).value_or(kUnknownError);
+  }
+  return kUnknownError;
+}
+
+double l1_error_estimate(const Solution& solution) {
+  return l1_error_estimate(solution, Variable::y) + l1_error_estimate(solution, Variable::ydot);
+}
+
+bool is_solution_of_full_problem(const Solution& solution) {
+  const auto& identity = solution.identity;
+  const bool independent =
+      identity.role == SolutionRole::equation || identity.role == SolutionRole::simulation;
+  return solution.is_ok() && solution.has_density() && independent &&
+         identity.equation == Equation::kf && identity.impact && *identity.impact != Impact::delta;
+}
+
+std::optional<double> SolutionAssessment::largest_l1() const {
+  if (y && ydot) return std::max(*y, *ydot);
+  return y ? y : ydot;
+}
+
+bool SolutionAssessment::reproduces_reference() const {
+  return agreement == Agreement::reference || agreement == Agreement::indistinguishable ||
+         agreement == Agreement::close;
+}
+
+bool Assessment::is_selected_by_error_estimate() const {
+  return std::isfinite(reference_y_l1 + reference_ydot_l1);
+}
+
+double Assessment::largest_reference_l1() const {
+  return std::max(reference_y_l1, reference_ydot_l1);
+}
+
+const SolutionAssessment* Assessment::find(std::string_view id) const {
+  const auto found = std::ranges::find(solutions, id, &SolutionAssessment::id);
+  return found == solutions.end() ? nullptr : &*found;
+}
+
+std::vector<const SolutionAssessment*> Assessment::ranked_closures() const {
+  std::vector<const SolutionAssessment*> closures;
+  for (const auto& solution : solutions) {
+    if (solution.rank) closures.push_back(&solution);
+  }
+  std::ranges::stable_sort(closures, {}, [](const auto* closure) { return *closure->rank; });
+  return closures;
+}
+
+bool Assessment::are_indistinguishable(const SolutionAssessment& first,
+                                       const SolutionAssessment& second) const {
+  return is_selected_by_error_estimate() &&
+         std::abs(l1_sum(first) - l1_sum(second)) <= reference_y_l1 + reference_ydot_l1;
+}
+
+Assessment assess_solutions(std::span<const Solution> solutions,
+                            std::span<const PairDistances> pairs) {
+  Assessment assessment;
+  if (const Solution* reference = select_reference(solutions)) {
+    const auto known = [&](Variable variable) {
+      const double error = l1_error_estimate(*reference, variable);
+      return std::isfinite(error) ? error : kUnknownError;
+    };
+    assessment.reference = reference->id();
+    assessment.reference_y_l1 = known(Variable::y);
+    assessment.reference_ydot_l1 = known(Variable::ydot);
+    assessment.confirmation = confirmation_of(*reference, solutions, pairs);
+  }
+  for (const auto& solution : solutions) {
+    SolutionAssessment assessed{.id = solution.id()};
+    if (!assessment.reference.empty() && assessed.id != assessment.reference) {
+      assessed.y = l1_distance_between(pairs, assessed.id, assessment.reference, Variable::y);
+      assessed.ydot = l1_distance_between(pairs, assessed.id, assessment.reference, Variable::ydot);
+    }
+    assessed.agreement = agreement_of(assessment, solution, assessed);
+    assessment.solutions.push_back(std::move(assessed));
+  }
+  rank_closures(solutions, assessment);
+  return assessment;
+}
+
+}  // namespace fpkcheck::compare
