@@ -32,7 +32,7 @@ constexpr const char* kEvaluateUsage = R"(usage: fpkcheck evaluate FILE [SOLUTIO
 
 Evaluates the closed form of a density p(y, y') at points and prints CSV: y,v,p. FILE is the
 summary.json of a run, or its directory, and SOLUTION the id of a closure in this run; or FILE is
-a closed form as JSON (docs/foreign.md). Calls no solver: p = C exp(Q_n) from stored coefficients.
+a closed form as JSON (docs/external.md). Calls no solver: p = C exp(Q_n) from stored coefficients.
 
 examples:
   fpkcheck evaluate results/summary.json epc-moment-n8

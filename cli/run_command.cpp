@@ -44,7 +44,7 @@ examples:
   fpkcheck run case1 --against mine.csv:mine,equation=km4,impact=delta,order=6
   fpkcheck run case1 --figures pdf,tex --figure-width 85 --curves epc-gaussian,mcs
 
-A FILE of --against has one of these formats (docs/foreign.md), with or without a header line:
+A FILE of --against has one of these formats (docs/external.md), with or without a header line:
   p(y) or p(y')  columns "abscissa density", "abscissa density standard_error" or
                  "lower upper density_or_count"
   p(y, y')       columns y,v,p; netCDF-4, e.g. joint.nc of a run; or an exponential polynomial as

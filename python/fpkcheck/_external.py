@@ -126,7 +126,7 @@ class Samples:
 
 @dataclass(frozen=True)
 class File:
-    """An external density from a file (docs/foreign.md).
+    """An external density from a file (docs/external.md).
 
     Parameters
     ----------

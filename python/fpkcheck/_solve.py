@@ -80,7 +80,7 @@ def solve(
         solvers.
     against : mapping, optional
         External densities by label. A density is a `Density`, a `Samples`, a function, an array of samples, a `File`,
-        the name of a file, or a list of two files, with the marginals of y and of y' (docs/foreign.md). External
+        the name of a file, or a list of two files, with the marginals of y and of y' (docs/external.md). External
         densities require a single case.
     options : mapping, optional
         Options of the solvers: ``{"mcs.seed": 3, "fd.max_seconds": 5}``. An option without the name of a solver

@@ -219,7 +219,7 @@ TEST_F(Program, EvaluatesTheClosuresOfARunFromTheirCoefficients) {
   const auto done = program({"evaluate", out, "epc-moment-n4", "--at", path("at.csv"), "--json"});
   EXPECT_EQ(done.exit_code, kSuccess) << done.err;
   EXPECT_EQ(done.err, "");
-  // The formula in docs/foreign.md, at energies below the confinement level.
+  // The formula in docs/external.md, at energies below the confinement level.
   const auto summary = nlohmann::json::parse(std::ifstream(out + "/summary.json"));
   const auto& closure = summary.at("cases").at(0).at("solutions").at(0);
   double exponent = closure.at("log_C");
