@@ -107,11 +107,11 @@ def units_text(problems, methods):
             if len(numbers) > 1 and max(numbers) - min(numbers) > widest:
                 widest, apart = max(numbers) - min(numbers), method
     counts = sorted({(method, lettered.count(method)) for method in lettered})
-    text = f"{sum(map(len, several))} points of the plans are {len(several)} problems, most of them in several units. "
-    text += f"Their L1 differs by at most {widest:.1g} ({apart}); " if several else ""
-    text += "their statuses are equal." if not counts else ""
+    text = f"{sum(map(len, several))} points of the plans are {len(several)} problems in several units. "
+    text += f"Between the units the error of a method differs by at most {widest:.1g} ({apart}), and " if several else ""
+    text += "the statuses are equal." if not counts else ""
     if counts:
-        text += "their statuses differ: " + ", ".join(f"`{m}` at {n}" for m, n in counts) + "."
+        text += "the statuses differ: " + ", ".join(f"`{m}` at {n}" for m, n in counts) + "."
     return text.strip()
 
 

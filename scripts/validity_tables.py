@@ -201,13 +201,14 @@ def steps_text(points, method):
     count, (close, _), answers = held(3, math.inf)
     worst = max(one.l1 if one.l1 is not None else 2 for one in answers)
     says_so = sum(one.letter == "o" for one in answers)
-    text = f"With 3 impulses per decay time or more `{method}` was within 1 % at {close} of {count} points, "
-    text += f"`ok` at {says_so}, with an L1 of at most {worst:.2g}; "
-    for name, low, high in (("with 2 to 3", 2, 3), ("with 1 to 2", 1, 2)):
+    text = f"With 3 impulses per decay time or more the error of `{method}` is below 1 % at {close} of {count} points, "
+    text += f"its status is `ok` at {says_so} points, and its largest error is {worst:.2g}. "
+    for low, high in ((2, 3), (1, 2)):
         count, (close, fair), _ = held(low, high)
-        text += f"{name} within 1 % at {close}, within 5 % at {fair} of {count}; "
+        text += f"With {low} to {high} impulses per decay time the error is below 1 % at {close} of {count} points "
+        text += f"and below 5 % at {fair} points. "
     count, (_, fair), _ = held(0, 1)
-    return text + f"with fewer within 5 % at {fair} of {count}."
+    return text + f"Below 1 impulse per decay time the error is below 5 % at {fair} of {count} points."
 
 
 def paper_text(points):
@@ -219,8 +220,8 @@ def paper_text(points):
         parts.append(f"{sum(one.within(LIMITS[0]) for one in answers)} (`n = {order}`)")
     text = ", ".join(parts[:-1]) + " and " + parts[-1]
     return (
-        "At small losses and frequent impulses (`r` of 0.95 or more, 30 impulses per decay time or more) `gaussian` is "
-        f"within 1 % at {text} of {len(inside)} points."
+        "At small losses and frequent impulses (`r` of 0.95 or more, 30 impulses per decay time or more) the error of "
+        f"`gaussian` is below 1 % at {text} of {len(inside)} points."
     )
 
 
@@ -243,8 +244,9 @@ def distance_text(points, methods):
     if not medians:
         return ""
     return (
-        f"Between points at a distance of 0.8 to 1.2 the L1 of a closure differs by a factor of {min(medians):.1f} to "
-        f"{max(medians):.1f} (median); in a tenth of the pairs the factor exceeds {min(nines):.0f} to {max(nines):.0f}."
+        "Between two points at a distance of 0.8 to 1.2 the error of a closure differs by a factor of "
+        f"{min(medians):.1f} to {max(medians):.1f} (median); in a tenth of the pairs of points the factor exceeds "
+        f"{min(nines):.0f} to {max(nines):.0f}."
     )
 
 
