@@ -48,15 +48,15 @@ std::string reference_markdown(const std::vector<Reference>& references,
   std::string text = fmt::format(R"(# Reference values
 
 Stationary moments and marginal densities of the vibro-impact Duffing oscillator under Poisson
-impulses: the Kolmogorov-Feller equation (`kf`) with the exact impact (`map`). All of this file,
-and `reference.csv` beside it, is the output of
+impulses: the Kolmogorov-Feller equation (`kf`) with the exact impact (`map`). This file and
+`reference.csv` are the output of
 
     {}
 
-Each value comes from two finite-volume discretisations of different order, seventh and fifth, on
-grids graded to the origin (`theory.md`, section 4): moments are Richardson limits of three grids
-each, densities those of the finest grid. Digits on which the two differ are left out. The last two
-columns compare the values with an independent simulation.
+Finite volumes of the orders seven and five on grids graded to the origin (`theory.md`, section 4)
+give two values of each quantity. Values of moments are Richardson limits of three grids; values of
+densities are from the finest grid. The tables have the digits that agree between the two orders.
+The last two columns of each table of moments compare the values with an independent simulation.
 
 )",
                                  command);
@@ -71,7 +71,8 @@ columns compare the values with an independent simulation.
     add_points(r, text);
     text += fmt::format(
         "\nEnergy residual {:.0e}. Simulated time {:.2g}; the 95 % intervals of its histogram "
-        "contain the reference in {:.1f} % of the bins of p(y) and {:.1f} % of those of p(y').\n\n",
+        "contain the reference in {:.1f} % of the bins of p(y) and {:.1f} % of the bins of "
+        "p(y').\n\n",
         r.energy_residual, r.simulated_time, 100 * r.y_coverage, 100 * r.ydot_coverage);
   }
   return text;
