@@ -40,7 +40,7 @@ TEST(UnsupportedFeature, MatchesNoKeyOfTheProgram) {
 TEST(UnsupportedFeature, IsListedInTheReadme) {
   std::ifstream in(FPKCHECK_README);
   const std::string readme(std::istreambuf_iterator<char>(in), {});
-  const auto begin = readme.find("## What it does not treat");
+  const auto begin = readme.find("## Unsupported problems");
   ASSERT_NE(begin, std::string::npos);
   const std::string section = readme.substr(begin, readme.find("\n## ", begin + 1) - begin);
   for (const auto& [subject, words] : unsupported_features()) {
