@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "mcs/motion/advance.hpp"
-#include "mcs/motion/flight.hpp"
+#include "mcs/motion/duffing_flight.hpp"
 #include "problem/case_file.hpp"
+#include "problem/scales.hpp"
 
 // Simulation performance for the paper's cases: the program's SIMD simulation against a scalar loop
 // of the classical Runge-Kutta method with step 0.05, on the same number of threads. Also the error
@@ -89,12 +90,13 @@ struct SimulationResult {
 SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
                                  const simd::CodeVariant& lanes, bool records) {
   const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
-  const mcs::MotionParameters motion{.oscillator = mcs::Oscillator(problem.system),
-                                     .step = kStep,
-                                     .sampling_interval = 0.23,  // about 25 samples per period
-                                     .y_bins = &y,
-                                     .v_bins = &v,
-                                     .records = records};
+  const mcs::MotionParameters motion{
+      .oscillator = mcs::make_oscillator(problem, problem::scales(problem)),
+      .step = kStep,
+      .sampling_interval = 0.23,  // about 25 samples per period
+      .y_bins = &y,
+      .v_bins = &v,
+      .records = records};
   std::deque<mcs::Stream> streams;
   std::vector<mcs::Stream*> pointers;
   for (unsigned s = 0; s < kStreams; ++s) {
@@ -155,11 +157,11 @@ double simulated_time_per_second(int threads, double time,
 /// Root mean square and maximum of the error of a step from stationary states, relative to the
 /// amplitude sqrt(2 E), per unit time.
 template <class Advance>
-std::pair<double, double> error_per_time(const problem::System& system, const State& deviation,
+std::pair<double, double> error_per_time(const problem::Problem& problem,
+                                         const mcs::Oscillator& oscillator, const State& deviation,
                                          const Advance& advance) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
-  const mcs::Oscillator oscillator(system);
   double squares = 0, largest = 0;
   constexpr int kStates = 20000;
   for (int n = 0; n < kStates; ++n) {
@@ -168,8 +170,8 @@ std::pair<double, double> error_per_time(const problem::System& system, const St
     State exact = start;
     constexpr int kParts = 64;
     for (int p = 0; p < kParts; ++p)
-      exact = mcs::Flight(oscillator, exact).state_at_time(time / kParts);
-    const double energy = start.v * start.v / 2 + system.potential()(start.y);
+      exact = mcs::DuffingFlight<double>(oscillator, exact).state_at_time(time / kParts);
+    const double energy = start.v * start.v / 2 + problem.system.potential()(start.y);
     const double error =
         std::hypot(end.y - exact.y, end.v - exact.v) / std::sqrt(2 * energy) / time;
     squares += error * error;
@@ -178,21 +180,22 @@ std::pair<double, double> error_per_time(const problem::System& system, const St
   return {std::sqrt(squares / kStates), largest};
 }
 
-void errors(const char* name, const problem::System& system, const State& deviation) {
-  const auto [rms, largest] = error_per_time(system, deviation, [&](const State& x) {
-    return std::pair{runge_kutta(system, x, kRungeKuttaStep), kRungeKuttaStep};
+void errors(const problem::Problem& problem, const State& deviation) {
+  const mcs::Oscillator oscillator = mcs::make_oscillator(problem, problem::scales(problem));
+  const auto [rms, largest] = error_per_time(problem, oscillator, deviation, [&](const State& x) {
+    return std::pair{runge_kutta(problem.system, x, kRungeKuttaStep), kRungeKuttaStep};
   });
   // For flights of maximum length; impulses and impacts shorten most flights.
-  const mcs::Oscillator oscillator(system);
-  const auto [rms_lanes, largest_lanes] = error_per_time(system, deviation, [&](const State& x) {
-    const mcs::Flight flight(oscillator, x);
-    const double time = flight.max_step(kStep);
-    return std::pair{flight.state_at_time(time), time};
-  });
+  const auto [rms_lanes, largest_lanes] =
+      error_per_time(problem, oscillator, deviation, [&](const State& x) {
+        const mcs::DuffingFlight<double> flight(oscillator, x);
+        const double time = flight.max_step(kStep);
+        return std::pair{flight.state_at_time(time), time};
+      });
   fmt::print(
       "{}: error per unit time, rms (largest): RK4 {:.1e} ({:.1e}), longest flights {:.1e} "
       "({:.1e})\n",
-      name, rms, largest, rms_lanes, largest_lanes);
+      problem.name, rms, largest, rms_lanes, largest_lanes);
 }
 
 const char* name(simd::InstructionSet set) {
@@ -218,7 +221,7 @@ int main(int argc, char** argv) {
   for (int number = 1; number <= 4; ++number) {
     const auto problem = problem::load_case("case" + std::to_string(number));
     const double y[] = {0.63, 1.6, 0.5, 1.06}, v[] = {0.66, 2.08, 0.66, 2.1};
-    errors(problem.name.c_str(), problem.system, {y[number - 1], v[number - 1]});
+    errors(problem, {y[number - 1], v[number - 1]});
   }
   const auto problem = problem::load_case("case1");
   std::vector<double> found(static_cast<std::size_t>(threads));

@@ -62,8 +62,7 @@ double damping_power(const problem::System& system, const Simulation& simulation
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
                       const StreamWeights& weights, Result& result) {
-  const auto& general = simulation.plan().general;
-  result.summary.impacts_accumulate = general && general->has_contact_atoms;
+  result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
   result.summary.impact_rate = weights.estimate(value_per_stream(
       simulation.streams(), [&](const auto& r) { return r.impacts / simulation.stream_time(); }));
   // The residual is linear in the averages. Its estimate is therefore the weighted mean of the
@@ -88,24 +87,19 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
                        const StreamWeights& weights, Summary& summary) {
   const auto& force = problem.system.restoring_force();
   const auto virial = force.multiplied_by_argument();
-  const bool general = simulation.plan().general.has_value();
-  if (!general && virial.degree() > kHighestPower) return;  // no estimate of E[y g(y)]
+  const Oscillator& o = simulation.plan().oscillator;
   const auto right_momentum = [&](const StreamRecord& r) {
     return r.right_speed / simulation.stream_time();
   };
-  // Mean contact force of the mass at rest. The momentum of accumulating impacts is already part of
-  // the sums over impacts.
+  // Mean contact force of the mass at rest, which is 0 without atoms. The momentum of accumulating
+  // impacts is already part of the sums over impacts.
   const auto contact_force_at_rest = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
-    const GeneralOscillator& o = simulation.plan().general->oscillator;
     return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
            simulation.stream_samples();
   };
   // Virial of the contact force that holds the mass at rest on the right wall, y = b.
   const auto virial_at_rest = [&](const StreamRecord& r) {
-    if (!general || !simulation.plan().general->has_contact_atoms) return 0.0;
-    const GeneralWall& wall = simulation.plan().general->oscillator.right;
-    return wall.position * std::max(wall.contact_force, 0.0) * r.rest_right /
+    return o.right.position * std::max(o.right.contact_force, 0.0) * r.rest_right /
            simulation.stream_samples();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
@@ -183,9 +177,8 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
 /// Sets the atoms, like the density in wall coordinates.
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
-  const auto& general = simulation.plan().general;
-  if (!general || !general->has_contact_atoms) return;
-  const auto add = [&](const GeneralWall& wall, double StreamRecord::*rest) {
+  if (!simulation.plan().has_contact_atoms) return;
+  const auto add = [&](const Wall& wall, double StreamRecord::*rest) {
     if (!(wall.exists && wall.contact_force > 0 && wall.restitution < 1)) return;
     const Estimate p =
         weights.estimate(value_per_stream(simulation.streams(), [&](const StreamRecord& r) {
@@ -196,8 +189,8 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                               .standard_error = p.standard_error,
                               .error_estimate = {}});
   };
-  add(general->oscillator.left, &StreamRecord::rest_left);
-  add(general->oscillator.right, &StreamRecord::rest_right);
+  add(simulation.plan().oscillator.left, &StreamRecord::rest_left);
+  add(simulation.plan().oscillator.right, &StreamRecord::rest_right);
 }
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
@@ -228,8 +221,7 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   // The peaks are not estimated under white noise, which causes infinitely many maxima, or in a
   // mirrored frame, where the counted maxima are minima of y.
   const SimulationPlan& plan = simulation.plan();
-  const bool noisy = plan.general && plan.general->kicks.is_present();
-  if (!noisy && !plan.frame.mirrored) {
+  if (!plan.kicks.is_present() && !plan.frame.mirrored) {
     summary.peaks = estimate_peak_rates(simulation, weights);
   }
 }
@@ -247,8 +239,8 @@ void fill_summary(const Simulation& simulation, Summary& summary) {
   if (plan.excitation.arrivals == Excitation::Arrivals::even) {
     summary.kick_interval = plan.excitation.interval;
   }
-  if (plan.general && plan.general->kicks.is_present()) {
-    summary.kick_interval = plan.general->kicks.longest_interval;
+  if (plan.kicks.is_present()) {
+    summary.kick_interval = plan.kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
   summary.rounds = simulation.rounds();
@@ -382,12 +374,8 @@ void require_accuracy(const Options& options, transform::Solution& solution) {
 }
 
 void require_solvable(const problem::Problem& problem, const Options& options) {
-  const SimulationPlan plan = make_simulation_plan(problem, options);
+  [[maybe_unused]] const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
-  if (plan.general) return;
-  if (!problem::inelastic_collapse_reason(problem, options.equation).empty())
-    return;  // status failed
-  [[maybe_unused]] const Oscillator oscillator(problem.system);
 }
 
 Result solve(const problem::Problem& problem, const Options& options) {

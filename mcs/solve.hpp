@@ -22,10 +22,10 @@ struct Result {
 };
 
 /// Simulates `options.streams` independent realisations and averages them with the weights of
-/// StreamWeights. For the paper's oscillator a realisation starts from the Gaussian of equivalent
-/// linearisation, folded to y >= 0. The burn-in of a realisation is 20 decay times of the slowest
-/// mode. Outside that class the initial states follow the energy-averaged law, with the mass of
-/// each well (InitialStateSampler).
+/// StreamWeights. The burn-in of a realisation is 20 decay times of the slowest mode. The initial
+/// states follow the Gaussian of equivalent linearisation, folded to y >= 0, if
+/// is_duffing_at_wall(), else the energy-averaged law, with the mass of each well
+/// (InitialStateSampler).
 ///
 /// Problems, densities, marginal densities and atoms are in wall coordinates (problem/frame.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
@@ -35,8 +35,8 @@ struct Result {
 /// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
 /// white noise with a restitution coefficient at which impacts accumulate
 /// (problem/inelastic_collapse.hpp).
-/// @throws InputError as validate(); for springs that Oscillator refuses; for a checkpoint file
-///        that cannot be read, or could never be written
+/// @throws InputError as make_simulation_plan(); for a checkpoint file that cannot be read, or could
+///        never be written
 Result solve(const problem::Problem& problem, const Options& options);
 
 /// Sets the status `inaccurate` if the 99 % quantile of the L1 sampling error of an ok solution

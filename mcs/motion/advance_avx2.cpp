@@ -6,9 +6,4 @@ void avx2::advance_streams(const MotionParameters& motion, Stream* const* stream
   advance_with_width<4>(motion, streams, width);
 }
 
-void avx2::advance_streams(const GeneralMotionParameters& motion, Stream* const* streams,
-                           int width) {
-  advance_with_width<4>(motion, streams, width);
-}
-
 }  // namespace fpkcheck::mcs

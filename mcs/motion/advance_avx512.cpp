@@ -6,9 +6,4 @@ void avx512::advance_streams(const MotionParameters& motion, Stream* const* stre
   advance_with_width<8>(motion, streams, width);
 }
 
-void avx512::advance_streams(const GeneralMotionParameters& motion, Stream* const* streams,
-                             int width) {
-  advance_with_width<8>(motion, streams, width);
-}
-
 }  // namespace fpkcheck::mcs

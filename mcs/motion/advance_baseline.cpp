@@ -6,9 +6,4 @@ void baseline::advance_streams(const MotionParameters& motion, Stream* const* st
   advance_with_width<1, 2, 8>(motion, streams, width);
 }
 
-void baseline::advance_streams(const GeneralMotionParameters& motion, Stream* const* streams,
-                               int width) {
-  advance_with_width<1, 2, 8>(motion, streams, width);
-}
-
 }  // namespace fpkcheck::mcs

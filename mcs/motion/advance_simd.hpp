@@ -2,8 +2,9 @@
 
 #include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
-#include "mcs/motion/flight.hpp"
-#include "mcs/motion/general_simd.hpp"
+#include "mcs/motion/duffing_flight.hpp"
+#include "mcs/motion/events.hpp"
+#include "mcs/motion/polynomial_flight.hpp"
 #include "mcs/motion/sample_simd.hpp"
 #include "numerics/simd/simd.hpp"
 
@@ -14,126 +15,195 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Applies one impulse, paper (3), and draws the next impulse.
-template <bool kRecords>
-void apply_impulse(const MotionParameters& motion, Stream& stream) {
-  Branch& b = stream.branch;
-  const double before = b.v;
-  b.v += b.amplitude;
-  if constexpr (kRecords) {
-    const double counted_weight = motion.splitting ? motion.splitting->branch_weight(b) : 1.0;
-    const auto turned = [&](double from, double to) { return from > 0 && to < 0; };
-    if (turned(before, b.v)) stream.record.peaks[(*motion.y_bins)(b.y)] += counted_weight;
-    if (turned(b.v, before) && b.y > 0)
-      stream.record.troughs[(*motion.y_bins)(b.y)] += counted_weight;
-    ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
-    stream.record.work +=
-        counted_weight * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
-    if (motion.deposit) {
-      std::array<double, 3>& drawn = stream.record.deposit.impulses;
-      drawn[0] += counted_weight;
-      drawn[1] += counted_weight * b.amplitude;
-      drawn[2] += counted_weight * (b.amplitude * b.amplitude);
-    }
-  }
-  const Impulse next = stream.source.next_impulse();
-  b.until_impulse = next.waiting;
-  b.amplitude = next.amplitude;
-  if (kRecords && motion.splitting) motion.splitting->update_after_impulse(stream);
-}
+/// Motion of Oscillator::Kind::duffing_at_wall: the only wall is at y = 0, the mass never rests,
+/// noise does not act between impulses.
+struct DuffingMotion {
+  template <class Real>
+  using Flight = DuffingFlight<Real>;
+  static constexpr bool kHasAnyWalls = false;  ///< walls at other positions, two walls or none
+  static constexpr bool kHasRest = false;      ///< the mass may rest on a wall
+  static constexpr bool kHasKicks = false;     ///< Gaussian noise, as NoiseKicks
+  static constexpr bool kDeposits = true;  ///< samples are deposited on MotionParameters::deposit
+};
+
+/// Motion of any oscillator.
+template <int kOrder>
+struct PolynomialMotion {
+  template <class Real>
+  using Flight = PolynomialFlight<Real, kOrder>;
+  static constexpr bool kHasAnyWalls = true;
+  static constexpr bool kHasRest = true;
+  static constexpr bool kHasKicks = true;
+  static constexpr bool kDeposits = false;
+};
 
 /// State and sums of several streams, one per SIMD lane.
-template <int W>
+template <int W, class Motion>
 struct LaneState {
   using Real = typename simd::VectorTypes<W>::Real;
   using Mask = decltype(Real{} < Real{});
+  using Flight = typename Motion::template Flight<Real>;
   template <class Number>
   using Array = LaneArray<Number, W>;
 
   const MotionParameters& motion;
+  const Oscillator& oscillator;
   Stream* const* streams;
   double* cells[W];  // of the histogram of each stream
-  Real y{}, v{}, until_impulse{}, until_sample{}, remaining{}, weight{};
+  Real y{}, v{}, until_impulse{}, until_kick{}, until_sample{}, remaining{}, time_to_rest{};
+  Real weight{};  // of the branches
   Real powers[kPowers.size()]{};
-  Real samples{}, impacts{}, impact_speed{}, impact_energy{}, flights{};
+  Real y5{}, y6{};
+  Real samples{}, impacts{}, flights{};
+  Real left_speed{}, left_energy{}, right_speed{}, right_energy{};
+  Real rest_left{}, rest_right{};
   Real beyond_wall{};  // y of the flight's polynomial at the next impact: 0 up to rounding
 
-  FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s) : motion(m), streams(s) {
+  FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s)
+      : motion(m), oscillator(m.oscillator), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
 
-  // Load the state of the lanes from the branches of the streams, and store the state there.
-  FPKCHECK_INLINE void load_branches() {
-    Array<double> a[6];
-    for (int i = 0; i < W; ++i) {
-      const Branch& b = streams[i]->branch;
-      a[0].at[i] = b.y;
-      a[1].at[i] = b.v;
-      a[2].at[i] = b.until_impulse;
-      a[3].at[i] = b.until_sample;
-      a[4].at[i] = b.remaining;
-      a[5].at[i] = motion.splitting ? motion.splitting->branch_weight(b) : 1.0;
-    }
-    y = simd::load<Real>(a[0].at);
-    v = simd::load<Real>(a[1].at);
-    until_impulse = simd::load<Real>(a[2].at);
-    until_sample = simd::load<Real>(a[3].at);
-    remaining = simd::load<Real>(a[4].at);
-    weight = simd::load<Real>(a[5].at);
+  /// Calls `visit` with the lanes of each member of the branches.
+  template <class Self, class Visit>
+  FPKCHECK_INLINE static void for_each_branch_member(Self& self, const Visit& visit) {
+    visit(self.y, &Branch::y);
+    visit(self.v, &Branch::v);
+    visit(self.until_impulse, &Branch::until_impulse);
+    visit(self.until_sample, &Branch::until_sample);
+    visit(self.remaining, &Branch::remaining);
+    if constexpr (Motion::kHasKicks) visit(self.until_kick, &Branch::until_kick);
+    if constexpr (Motion::kHasRest) visit(self.time_to_rest, &Branch::time_to_rest);
   }
-  FPKCHECK_INLINE void store_branch_of_lane(int lane) const {
-    Branch& b = streams[lane]->branch;
-    b.y = simd::lane_value(y, lane);
-    b.v = simd::lane_value(v, lane);
-    b.until_impulse = simd::lane_value(until_impulse, lane);
-    b.until_sample = simd::lane_value(until_sample, lane);
-    b.remaining = simd::lane_value(remaining, lane);
+  FPKCHECK_INLINE void load_branches() {
+    for_each_branch_member(
+        *this, [&](Real & lanes, double Branch::*member) __attribute__((always_inline)) {
+          Array<double> numbers;
+          for (int i = 0; i < W; ++i) numbers.at[i] = streams[i]->branch.*member;
+          lanes = simd::load<Real>(numbers.at);
+        });
+    Array<double> weights;
+    for (int i = 0; i < W; ++i) weights.at[i] = branch_weight(motion, *streams[i]);
+    weight = simd::load<Real>(weights.at);
+  }
+  FPKCHECK_INLINE void store_branches() const {
+    for_each_branch_member(
+        *this, [&](const Real& lanes, double Branch::*member) __attribute__((always_inline)) {
+          for (int i = 0; i < W; ++i) streams[i]->branch.*member = simd::lane_value(lanes, i);
+        });
   }
 
   FPKCHECK_INLINE void store_sums() const {
+    const auto add = [&](const Real& sums, double StreamRecord::*member)
+        __attribute__((always_inline)) {
+      for (int i = 0; i < W; ++i) streams[i]->record.*member += simd::lane_value(sums, i);
+    };
+    add(y5, &StreamRecord::y5);
+    add(y6, &StreamRecord::y6);
+    add(samples, &StreamRecord::samples);
+    add(rest_left, &StreamRecord::rest_left);
+    add(rest_right, &StreamRecord::rest_right);
+    add(impacts, &StreamRecord::impacts);
+    add(left_speed, &StreamRecord::left_speed);
+    add(left_energy, &StreamRecord::left_energy);
+    add(right_speed, &StreamRecord::right_speed);
+    add(right_energy, &StreamRecord::right_energy);
     for (int i = 0; i < W; ++i) {
       StreamRecord& record = streams[i]->record;
       for (std::size_t p = 0; p < kPowers.size(); ++p)
         record.powers[p] += simd::lane_value(powers[p], i);
-      record.samples += simd::lane_value(samples, i);
-      record.impacts += simd::lane_value(impacts, i);
-      record.left_speed += simd::lane_value(impact_speed, i);
-      record.left_energy += simd::lane_value(impact_energy, i);
       record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
     }
   }
 
-  /// Applies paper (2), also where an impulse pushes a resting oscillator into the wall.
-  template <bool kRecords>
-  FPKCHECK_INLINE void apply_impact(const Mask& active) {
-    const Mask impact = active & (y <= 0.0) & (v < 0.0);
-    if constexpr (kRecords) {
-      const Real counted_weight = simd::select_or_zero(impact, weight);
-      impacts = impacts + counted_weight;
-      impact_speed = impact_speed - counted_weight * v;
-      impact_energy = impact_energy + counted_weight * (v * v);
+  /// Applies paper (2) at all walls, also where an impulse pushes a resting oscillator into a wall.
+  FPKCHECK_INLINE void apply_impacts(const Mask& active) {
+    if constexpr (Motion::kHasAnyWalls) {
+      if (oscillator.left.exists) apply_impact(oscillator.left, 1, active, left_speed, left_energy);
+      if (oscillator.right.exists)
+        apply_impact(oscillator.right, -1, active, right_speed, right_energy);
+    } else {
+      apply_impact(oscillator.left, 1, active, left_speed, left_energy);
     }
-    const Real after = simd::select(impact, -motion.oscillator.restitution * v, v);
-    if (kRecords && motion.deposit && simd::any_lane_set(impact)) {
-      for (int i = 0; i < W; ++i) {
-        if (simd::lane_value(impact, i) == 0) continue;
-        deposit_impact(*motion.deposit, streams[i]->record.deposit,
-                       simd::lane_value(beyond_wall, i), simd::lane_value(v, i),
-                       simd::lane_value(after, i), simd::lane_value(weight, i));
-      }
-      beyond_wall = simd::select(impact, Real{}, beyond_wall);
-    }
-    v = after;
   }
 
-  FPKCHECK_INLINE void record_samples(const BasicFlight<Real>& flight, const Real& span) {
+  /// Applies paper (2) at one wall.
+  /// @param inwards 1 at the left wall, -1 at the right wall
+  FPKCHECK_INLINE void apply_impact(const Wall& wall, double inwards, const Mask& active,
+                                    Real& speed_sum, Real& energy_sum) {
+    const double r = wall.restitution, position = Motion::kHasAnyWalls ? wall.position : 0.0;
+    const Real speed = -inwards * v;  // towards the wall
+    Mask impact = active & (inwards * (y - position) <= 0.0);
+    if constexpr (Motion::kHasRest) {
+      // With a positive contact force the mass returns to the wall at any speed, and may stay.
+      impact =
+          impact & (time_to_rest < 0.0) & (wall.contact_force > 0 ? speed >= 0.0 : speed > 0.0);
+    } else {
+      impact = impact & (speed > 0.0);
+    }
+    if (!simd::any_lane_set(impact)) return;
+    if (motion.records) {
+      const Real counted_weight = simd::select_or_zero(impact, weight);
+      impacts = impacts + counted_weight;
+      speed_sum = speed_sum + counted_weight * speed;
+      energy_sum = energy_sum + counted_weight * (speed * speed);
+    }
+    Real after = -r * v;
+    if constexpr (Motion::kHasRest) {
+      if (wall.contact_force > 0) sum_bounces(wall, speed, impact, after, speed_sum, energy_sum);
+    }
+    if constexpr (Motion::kDeposits) {
+      if (motion.deposit) deposit_impacts(impact, after);
+    }
+    v = simd::select(impact, after, v);
+  }
+
+  /// In the lanes of `impact` whose impact is slower than Wall::rest_speed, sums the bounces that
+  /// follow, and keeps the mass at the wall.
+  FPKCHECK_INLINE void sum_bounces(const Wall& wall, const Real& speed, const Mask& impact,
+                                   Real& after, Real& speed_sum, Real& energy_sum) {
+    const double r = wall.restitution;
+    const Mask stays = impact & (speed < wall.rest_speed);
+    if (!simd::any_lane_set(stays)) return;
+    // The bounces start at r, r^2, .. times the speed, and each takes 2 (its speed) /
+    // contact_force. For r = 1 the bounces never end.
+    constexpr double kNoEnd = 1e300;
+    const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
+    const Real time = r < 1 ? speed * times : simd::broadcast<Real>(kNoEnd);
+    time_to_rest = simd::select(stays, time, time_to_rest);
+    after = simd::select(stays, Real{}, after);
+    if (motion.records && r < 1) {
+      const Real counted_weight = simd::select_or_zero(stays, weight);
+      speed_sum = speed_sum + counted_weight * (speed * (r / (1 - r)));
+      energy_sum = energy_sum + counted_weight * (speed * speed * (r * r / (1 - r * r)));
+    }
+  }
+
+  FPKCHECK_INLINE void deposit_impacts(const Mask& impact, const Real& after) {
+    for (int i = 0; i < W; ++i) {
+      if (simd::lane_value(impact, i) == 0) continue;
+      deposit_impact(*motion.deposit, streams[i]->record.deposit, simd::lane_value(beyond_wall, i),
+                     simd::lane_value(v, i), simd::lane_value(after, i),
+                     simd::lane_value(weight, i));
+    }
+    beyond_wall = simd::select(impact, Real{}, beyond_wall);
+  }
+
+  FPKCHECK_INLINE void record_samples(const Flight& flight, const Real& span,
+                                      const Mask& in_contact) {
     for (;;) {
       const Mask due = until_sample < span;
       if (!simd::any_lane_set(due)) break;
       const Real time = simd::select_or_zero(due, until_sample);
       const BasicState<Real> at = flight.state_at_time(time);
-      count_sample(at, simd::select_or_zero(due, weight));
-      if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
+      if constexpr (Motion::kHasRest) {
+        count_sample(at, due, due & in_contact & (time_to_rest <= time));
+      } else {
+        count_sample(at, due, due);
+      }
+      if constexpr (Motion::kDeposits) {
+        if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
+      }
       until_sample =
           until_sample + simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
     }
@@ -156,119 +226,256 @@ struct LaneState {
   }
 
   // A lane without a due sample is counted with the weight 0.
-  FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Real& counted_weight) {
+  FPKCHECK_INLINE void count_sample(const BasicState<Real>& at, const Mask& due,
+                                    [[maybe_unused]] const Mask& at_rest) {
+    const Real counted_weight = simd::select_or_zero(due, weight);
     add_powers(at, counted_weight, powers);
     samples = samples + counted_weight;
-    // Rounding may put a sample at an impact slightly behind the wall.
-    const Real in_front = simd::lanewise_max(at.y, Real{});
-    add_to_histogram(*motion.y_bins, *motion.v_bins, in_front, at.v, counted_weight, streams,
-                     cells);
+    Real into_bins = counted_weight;
+    if constexpr (Motion::kHasRest) {
+      const Real x = at.y, xx = x * x;
+      y5 = y5 + counted_weight * (xx * xx * x);
+      y6 = y6 + counted_weight * (xx * xx * xx);
+      if (!motion.kicks.is_present() && simd::any_lane_set(at_rest)) {
+        into_bins = simd::select(at_rest, Real{}, counted_weight);
+        count_rest(x, simd::select_or_zero(at_rest, weight));
+      }
+    }
+    add_to_histogram(*motion.y_bins, *motion.v_bins, clamp_between_walls(at.y), at.v, into_bins,
+                     streams, cells);
   }
 
-  // Counts the maxima of y, at which the velocity changes its sign during a flight.
-  FPKCHECK_INLINE void count_peaks(const BasicFlight<Real>& flight, const Real& span,
-                                   const BasicState<Real>& end) {
-    const Mask peak = (v > 0.0) & (end.v < 0.0);
-    if (!simd::any_lane_set(peak)) return;
-    const Real height = flight.state_at_time(flight.peak_time(span, end)).y;
+  /// Counts samples at rest on the left or on the right wall.
+  FPKCHECK_INLINE void count_rest(const Real& x, const Real& resting) {
+    if (!oscillator.right.exists) {
+      rest_left = rest_left + resting;
+      return;
+    }
+    const Real there = simd::select(x > oscillator.right.position / 2, resting, Real{});
+    rest_right = rest_right + there;
+    rest_left = rest_left + (resting - there);
+  }
+
+  // Rounding may put a sample at an impact slightly behind a wall.
+  FPKCHECK_INLINE Real clamp_between_walls(const Real& x) const {
+    Real between = x;
+    if (Motion::kHasAnyWalls && oscillator.right.exists) {
+      const double last = oscillator.right.position - motion.y_bins->edge_epsilon();
+      between = simd::lanewise_min(between, simd::broadcast<Real>(last));
+    }
+    if (!Motion::kHasAnyWalls || oscillator.left.exists)
+      between = simd::lanewise_max(between, Real{});
+    return between;
+  }
+
+  /// Adds the weight of each lane in `there` to the bin of y.
+  FPKCHECK_INLINE void add_to_bins(std::vector<double> StreamRecord::*of, const Real& at,
+                                   const Mask& there) {
+    if (!simd::any_lane_set(there)) return;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(v, i) > 0 && simd::lane_value(end.v, i) < 0) {
-        streams[i]->record.peaks[(*motion.y_bins)(simd::lane_value(height, i))] +=
-            simd::lane_value(weight, i);
-      }
+      if (simd::lane_value(there, i) == 0) continue;
+      (streams[i]->record.*of)[(*motion.y_bins)(simd::lane_value(at, i))] +=
+          simd::lane_value(weight, i);
     }
   }
 
-  /// Applies impulses and ends of branches, lane by lane.
-  template <bool kRecords>
+  /// Ends a DuffingFlight at its impact in [0, span], if any, and counts its maximum of y.
+  FPKCHECK_INLINE void end_at_only_wall(const Flight& flight, Real& span, BasicState<Real>& end) {
+    const Mask impact = (end.y < 0.0) & (y > 0.0);
+    if (simd::any_lane_set(impact)) {
+      span = simd::select(impact, flight.impact_time(span, end, impact), span);
+      const BasicState<Real> at_wall = flight.state_at_time(span);
+      end.v = simd::select(impact, at_wall.v, end.v);
+      if (motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
+      end.y = simd::select(impact, Real{}, end.y);
+    }
+    if (!motion.records) return;
+    const Mask peak = (v > 0.0) & (end.v < 0.0);
+    if (!simd::any_lane_set(peak)) return;
+    const Real height = flight.state_at_time(flight.peak_time(span, end)).y;
+    add_to_bins(&StreamRecord::peaks, height, peak);
+  }
+
+  /// Ends a PolynomialFlight at the first impact in [0, span], if any, and counts its extremes of
+  /// y. The velocity changes its sign at most once, so y at both ends and at the extreme determine
+  /// the impacts. Signs at the ends alone miss two cases: the return to a wall with positive contact
+  /// force, and an excursion behind a wall across a gap.
+  FPKCHECK_INLINE void end_at_first_wall(const Flight& flight, Real& span, BasicState<Real>& end,
+                                         const Mask& free) {
+    const Oscillator& o = oscillator;
+    const Mask turned = free & (v * end.v < 0.0);
+    Real turning{}, extreme = y;
+    if (simd::any_lane_set(turned)) {
+      turning = flight.turning_time(span, end, turned);
+      extreme = flight.state_at_time(turning).y;
+    }
+    const Mask none = turned & (v != v);
+    const Mask low_turn = turned & (v < 0.0), high_turn = turned & (v > 0.0);
+    Mask left_first = none, right_first = none, left = none, right = none;
+    if (o.left.exists) {
+      left_first = low_turn & (extreme < 0.0);
+      left = free & (end.y < 0.0);
+    }
+    if (o.right.exists) {
+      right_first = high_turn & (extreme > o.right.position);
+      right = free & (end.y > o.right.position);
+    }
+    const Mask first = left_first | right_first;
+    left = left_first | (left & (right_first == none));
+    right = right_first | (right & (left_first == none));
+    const Mask impact = left | right;
+    if (simd::any_lane_set(impact)) {
+      const Real wall = simd::select(right, simd::broadcast<Real>(o.right.position), Real{});
+      const Real inside =
+          simd::select(right, simd::broadcast<Real>(-1.0), simd::broadcast<Real>(1.0));
+      const Mask after_turn = turned & (first == none);
+      const Real low = simd::select(after_turn, turning, Real{});
+      const Real high = simd::select(first, turning, span);
+      // Initial guess from the parabola about the extreme, or from the chord without an extreme.
+      const Real from_extreme = extreme - wall;
+      const Real of_first =
+          1.0 - simd::square_root(simd::lanewise_max(from_extreme / (extreme - y), Real{}));
+      const Real of_last =
+          simd::square_root(simd::lanewise_max(from_extreme / (extreme - end.y), Real{}));
+      const Real of_chord = (y - wall) / (y - end.y);
+      const Real part = simd::select(first, of_first, simd::select(after_turn, of_last, of_chord));
+      const Real guess =
+          simd::lanewise_min(simd::lanewise_max(low + (high - low) * part, low), high);
+      span = simd::select(impact, flight.impact_time(wall, inside, low, high, guess, impact), span);
+      const BasicState<Real> at_wall = flight.state_at_time(span);
+      end.v = simd::select(impact, at_wall.v, end.v);
+      end.y = simd::select(impact, wall, end.y);
+    }
+    if (!motion.records) return;
+    add_to_bins(&StreamRecord::peaks, extreme, high_turn & (right_first == none));
+    add_to_bins(&StreamRecord::troughs, extreme, low_turn & (left_first == none));
+    if (o.right.exists) {
+      add_to_bins(&StreamRecord::peaks,
+                  simd::broadcast<Real>(o.right.position - motion.y_bins->edge_epsilon()), right);
+    }
+  }
+
+  /// Applies impulses, kicks and ends of branches, lane by lane.
   FPKCHECK_INLINE void apply_lane_events(const Mask& active) {
     const Mask impulse_now = active & (until_impulse <= 0.0);
-    const bool splits = kRecords && motion.splitting;
-    if (splits) {
+    if (motion.splitting) {  // kicks and splitting exclude each other
       if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
         return;
+      store_branches();
       for (int i = 0; i < W; ++i) {
-        store_branch_of_lane(i);
         Stream& stream = *streams[i];
-        if (simd::lane_value(impulse_now, i) != 0) apply_impulse<kRecords>(motion, stream);
+        if (simd::lane_value(impulse_now, i) != 0) apply_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
           resume_next_branch(stream);
       }
       load_branches();
       return;
     }
-    if (!simd::any_lane_set(impulse_now)) return;
-    Array<double> ys, vs, untils;
+    Mask now = impulse_now;
+    if constexpr (Motion::kHasKicks) now = now | (active & (until_kick <= 0.0));
+    if (!simd::any_lane_set(now)) return;
+    Array<double> ys, vs, untils, kicks;
     simd::store(y, ys.at);
     simd::store(v, vs.at);
     simd::store(until_impulse, untils.at);
+    if constexpr (Motion::kHasKicks) simd::store(until_kick, kicks.at);
     for (int i = 0; i < W; ++i) {
-      if (!(untils.at[i] <= 0) || simd::lane_value(impulse_now, i) == 0) continue;
-      Branch& b = streams[i]->branch;
+      if (simd::lane_value(now, i) == 0) continue;
+      Stream& stream = *streams[i];
+      Branch& b = stream.branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
-      apply_impulse<kRecords>(motion, *streams[i]);
+      if (untils.at[i] <= 0) {
+        apply_impulse(motion, stream);
+        untils.at[i] = b.until_impulse;
+      }
+      if constexpr (Motion::kHasKicks) {
+        if (kicks.at[i] <= 0) {
+          apply_kick(motion, stream);
+          kicks.at[i] = b.until_kick;
+        }
+      }
       vs.at[i] = b.v;
-      untils.at[i] = b.until_impulse;
     }
     v = simd::load<Real>(vs.at);
     until_impulse = simd::load<Real>(untils.at);
+    if constexpr (Motion::kHasKicks) until_kick = simd::load<Real>(kicks.at);
+    // Impulses and kicks end the rest of the mass on a wall.
+    if constexpr (Motion::kHasRest)
+      time_to_rest = simd::select(now, simd::broadcast<Real>(-1.0), time_to_rest);
   }
 
-  template <bool kRecords>
   FPKCHECK_INLINE void advance_streams() {
     // A copy, since the compiler must assume that storing a sum may change the original.
-    const Oscillator oscillator = motion.oscillator;
+    const Oscillator of_flights = oscillator;
     load_branches();
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any_lane_set(active)) break;
-      // Every iteration advances the time of a lane or ends at y = 0. There the impact reverses the
-      // velocity, so the next iteration advances the time. At rest (y = v = 0) the time advances to
-      // the next impulse.
-      apply_impact<kRecords>(active);
-      const BasicFlight<Real> flight(oscillator, {y, v});
-      Real span = simd::lanewise_min(
-          simd::lanewise_min(flight.max_step(motion.step), until_impulse), remaining);
+      // Every iteration advances the time of a lane or ends at a wall. There the velocity points
+      // inwards or the lane is at rest, so the next iteration advances the time.
+      apply_impacts(active);
+      Flight flight(of_flights, {y, v});
+      Real span = simd::lanewise_min(until_impulse, remaining);
+      if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, until_kick);
+      Mask in_contact = active, free = active;
+      if constexpr (Motion::kHasRest) {
+        in_contact = time_to_rest >= 0.0;
+        if (simd::any_lane_set(in_contact)) flight.hold_position(in_contact);
+        free = active & (time_to_rest < 0.0);
+        span = simd::select(free, simd::lanewise_min(span, flight.max_step(motion.step)), span);
+      } else {
+        span = simd::lanewise_min(flight.max_step(motion.step), span);
+      }
       span = simd::select_or_zero(active, span);
       BasicState<Real> end = flight.state_at_time(span);
-      const Mask impact = (end.y < 0.0) & (y > 0.0);
-      if (simd::any_lane_set(impact)) {
-        span = simd::select(impact, flight.impact_time(span, end, impact), span);
-        const BasicState<Real> at_wall = flight.state_at_time(span);
-        end.v = simd::select(impact, at_wall.v, end.v);
-        if (kRecords && motion.deposit) beyond_wall = simd::select(impact, at_wall.y, beyond_wall);
-        end.y = simd::select(impact, Real{}, end.y);
+      if constexpr (Motion::kHasAnyWalls) {
+        end_at_first_wall(flight, span, end, free);
+      } else {
+        end_at_only_wall(flight, span, end);
       }
-      if constexpr (kRecords) {
+      if (motion.records) {
         flights = flights + simd::select_or_zero(active, simd::broadcast<Real>(1.0));
-        record_samples(flight, span);
-        count_peaks(flight, span, end);
+        record_samples(flight, span, in_contact);
       }
       remaining = remaining - span;
       until_impulse = until_impulse - span;
-      y = simd::lanewise_max(end.y, Real{});
+      if constexpr (Motion::kHasKicks) until_kick = until_kick - span;
+      if constexpr (Motion::kHasRest) {
+        time_to_rest =
+            simd::select(in_contact, simd::lanewise_max(time_to_rest - span, Real{}), time_to_rest);
+      }
+      // At a grazing turn rounding may put y slightly behind a wall.
+      y = end.y;
+      if (!Motion::kHasAnyWalls || oscillator.left.exists) y = simd::lanewise_max(y, Real{});
+      if (Motion::kHasAnyWalls && oscillator.right.exists)
+        y = simd::lanewise_min(y, simd::broadcast<Real>(oscillator.right.position));
       v = end.v;
-      apply_lane_events<kRecords>(active);
+      apply_lane_events(active);
     }
-    for (int i = 0; i < W; ++i) store_branch_of_lane(i);
-    if constexpr (kRecords) store_sums();
+    store_branches();
+    if (motion.records) store_sums();
   }
 };
 
+/// Orders of the Taylor polynomials. Flights between kicks are short, so that a lower order
+/// suffices.
+inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
+
 template <int W>
 void advance_in_lanes(const MotionParameters& motion, Stream* const* streams) {
-  LaneState<W> lanes(motion, streams);
-  if (motion.records) {
-    lanes.template advance_streams<true>();
+  if (motion.oscillator.is_duffing_at_wall()) {
+    LaneState<W, DuffingMotion>(motion, streams).advance_streams();
+  } else if (motion.kicks.is_present()) {
+    LaneState<W, PolynomialMotion<kOrderBetweenKicks>>(motion, streams).advance_streams();
   } else {
-    lanes.template advance_streams<false>();
+    LaneState<W, PolynomialMotion<kOrderOfFlights>>(motion, streams).advance_streams();
   }
 }
 
 /// Calls advance_in_lanes() for `width`, which must be one of Widths.
-template <int... Widths, class Parameters>
-void advance_with_width(const Parameters& motion, Stream* const* streams, int width) {
+template <int... Widths>
+void advance_with_width(const MotionParameters& motion, Stream* const* streams, int width) {
   ((width == Widths ? advance_in_lanes<Widths>(motion, streams) : void()), ...);
 }
 

@@ -2,103 +2,94 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
-#include "base/input_error.hpp"
-#include "problem/system.hpp"
+#include "problem/problem.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using numerics::Polynomial;
+// Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
+// with the constant force at the wall. The neglected change of the force has an effect of second
+// order, 1e-6 of E[y'^2] and of the time.
+constexpr double kRestSpeedFraction = 1e-3;
 
-Polynomial make_slope_bound(const Polynomial& force) {
-  Polynomial::Coefficients magnitudes{};
-  for (std::size_t n = 0; n < magnitudes.size(); ++n) {
-    magnitudes[n] = std::abs(force.coefficient(n));
+double largest_damping(const problem::System& system, const problem::MotionScales& scales) {
+  const auto& c = system.damping_polynomial();
+  double largest = 0;
+  for (const double y : {scales.centre, scales.centre - scales.displacement_deviation,
+                         scales.centre + scales.displacement_deviation}) {
+    largest = std::max(largest, std::abs(c(y)));
   }
-  return Polynomial(magnitudes).derivative();
-}
-
-/// Coefficients r_j of U(y) / (u_m y^m) = sum_j r_j w^j with w = 1/y, r_j = u_(m-j) / u_m and the
-/// degree m of U.
-Polynomial ratio_to_last_term(const Polynomial& potential) {
-  const std::size_t m = potential.degree();
-  Polynomial::Coefficients r{};
-  for (std::size_t j = 0; j <= m; ++j) {
-    r[j] = potential.coefficient(m - j) / potential.coefficient(m);
-  }
-  return Polynomial(r);
-}
-
-/// Absolute values of the terms with one sign.
-Polynomial terms(const Polynomial& p, double sign) {
-  Polynomial::Coefficients part{};
-  for (std::size_t j = 0; j < part.size(); ++j) part[j] = std::max(0.0, sign * p.coefficient(j));
-  return Polynomial(part);
-}
-
-/// Value of w above which the last term of `ratio`, which is positive, exceeds the sum of all
-/// negative terms.
-double dominance_threshold(const Polynomial& ratio) {
-  const std::size_t last = ratio.degree();
-  double w = 0;
-  for (std::size_t j = 0; j < last; ++j) {
-    const double share =
-        static_cast<double>(last) * -ratio.coefficient(j) / ratio.coefficient(last);
-    if (share > 0) w = std::max(w, std::pow(share, 1 / static_cast<double>(last - j)));
-  }
-  return w;
-}
-
-/// Tight lower bound of U(y) / (u_m y^m) over y > 0. Without negative terms the bound is 1. If the
-/// energy does not bound the motion, the bound is 0 or negative.
-double ratio_lower_bound(const Polynomial& potential) {
-  constexpr double kFineness = 1.001, kNegligible = 1e-3;
-  const Polynomial ratio = ratio_to_last_term(potential);
-  const Polynomial positive = terms(ratio, 1), negative = terms(ratio, -1);
-  if (negative.degree() == 0) return 1;
-  if (ratio.coefficient(ratio.degree()) < 0) return 0;
-  // The sums of positive and of negative terms both increase with w. On [a, b] the ratio is
-  // therefore at least positive(a) - negative(b). Near w = 0 the positive part is 1.
-  double least = 1 - kNegligible;
-  for (double b = dominance_threshold(ratio); negative(b) > kNegligible && least > 0;
-       b /= kFineness) {
-    least = std::min(least, positive(b / kFineness) - negative(b));
-  }
-  return least;
-}
-
-void require_bounded_motion(const Oscillator& oscillator) {
-  if (oscillator.force.coefficient(0) != 0) {
-    throw InputError(
-        "spring force not 0 at the wall: impacts may accumulate; use a force that is 0 at y = 0, "
-        "or another method");
-  }
-  if (!(oscillator.potential_bound > 0)) {
-    throw InputError(
-        "spring potential not positive for all y > 0: no energy bounds the motion; change the "
-        "coefficients, or use another method");
-  }
+  const double v2 = scales.velocity_deviation * scales.velocity_deviation;
+  return largest + std::abs(system.rayleigh_coefficient()) * v2;
 }
 
 }  // namespace
 
-Oscillator::Oscillator(const problem::System& system)
-    : Oscillator(system.damping(), system.restitution(), system.restoring_force()) {}
+bool is_duffing_at_wall(const problem::Problem& problem) {
+  const problem::System& system = problem.system;
+  const numerics::Polynomial& g = system.restoring_force();
+  const double k = g.coefficient(1), mu = g.coefficient(3);
+  const bool is_duffing = g.coefficient(0) == 0 && g.coefficient(2) == 0 && g.degree() <= 3 &&
+                          k >= 0 && mu >= 0 && k + mu > 0;
+  return is_duffing && system.has_constant_damping() && system.damping() > 0 &&
+         system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
+         !problem.noise.is_present();
+}
 
-Oscillator::Oscillator(double c, double r, const Polynomial& spring)
-    : damping(c),
-      restitution(r),
-      force(spring),
-      potential(spring.antiderivative()),
-      degree(static_cast<int>(force.degree())),
-      is_duffing(force.coefficient(0) == 0 && force.coefficient(2) == 0 && degree <= 3),
-      stiffness(force.coefficient(1)),
-      cubic(force.coefficient(3)),
-      slope_bound(make_slope_bound(force)),
-      potential_bound(potential.coefficient(potential.degree()) * ratio_lower_bound(potential)) {
-  require_bounded_motion(*this);
+Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
+                           double mean_force, bool kicked) {
+  const problem::System& system = problem.system;
+  Oscillator o;
+  for (std::size_t n = 0; n < o.force.size(); ++n)
+    o.force[n] = system.restoring_force().coefficient(n);
+  o.force[0] -= mean_force;
+  // Constant damping f = c y' is part of the kicks.
+  if (!(kicked && system.has_constant_damping())) {
+    for (std::size_t n = 0; n < o.damping.size(); ++n) {
+      o.damping[n] = system.damping_polynomial().coefficient(n);
+    }
+  }
+  o.rayleigh = system.rayleigh_coefficient();
+  const auto degree = system.restoring_force().degree();
+  const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
+  using Kind = Oscillator::Kind;
+  o.kind = is_duffing_at_wall(problem)                      ? Kind::duffing_at_wall
+           : degree <= 1 && even_damping && o.rayleigh == 0 ? Kind::linear
+           : degree <= 3 && o.rayleigh == 0                 ? Kind::cubic
+                                                            : Kind::full;
+  o.length = scales.displacement_deviation;
+  o.frequency = scales.frequency;
+  const double rate = scales.frequency + largest_damping(system, scales);
+  const auto make_wall = [&](const problem::Wall& wall, double inwards) {
+    Wall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
+    w.contact_force = inwards * (system.restoring_force()(wall.position) - mean_force);
+    if (w.contact_force > 0) {
+      w.rest_speed =
+          kRestSpeedFraction * std::min(scales.velocity_deviation, w.contact_force / rate);
+    }
+    return w;
+  };
+  if (system.left_wall()) o.left = make_wall(*system.left_wall(), 1);
+  if (system.right_wall()) o.right = make_wall(*system.right_wall(), -1);
+  return o;
+}
+
+NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,
+                            double diffusion, double step) {
+  if (diffusion == 0) return {};
+  const problem::System& system = problem.system;
+  NoiseKicks kicks{.diffusion = diffusion};
+  if (system.has_constant_damping()) kicks.damping = system.damping();
+  kicks.longest_interval = step / (scales.frequency + 2 * largest_damping(system, scales));
+  constexpr double kGrading = 1e-5;
+  kicks.shortest_interval = kGrading * kicks.longest_interval;
+  const auto has_losses = [](const std::optional<problem::Wall>& w) {
+    return w && w->restitution < 1;
+  };
+  kicks.has_lossy_wall = has_losses(system.left_wall()) || has_losses(system.right_wall());
+  return kicks;
 }
 
 }  // namespace fpkcheck::mcs

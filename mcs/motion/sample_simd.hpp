@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mcs/motion/taylor_polynomial.hpp"
+#include "mcs/motion/taylor_flight.hpp"
 #include "mcs/streams/stream.hpp"
 #include "numerics/simd/simd.hpp"
 

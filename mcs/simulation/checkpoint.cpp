@@ -69,15 +69,18 @@ bool is_checkpoint(const std::string& path) {
 
 std::string simulation_fingerprint(const problem::Problem& problem, const SimulationPlan& plan,
                                    const ImportanceSplitting* splitting) {
-  const auto& s = problem.system;
+  const Oscillator& o = plan.oscillator;
   const Excitation& e = plan.excitation;
   std::string text = fmt::format(
-      "system {:a} {:a}; force {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; streams {}; step "
-      "{:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
-      s.damping(), s.restitution(), fmt::join(s.restoring_force().coefficients(), " "),
-      static_cast<int>(e.arrivals), e.interval, e.law, e.mean, e.width, plan.seed, plan.streams,
-      plan.step, plan.burn_in, plan.sampling_interval, plan.samples_per_round,
-      fmt::join(plan.y_bins.edges(), " "), fmt::join(plan.v_bins.edges(), " "));
+      "force {:a}; damping {:a} {:a}; kicks {:a} {:a}; excitation {} {:a} {} {:a} {:a}; seed {}; "
+      "streams {}; step {:a}; burn-in {:a}; sampling {:a} {}; y {:a}; v {:a}",
+      fmt::join(o.force, " "), fmt::join(problem.system.damping_polynomial().coefficients(), " "),
+      o.rayleigh, plan.kicks.diffusion, plan.kicks.longest_interval, static_cast<int>(e.arrivals),
+      e.interval, e.law, e.mean, e.width, plan.seed, plan.streams, plan.step, plan.burn_in,
+      plan.sampling_interval, plan.samples_per_round, fmt::join(plan.y_bins.edges(), " "),
+      fmt::join(plan.v_bins.edges(), " "));
+  for (const Wall& w : {o.left, o.right})
+    text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
   if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());
   if (plan.deposit) {
     const DepositGrid& g = plan.deposit->grid;
@@ -87,15 +90,6 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
                         g.y_bins.count, g.v_bins.first, g.v_bins.spacing, g.v_bins.count);
     for (const auto& [by, probability] : g.shifts)
       text += fmt::format(" {:a} {:a}", by, probability);
-  }
-  if (plan.general) {
-    const auto& [scales, o, kicks, power, has_contact_atoms, wells] = *plan.general;
-    text += fmt::format("; of {:a} {:a} {:a}", fmt::join(o.force, " "),
-                        fmt::join(s.damping_polynomial().coefficients(), " "), o.rayleigh);
-    for (const auto& w : {o.left, o.right}) {
-      text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
-    }
-    text += fmt::format("; kicks {:a} {:a}", kicks.diffusion, kicks.longest_interval);
   }
   if (splitting) text += fmt::format("; thresholds {:a}", fmt::join(splitting->thresholds(), " "));
   return text;

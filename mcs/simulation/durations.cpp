@@ -20,7 +20,7 @@ constexpr double kTailsShare = 1.0 / 32;      // splitting makes the work severa
 constexpr double kControlledShare = 1.0 / 8;  // L1 error in smooth bins about 2e-6
 
 // Numbers of impulses and flights in all streams. One processor simulates 2e7 to 3e7 per second.
-constexpr double kDefaultEvents = 4e7;  // any oscillator: some seconds
+constexpr double kDefaultEvents = 4e7;  // other flights than DuffingFlights: some seconds
 constexpr double kMostRunEvents = 2e9;  // one minute
 // Number of impulses and flights of the main branches with splitting, simulated in half a minute
 // (`fpkcheck_random --tails --family --count 40`). There are up to 17 times as many other branches.
@@ -35,8 +35,9 @@ double automatic_time(const Options& options, const EventRates& rates) {
   const double full = kAutomaticTime * share / rates.decay;
   const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.total_rate();
   const double default_time =
-      rates.any_oscillator ? kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate()
-                           : most;
+      rates.duffing_flights
+          ? most
+          : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
   // Options::accuracy cannot be reached within the full time, or within a minute with several
   // wells.

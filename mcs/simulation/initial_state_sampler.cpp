@@ -8,6 +8,14 @@
 
 namespace fpkcheck::mcs {
 
+State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
+                           double velocity_deviation) {
+  const auto normals = source.standard_normals();
+  const double z = displacement_deviation * normals[0];
+  const double z_dot = velocity_deviation * normals[1];
+  return {std::abs(z), std::copysign(1.0, z) * z_dot};
+}
+
 InitialStateSampler::InitialStateSampler(const problem::Problem& problem) : averaging_(problem) {
   double sum = 0;
   for (const auto& band : averaging_.bands()) below_.push_back(sum += band.mass);

@@ -18,12 +18,12 @@ constexpr double kPilotTime = 0.5;                    // least pilot time, in bu
 constexpr double kPilotImpulses = 8 * kFewestVisits;  // least number of impulses in all streams
 constexpr double kLargestEnergy = 1e4;                // in units of sigma_2^2
 
-// Potential of the energy whose thresholds split branches. For the paper's oscillator this is the
-// potential of the spring. Outside that class the mean force of the impulses contributes, since
-// without this force the potential may have no lower bound.
+// Potential of the energy whose thresholds split branches, with the minimum 0. At the wall of a
+// Duffing oscillator this is the potential of the spring. For other oscillators the mean force of
+// the impulses contributes, since without this force the potential may have no lower bound.
 numerics::Polynomial splitting_potential(const problem::Problem& problem,
                                          const SimulationPlan& plan) {
-  if (!plan.general) return problem.system.potential();
+  if (plan.oscillator.is_duffing_at_wall()) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
   auto coefficients = orbits.potential().coefficients();
   coefficients[0] -= orbits.lowest_potential();

@@ -9,7 +9,6 @@
 
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
-#include "mcs/motion/trajectory.hpp"
 #include "mcs/simulation/binary_io.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
 #include "problem/problem.hpp"
@@ -33,11 +32,9 @@ bool is_finite(const Numbers& numbers) {
 }
 
 bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
-  if (!plan.general) return y >= 0 && y <= farthest;
-  const GeneralOscillator& o = plan.general->oscillator;
-  const double centre = plan.general->scales.centre;
-  return y >= (o.left.exists ? 0.0 : centre - farthest) &&
-         y <= (o.right.exists ? o.right.position : centre + farthest);
+  const Oscillator& o = plan.oscillator;
+  return y >= (o.left.exists ? 0.0 : plan.centre - farthest) &&
+         y <= (o.right.exists ? o.right.position : plan.centre + farthest);
 }
 
 /// Whether the times until the next kick and until rest are possible.
@@ -67,89 +64,70 @@ bool is_valid_state(const Branch& branch, const SimulationPlan& plan) {
          between(-strongest, branch.amplitude, strongest) &&
          between(0, branch.until_impulse, kRarestDraws * impulses.interval) &&
          between(-sample, branch.until_sample, sample) && between(-sample, branch.remaining, 0) &&
-         has_valid_times(branch, plan.general ? plan.general->kicks : NoiseKicks{});
+         has_valid_times(branch, plan.kicks);
+}
+
+MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitting* splitting) {
+  // Flights between kicks use a lower order of the Taylor polynomial and therefore need a smaller
+  // step limit.
+  constexpr double kShorter = 0.35;
+  return {.oscillator = plan.oscillator,
+          .kicks = plan.kicks,
+          .step = plan.step * (plan.kicks.is_present() ? kShorter : 1),
+          .sampling_interval = plan.sampling_interval,
+          .y_bins = &plan.y_bins,
+          .v_bins = &plan.v_bins,
+          .splitting = splitting,
+          .shift = plan.excitation.shift,
+          .deposit = plan.deposit ? &*plan.deposit : nullptr};
 }
 
 /// Makes a stream at its initial state.
-/// @param source generator of the impulses
-Stream make_stream(const State& start, const Impulse& first, const ImpulseSource& source,
-                   const SimulationPlan& plan) {
-  return {.branch = {.y = start.y,
-                     .v = start.v,
-                     .until_impulse = first.waiting,
-                     .amplitude = first.amplitude,
-                     .until_sample = plan.sampling_interval / 2,
-                     .remaining = 0},
-          .source = source,
-          .record = StreamRecord(plan.y_bins, plan.v_bins)};
+/// @param sampler null: the folded Gaussian
+Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
+                   const InitialStateSampler* sampler) {
+  ImpulseSource source(plan.excitation, plan.seed, number);
+  const State start =
+      sampler ? (*sampler)(plan.seed, number)
+              : folded_initial_state(source, plan.displacement_deviation, plan.velocity_deviation);
+  Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
+  if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
+  Stream stream{.branch = {.y = start.y,
+                           .v = start.v,
+                           .until_impulse = first.waiting,
+                           .amplitude = first.amplitude,
+                           .until_sample = plan.sampling_interval / 2,
+                           .remaining = 0},
+                .source = source,
+                .record = StreamRecord(plan.y_bins, plan.v_bins),
+                .noise = NoiseSource(plan.seed, number)};
+  if (plan.deposit) stream.record.deposit = DepositedSums(plan.deposit->grid);
+  if (plan.kicks.is_present()) {
+    // The first kick has a random phase, so that on average the samples are evenly distributed
+    // over the interval between kicks.
+    const double share =
+        uniform_numbers(plan.seed, number, RandomNumberPurpose::start, kBlockSize).third[1];
+    stream.branch.kick_interval = plan.kicks.longest_interval;
+    stream.branch.until_kick = share * plan.kicks.longest_interval;
+  }
+  return stream;
 }
 
 }  // namespace
 
 Simulation::Simulation(const problem::Problem& problem, const SimulationPlan& plan,
                        const ImportanceSplitting* splitting)
-    : plan_(&plan) {
-  if (plan.general) {
-    start_general_streams(problem, splitting);
-    return;
-  }
-  motion_ = MotionParameters{.oscillator = Oscillator(problem.system),
-                             .step = plan.step,
-                             .sampling_interval = plan.sampling_interval,
-                             .y_bins = &plan.y_bins,
-                             .v_bins = &plan.v_bins,
-                             .splitting = splitting,
-                             .shift = plan.excitation.shift,
-                             .deposit = plan.deposit ? &*plan.deposit : nullptr};
+    : plan_(&plan), motion_(make_motion(plan, splitting)) {
+  std::optional<InitialStateSampler> sampler;
+  if (!plan.oscillator.is_duffing_at_wall()) sampler.emplace(problem);
   for (int s = 0; s < plan.streams; ++s) {
-    ImpulseSource source(plan.excitation, plan.seed, static_cast<std::uint32_t>(s));
-    const State start =
-        folded_initial_state(source, plan.displacement_deviation, plan.velocity_deviation);
-    const Impulse first = source.next_impulse();
-    streams_.push_back(make_stream(start, first, source, plan));
-    if (plan.deposit) streams_.back().record.deposit = DepositedSums(plan.deposit->grid);
-  }
-}
-
-void Simulation::start_general_streams(const problem::Problem& problem,
-                                       const ImportanceSplitting* splitting) {
-  const SimulationPlan& plan = *plan_;
-  const GeneralPlan& general = *plan.general;
-  // Flights between kicks use a lower order of the Taylor polynomial and therefore need a smaller
-  // step limit.
-  constexpr double kShorter = 0.35;
-  general_ =
-      GeneralMotionParameters{.oscillator = general.oscillator,
-                              .kicks = general.kicks,
-                              .step = plan.step * (general.kicks.is_present() ? kShorter : 1),
-                              .sampling_interval = plan.sampling_interval,
-                              .y_bins = &plan.y_bins,
-                              .v_bins = &plan.v_bins,
-                              .records = true,
-                              .splitting = splitting};
-  const InitialStateSampler start_of(problem);
-  for (int s = 0; s < plan.streams; ++s) {
-    const auto stream = static_cast<std::uint32_t>(s);
-    ImpulseSource source(plan.excitation, plan.seed, stream);
-    const State start = start_of(plan.seed, stream);
-    Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
-    if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
-    Stream made = make_stream(start, first, source, plan);
-    made.noise = NoiseSource(plan.seed, stream);
-    if (general.kicks.is_present()) {
-      // The first kick has a random phase, so that on average the samples are evenly distributed
-      // over the interval between kicks.
-      const double share =
-          uniform_numbers(plan.seed, stream, RandomNumberPurpose::start, kBlockSize).third[1];
-      made.branch.kick_interval = general.kicks.longest_interval;
-      made.branch.until_kick = share * general.kicks.longest_interval;
-    }
-    streams_.push_back(std::move(made));
+    streams_.push_back(
+        make_stream(plan, static_cast<std::uint32_t>(s), sampler ? &*sampler : nullptr));
   }
 }
 
 void Simulation::set_splitting(const ImportanceSplitting& splitting) {
-  (general_ ? general_->splitting : motion_->splitting) = &splitting;
+  motion_.splitting = &splitting;
   for (Stream& stream : streams_) stream.record.energies.clear();
 }
 
@@ -162,22 +140,12 @@ void Simulation::run_round() {
 
 void Simulation::advance_streams(bool recorded, double time) {
   static const simd::CodeVariant lanes = simd::available_code_variants().back();
-  if (general_) {
-    GeneralMotionParameters motion = *general_;
-    motion.records = recorded;
-    return advance_streams(
-        [&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
-  }
-  MotionParameters motion = *motion_;
+  MotionParameters motion = motion_;
   if (!recorded) {
     motion.records = false;
     motion.splitting = nullptr;
     motion.deposit = nullptr;
   }
-  advance_streams([&](std::span<Stream* const> group) { advance(motion, group, time, lanes); });
-}
-
-void Simulation::advance_streams(const std::function<void(std::span<Stream* const>)>& move) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
     if (!is_stream_of_part(part_, g * kGroup)) return;
@@ -185,7 +153,7 @@ void Simulation::advance_streams(const std::function<void(std::span<Stream* cons
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
     }
-    move(group);
+    advance(motion, group, time, lanes);
   });
 }
 
@@ -208,8 +176,7 @@ void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
 void Simulation::load_stream(std::istream& in, Stream& stream) const {
   std::uint64_t number = 0;
   read_binary(in, stream.branch);
-  const ImportanceSplitting* splitting = general_ ? general_->splitting : motion_->splitting;
-  const int threshold_count = splitting ? splitting->threshold_count() : 0;
+  const int threshold_count = motion_.splitting ? motion_.splitting->threshold_count() : 0;
   require_valid_state(is_valid_state(stream.branch, *plan_) && stream.branch.energy_level >= 0 &&
                       stream.branch.energy_level <= threshold_count &&
                       stream.branch.floor_level >= 0 &&

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <iosfwd>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "mcs/motion/advance.hpp"
@@ -21,7 +18,6 @@ class Simulation {
   /// equivalent linearisation folded to y >= 0, paper (5), or from InitialStateSampler.
   /// @param plan must outlive the simulation
   /// @param splitting null, or must outlive the simulation
-  /// @throws InputError as Oscillator
   Simulation(const problem::Problem& problem, const SimulationPlan& plan,
              const ImportanceSplitting* splitting = nullptr);
 
@@ -58,17 +54,13 @@ class Simulation {
   void load_part(std::istream& in, int part);
 
  private:
-  void start_general_streams(const problem::Problem& problem, const ImportanceSplitting* splitting);
-  /// @param move function that advances a group of streams
-  void advance_streams(const std::function<void(std::span<Stream* const>)>& move);
   void advance_streams(bool recorded, double time);
   bool is_stream_of_part(int part, std::size_t stream) const;
   void save_stream(std::ostream& out, const Stream& stream) const;
   void load_stream(std::istream& in, Stream& stream) const;
 
   const SimulationPlan* plan_;
-  std::optional<MotionParameters> motion_;          // for the paper's oscillator
-  std::optional<GeneralMotionParameters> general_;  // outside that class
+  MotionParameters motion_;
   std::uint64_t rounds_ = 0;
   int part_ = 0, parts_ = 1;
   std::vector<Stream> streams_;

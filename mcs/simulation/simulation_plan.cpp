@@ -11,8 +11,8 @@
 #include "base/input_error.hpp"
 #include "base/process/parallel_for.hpp"
 #include "mcs/applicability.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -20,7 +20,6 @@ namespace {
 constexpr double kMostSamples = 1e15;  // samples per stream
 
 constexpr int kAutomaticBins = 140;
-constexpr double kAutomaticExtent = 7;        // standard deviations
 constexpr double kAutomaticWhiteStep = 0.05;  // radians
 // 50 samples per period would reduce the sampling noise of the bins by a seventh, at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
@@ -79,7 +78,14 @@ double automatic_kick_step(const problem::System& system) {
              : kAutomaticKickStep;
 }
 
-GeneralPlan make_general_plan(const problem::Problem& problem, const Options& options) {
+/// Checks the options. The bin edges of y begin at 0 with flights that have one wall at y = 0, else
+/// anywhere.
+void validate_for_problem(const problem::Problem& problem, const Options& options) {
+  if (is_duffing_at_wall(problem)) return validate(options);
+  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
+  Options others = options;
+  others.y_edges.clear();
+  validate(others);
   if (options.deposit) {
     throw InputError(
         "mcs.deposit: supported only for one wall at y = 0, damping c y', force k y + mu y^3 and "
@@ -90,140 +96,86 @@ GeneralPlan make_general_plan(const problem::Problem& problem, const Options& op
       throw InputError(fmt::format("mcs.tails: {}; omit mcs.tails", why));
     }
   }
-  const bool white = options.equation == Equation::white;
-  const double diffusion =
-      problem.noise.diffusion() + (white ? problem.impulses.rate_times_moment(2) / 2 : 0);
-  const auto scales = problem::scales(problem);
-  const auto features = problem::features(problem);
-  return {.scales = scales,
-          .oscillator = make_general_oscillator(
-              problem, scales, white ? problem.impulses.rate_times_moment(1) : 0, diffusion > 0),
-          .kicks = noise_kicks(problem, scales, diffusion,
-                               options.white_step.value_or(automatic_kick_step(problem.system))),
-          .power = problem::total_intensity(problem) / 2,
-          .has_contact_atoms = features.rests_in_contact && diffusion == 0,
-          .wells = features.wells};
 }
 
-/// Checks the options of a problem whose domain is not y >= 0: bin edges may begin anywhere.
-void validate_for_any_domain(const Options& options) {
-  if (!options.y_edges.empty()) require_edges("mcs.y_edges", options.y_edges);
-  Options others = options;
-  others.y_edges.clear();
-  validate(others);
-}
-
-/// Properties of a motion and its excitation that determine the plan of its simulation.
-struct PlanInputs {
-  double sampling_interval;
-  double step;
-  EventRates rates;
-  double displacement_deviation, velocity_deviation;
-  Excitation excitation;
-  double y_low, y_high, v_high;  ///< ends of the automatic bins
-  std::optional<DepositPlan> deposit{};
-  std::optional<GeneralPlan> general{};
-};
-
-PlanInputs inputs_of_general_motion(const problem::Problem& problem, const Options& options) {
-  validate_for_any_domain(options);
-  const GeneralPlan general = make_general_plan(problem, options);
-  const auto& s = general.scales;
-  // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
-  // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
-  // lower limit of the sampling interval.
-  constexpr double kSamplesPerRest = 50;
-  const double least =
-      general.has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
-  const double step = options.step.value_or(kAutomaticStep);
-  const double kicks = general.kicks.is_present() ? 1 / general.kicks.longest_interval : 0;
+/// The impulses of the problem, or the evenly spaced impulses that replace them as white noise. If
+/// kicks replace the impulses, there are none.
+Excitation make_excitation(const problem::Problem& problem, const Options& options,
+                           const problem::MotionScales& scales) {
   const bool white = options.equation == Equation::white;
-  const double impulses = white ? 0 : problem.impulses.arrival_rate();
+  if (white && is_duffing_at_wall(problem)) {
+    return white_noise_excitation(
+        problem.impulses, options.white_step.value_or(kAutomaticWhiteStep) / scales.frequency);
+  }
   Excitation excitation = poisson_excitation(problem.impulses);
-  excitation.power = general.power;
-  if (impulses == 0) {
+  excitation.power = problem::total_intensity(problem) / 2;
+  if (white || !problem.impulses.is_present()) {
     excitation.interval = std::numeric_limits<double>::infinity();
     // The expected work of the kicks alone is 0; see apply_kick().
     excitation.work = 0;
   }
-  return {
-      .sampling_interval = std::max(2 * std::numbers::pi / s.frequency / kSamplesPerPeriod, least),
-      .step = step,
-      .rates = {.decay = s.slowest_decay_rate,
-                .impulses = impulses,
-                .flights = kicks + s.frequency / step,
-                .any_oscillator = true,
-                .wells = general.wells},
-      .displacement_deviation = s.displacement_deviation,
-      .velocity_deviation = s.velocity_deviation,
-      .excitation = excitation,
-      .y_low = s.y_low,
-      .y_high = s.y_high,
-      .v_high = s.v_high,
-      .general = general};
-}
-
-PlanInputs inputs_of_energy_bounded_motion(const problem::Problem& problem,
-                                           const Options& options) {
-  validate(options);
-  const auto linear = problem::equivalent_linearisation(problem);
-  const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
-  const double frequency = std::sqrt(linear.stiffness);
-  const double interval = 2 * std::numbers::pi / frequency / kSamplesPerPeriod;
-  const Excitation excitation =
-      options.equation == Equation::white
-          ? white_noise_excitation(problem.impulses,
-                                   options.white_step.value_or(kAutomaticWhiteStep) / frequency)
-          : poisson_excitation(problem.impulses);
-  const double step = options.step.value_or(kAutomaticStep);
-  std::optional<DepositPlan> deposit;
-  if (options.deposit) {
-    deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
-  }
-  return {.sampling_interval = interval,
-          .step = step,
-          .rates = {.decay = problem::slowest_decay_rate(linear),
-                    .impulses = 1 / excitation.interval,
-                    .flights = frequency / step},
-          .displacement_deviation = s1,
-          .velocity_deviation = s2,
-          .excitation = excitation,
-          .y_low = 0,
-          .y_high = problem::static_deflection(problem) + kAutomaticExtent * s1,
-          .v_high = kAutomaticExtent * s2,
-          .deposit = deposit};
+  return excitation;
 }
 
 }  // namespace
 
 SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
-  // The fast motion (Oscillator, MotionParameters) needs one wall, at the equilibrium, and an
-  // energy that does not grow between impulses: constant damping c > 0, no noise, a force k y + mu
-  // y^3.
-  const PlanInputs inputs = problem::has_equivalent_linearisation(problem)
-                                ? inputs_of_energy_bounded_motion(problem, options)
-                                : inputs_of_general_motion(problem, options);
-  const Durations durations = choose_durations(options, inputs.rates);
-  const auto [samples, rounds] =
-      choose_rounds(options, durations, inputs.sampling_interval, inputs.rates.total_rate());
+  validate_for_problem(problem, options);
+  const bool duffing_at_wall = is_duffing_at_wall(problem);
+  const problem::MotionScales scales = problem::scales(problem);
+  const problem::ProblemFeatures features = problem::features(problem);
+  // Kicks of white noise replace the impulses, unless evenly spaced impulses do.
+  const bool by_kicks = options.equation == Equation::white && !duffing_at_wall;
+  const double diffusion =
+      problem.noise.diffusion() + (by_kicks ? problem.impulses.rate_times_moment(2) / 2 : 0);
+  const NoiseKicks kicks = make_noise_kicks(
+      problem, scales, diffusion, options.white_step.value_or(automatic_kick_step(problem.system)));
+  const bool has_contact_atoms = features.rests_in_contact && !kicks.is_present();
+  const Excitation excitation = make_excitation(problem, options, scales);
+  const double step = options.step.value_or(kAutomaticStep);
+  // The sampling interval follows from the frequency at the mean energy. If the mass is mostly at
+  // rest in contact, this frequency is that of tiny bounces. The rate of impulses then gives a
+  // lower limit of the sampling interval.
+  constexpr double kSamplesPerRest = 50;
+  const double least =
+      has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
+  const double interval =
+      std::max(2 * std::numbers::pi / scales.frequency / kSamplesPerPeriod, least);
+  const double kick_rate = kicks.is_present() ? 1 / kicks.longest_interval : 0;
+  const EventRates rates{.decay = scales.slowest_decay_rate,
+                         .impulses = 1 / excitation.interval,
+                         .flights = kick_rate + scales.frequency / step,
+                         .duffing_flights = duffing_at_wall,
+                         .wells = features.wells};
+  const Durations durations = choose_durations(options, rates);
+  const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
+  std::optional<DepositPlan> deposit;
+  if (options.deposit) {
+    deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
+  }
   return {
       .streams = options.streams,
       .threads = std::min(base::number_of_threads(options.threads.value_or(0)), options.streams),
       .seed = options.seed,
       .frame = problem.frame,
-      .step = inputs.step,
+      .oscillator =
+          make_oscillator(problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0,
+                          kicks.is_present()),
+      .kicks = kicks,
+      .step = step,
       .burn_in = durations.burn_in,
       .short_burn_in_cause = durations.short_burn_in_cause,
-      .sampling_interval = inputs.sampling_interval,
+      .sampling_interval = interval,
       .samples_per_round = samples,
       .rounds = rounds,
-      .displacement_deviation = inputs.displacement_deviation,
-      .velocity_deviation = inputs.velocity_deviation,
-      .excitation = inputs.excitation,
-      .y_bins = bins(options.y_edges, inputs.y_low, inputs.y_high),
-      .v_bins = bins(options.v_edges, -inputs.v_high, inputs.v_high),
-      .deposit = inputs.deposit,
-      .general = inputs.general};
+      .centre = scales.centre,
+      .displacement_deviation = scales.displacement_deviation,
+      .velocity_deviation = scales.velocity_deviation,
+      .has_contact_atoms = has_contact_atoms,
+      .excitation = excitation,
+      .y_bins = bins(options.y_edges, scales.y_low, scales.y_high),
+      .v_bins = bins(options.v_edges, -scales.v_high, scales.v_high),
+      .deposit = deposit};
 }
 
 }  // namespace fpkcheck::mcs

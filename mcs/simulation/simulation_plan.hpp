@@ -4,12 +4,11 @@
 #include <optional>
 
 #include "mcs/impulses/excitation.hpp"
-#include "mcs/motion/general_oscillator.hpp"
+#include "mcs/motion/oscillator.hpp"
 #include "mcs/options.hpp"
 #include "mcs/simulation/durations.hpp"
 #include "mcs/streams/histogram.hpp"
 #include "problem/problem.hpp"
-#include "problem/scales.hpp"
 #include "transform/marginal.hpp"
 
 namespace fpkcheck::mcs {
@@ -18,22 +17,14 @@ namespace fpkcheck::mcs {
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
 
-/// Additional members of a simulation plan for an oscillator other than the paper's.
-struct GeneralPlan {
-  problem::MotionScales scales;
-  GeneralOscillator oscillator;
-  NoiseKicks kicks;
-  double power;            ///< D + lambda E[Y^2]/2, mean power of noise and impulses
-  bool has_contact_atoms;  ///< the stationary law has atoms at rest in contact
-  int wells;               ///< number of potential wells, ProblemFeatures::wells
-};
-
 /// All parameters of a simulation, with the default values computed.
 struct SimulationPlan {
   int streams;
   int threads;
   std::uint64_t seed;
   problem::Frame frame;  ///< maps the results to physical coordinates
+  Oscillator oscillator;
+  NoiseKicks kicks;
   double step;
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
@@ -41,15 +32,14 @@ struct SimulationPlan {
   /// Number of samples of each stream per round.
   std::uint64_t samples_per_round;
   std::uint64_t rounds;           ///< upper limit of the number of rounds
-  double displacement_deviation;  ///< sigma_1 of the initial Gaussian
+  double centre;                  ///< problem::MotionScales::centre
+  double displacement_deviation;  ///< sigma_1 of equivalent linearisation, or of energy averaging
   double velocity_deviation;      ///< sigma_2
+  bool has_contact_atoms;         ///< whether the stationary law has atoms at rest in contact
   Excitation excitation;
   BinFinder y_bins;
   BinFinder v_bins;
   std::optional<DepositPlan> deposit{};
-  /// Additional members for oscillators other than the paper's, advanced by
-  /// GeneralMotionParameters.
-  std::optional<GeneralPlan> general{};
 
   /// Simulated time of one stream per round.
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }

@@ -5,8 +5,9 @@
 
 #include "control_variates/solution.hpp"
 #include "mcs/deposit/deposit_simd.hpp"
-#include "mcs/motion/trajectory.hpp"
+#include "mcs/simulation/initial_state_sampler.hpp"
 #include "prepared_case.hpp"
+#include "trajectory.hpp"
 
 namespace fpkcheck::control_variates {
 namespace {
@@ -77,7 +78,7 @@ TEST(Checks, FindImpulsesThatComeTooOften) {
 /// Simulates flights and impacts in a separate loop, in which every impact is located too late.
 mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Problem& problem,
                                 std::uint32_t s, double late, double time) {
-  const mcs::Oscillator oscillator(problem.system);
+  const mcs::Oscillator oscillator = tests::oscillator_of(problem);
   mcs::ImpulseSource source(problem.impulses, 5, s);
   mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
   mcs::Impulse next = source.next_impulse();
@@ -86,7 +87,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
   while (remaining > 0) {
     const bool burns_in = remaining > time;
     if (state.y <= 0 && state.v < 0) {
-      const double after = -oscillator.restitution * state.v;
+      const double after = -oscillator.left.restitution * state.v;
       if (!burns_in) {
         mcs::deposit_impact(plan, stream.sums, y_before, state.v, after, 1);
         ++stream.impacts;
@@ -94,7 +95,7 @@ mcs::StreamDeposit late_impacts(const mcs::DepositPlan& plan, const problem::Pro
       y_before = 0;
       state = {0, after};
     }
-    const mcs::Flight flight(oscillator, state);
+    const tests::Flight flight(oscillator, state);
     double span = std::min({flight.max_step(0.5), next.waiting, remaining});
     if (burns_in) span = std::min(span, remaining - time);
     mcs::State end = flight.state_at_time(span);

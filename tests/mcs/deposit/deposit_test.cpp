@@ -9,10 +9,10 @@
 
 #include "base/input_error.hpp"
 #include "mcs/motion/advance.hpp"
-#include "mcs/motion/trajectory.hpp"
 #include "mcs/solve.hpp"
 #include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
+#include "trajectory.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {
@@ -82,7 +82,7 @@ struct Tally {
   int p, q;
   double variance;
   double until_sample = kInterval / 2, sum = 0, v_before = 0, restitution;
-  void on_flight(const Flight& flight, double duration) {
+  void on_flight(const tests::Flight& flight, double duration) {
     for (; until_sample < duration; until_sample += kInterval) {
       const auto [y, v] = flight.state_at_time(until_sample);
       const double a = flight.polynomial_acceleration(until_sample);
@@ -102,7 +102,7 @@ struct Tally {
 
 struct Setting {
   problem::Problem problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = kRate});
-  Oscillator oscillator{problem.system};
+  Oscillator oscillator = tests::oscillator_of(problem);
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   DepositPlan plan{grid(), kRate, kInterval};
 
@@ -139,8 +139,9 @@ TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
     const Stream stream = setting.advanced(s, simd::available_code_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
-      Trajectory trajectory(setting.oscillator, ImpulseSource(setting.problem.impulses, 21, s),
-                            {0.3, 1 - 0.2 * s}, 0.9);
+      tests::Trajectory trajectory(setting.oscillator,
+                                   ImpulseSource(setting.problem.impulses, 21, s),
+                                   {0.3, 1 - 0.2 * s}, 0.9);
       Tally tally{.p = p, .q = q, .variance = variance, .restitution = 0.6};
       trajectory.advance(30, tally);
       const double sum =

@@ -1,30 +1,31 @@
-#include "mcs/motion/flight.hpp"
+#include "mcs/motion/duffing_flight.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <numbers>
 
+#include "mcs/motion/polynomial_flight.hpp"
 #include "paper_cases.hpp"
+#include "trajectory.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-Oscillator paper_oscillator(int number) { return Oscillator(tests::paper_case(number).system); }
+using tests::Flight;
 
-/// A spring force with the coefficients g_1, g_2, ..
-Oscillator with_spring(std::initializer_list<double> g, double damping = 0.1) {
-  numerics::Polynomial::Coefficients coefficients{};
-  std::ranges::copy(g, coefficients.begin() + 1);
-  return {damping, 1, numerics::Polynomial(coefficients)};
+Oscillator paper_oscillator(int number) { return tests::oscillator_of(tests::paper_case(number)); }
+
+Oscillator duffing(double k, double mu, double damping = 0.1) {
+  return {.force = {0, k, 0, mu, 0, 0},
+          .damping = {damping, 0, 0},
+          .kind = Oscillator::Kind::duffing_at_wall,
+          .left = {.exists = true}};
 }
 
 // Damped free motion of the linear oscillator, w = sqrt(k - c^2/4).
 State exact_linear(const Oscillator& oscillator, const State& start, double t) {
-  const double half_c = oscillator.damping / 2;
-  const double w = std::sqrt(oscillator.stiffness - half_c * half_c);
+  const double half_c = oscillator.damping[0] / 2;
+  const double w = std::sqrt(oscillator.force[1] - half_c * half_c);
   const double b = (start.v + half_c * start.y) / w;
   const double decay = std::exp(-half_c * t), cosine = std::cos(w * t), sine = std::sin(w * t);
   const double y = decay * (start.y * cosine + b * sine);
@@ -43,7 +44,7 @@ double impact_time(const Flight& flight, double end) {
 
 TEST(Flight, FollowsTheExactLinearMotion) {
   for (const double damping : {0.1, 1.5}) {
-    const Oscillator oscillator = with_spring({2}, damping);
+    const Oscillator oscillator = duffing(2, 0, damping);
     const State start{1.3, -0.7};
     const Flight flight(oscillator, start);
     const double t = flight.max_step(0.7);
@@ -90,7 +91,7 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
 }
 
 TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
-  const Oscillator oscillator = with_spring({1});
+  const Oscillator oscillator = duffing(1, 0);
   const double w = std::sqrt(1 - 0.05 * 0.05);
   for (const double before : {0.6, 0.1, 1e-3, 1e-9}) {
     // Motion that has an impact at the time `before`: y ~ exp(-ct/2) sin(w (before - t)).
@@ -126,7 +127,7 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
 }
 
 TEST(Flight, FindsTheHighestPoint) {
-  const Oscillator oscillator = with_spring({1}, 0.2);
+  const Oscillator oscillator = duffing(1, 0, 0.2);
   // The damped motion backwards from the maximum (y, 0), which is then `before` ahead.
   for (const double before : {0.5, 0.1, 1e-3}) {
     const Flight back(oscillator, {0.8, 0});
@@ -149,74 +150,17 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
   }
 }
 
-// Compares the closed formulas for k y + mu y^3 with the loops for any spring.
-TEST(Flight, OfTheDuffingOscillatorIsThatOfAnySpring) {
-  const Oscillator duffing = with_spring({1, 0, 0.7});
-  Oscillator any = duffing;
-  any.is_duffing = false;
+// Compares the formulas for k y + mu y^3 with those for any polynomial force.
+TEST(Flight, OfTheDuffingOscillatorIsThatOfAnyForce) {
+  const Oscillator oscillator = duffing(1, 0.7);
   for (const State& start : {State{0, 1}, State{1.2, 0.4}, State{20, -300}}) {
-    const Flight a(duffing, start), b(any, start);
+    const Flight a(oscillator, start);
+    const PolynomialFlight<double, Flight::kOrder> b(oscillator, start);
     const double t = a.max_step(0.9);
-    EXPECT_NEAR(b.max_step(0.9), t, 1e-14 * t);
     EXPECT_NEAR(a.state_at_time(t).y, b.state_at_time(t).y, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.state_at_time(t).v, b.state_at_time(t).v, 1e-13 * std::abs(start.y + start.v));
-    EXPECT_NEAR(a.acceleration(start), b.acceleration(start), 1e-13 * std::abs(start.v + 1e4));
-  }
-}
-
-/// Springs of all degrees, with a speed v at y = 0 and about the largest displacement y.
-struct KnownMotion {
-  Oscillator oscillator;
-  double v, y;
-};
-std::vector<KnownMotion> motions_of_other_springs() {
-  std::vector<KnownMotion> list;
-  for (const double v : {0.01, 0.3, 3.0, 300.0}) {
-    list.push_back({with_spring({1, 0.5}), v, std::min(v, std::cbrt(3 * v * v))});
-    list.push_back({with_spring({1, -1, 0.5}), v, std::min(v, std::pow(4 * v * v, 0.25))});
-    list.push_back({with_spring({0, 0, 0, 1}), v, std::pow(2.5 * v * v, 0.2)});
-    list.push_back(
-        {with_spring({0.5, 0, -0.3, 0, 0.2}), v, std::min(v, std::pow(15 * v * v, 1 / 6.))});
-    list.push_back(
-        {with_spring({1, 0.1, 0.2, 0.3, 0.4}), v, std::min(v, std::pow(7 * v * v, 1 / 6.))});
-  }
-  return list;
-}
-
-TEST(Flight, OfAnySpringIsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
-  for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
-    for (const double angle : {0.0, 0.7, 1.4, 2.1, 2.8}) {
-      const State start{0.9 * y * std::sin(angle), v * std::cos(angle)};
-      const Flight flight(oscillator, start);
-      const double t = flight.max_step(0.7);
-      const State end = flight.state_at_time(t), exact = by_short_flights(oscillator, start, t);
-      EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << oscillator.degree << " " << v << " " << angle;
-      EXPECT_NEAR(end.y, exact.y, 2e-6 * y) << oscillator.degree << " " << v << " " << angle;
-    }
-  }
-}
-
-TEST(Flight, OfAnySpringReachesNoFurtherThanItsSteepestPartAllows) {
-  for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
-    double steepest = 0;
-    for (double x = 0; oscillator.potential(x) <= v * v / 2; x += y / 1000) {
-      steepest = std::max(steepest, oscillator.force.derivative()(x));
-    }
-    const Flight flight(oscillator, {0, v});
-    const double frequency = 1 / flight.max_step(1) - oscillator.damping;
-    EXPECT_GE(frequency, std::sqrt(steepest)) << oscillator.degree << " " << v;
-    // The bound is least tight for terms of both signs.
-    EXPECT_LE(frequency, 2.5 * std::sqrt(steepest)) << oscillator.degree << " " << v;
-    EXPECT_GE(flight.state_at_time(flight.max_step(1.2)).y, 0.0) << oscillator.degree << " " << v;
-  }
-}
-
-TEST(Flight, OfAnySpringFindsImpacts) {
-  for (const auto& [oscillator, v, y] : motions_of_other_springs()) {
-    const Flight flight(oscillator, {0.01 * y, -v});
-    const double end = flight.max_step(1.2);
-    ASSERT_LT(flight.state_at_time(end).y, 0.0) << oscillator.degree << " " << v;
-    EXPECT_LT(std::abs(flight.state_at_time(impact_time(flight, end)).y), 1e-14 * y);
+    EXPECT_NEAR(a.acceleration(start), b.polynomial_acceleration(0),
+                1e-13 * std::abs(start.v + 1e4));
   }
 }
 

@@ -2,63 +2,59 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
-#include "base/input_error.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
 
-using numerics::Polynomial;
+using Kind = Oscillator::Kind;
 
-Oscillator with_spring(const Polynomial::Coefficients& g) { return {0.1, 1, Polynomial(g)}; }
+Kind kind_of(const problem::SystemCoefficients& coefficients,
+             const problem::WallParameters& walls = {}) {
+  const auto problem =
+      tests::with_impulses(problem::System(coefficients, walls), tests::gaussian_impulses(1, 0.1));
+  return make_oscillator(problem, problem::scales(problem)).kind;
+}
 
 TEST(Oscillator, OfTheProblemHasItsMechanics) {
-  const auto system = tests::make_problem({.damping = 0.3, .restitution = 0.7}).system;
-  const Oscillator oscillator(system);
-  EXPECT_EQ(oscillator.damping, 0.3);
-  EXPECT_EQ(oscillator.restitution, 0.7);
-  EXPECT_EQ(oscillator.force.coefficients(), system.restoring_force().coefficients());
-  EXPECT_EQ(oscillator.potential.coefficients(), system.potential().coefficients());
-}
-
-TEST(Oscillator, DetectsDuffingSprings) {
-  EXPECT_TRUE(with_spring({0, 1}).is_duffing);
-  EXPECT_TRUE(with_spring({0, 1, 0, 2}).is_duffing);
-  EXPECT_TRUE(with_spring({0, 0, 0, 2}).is_duffing);
-  EXPECT_FALSE(with_spring({0, 1, 0.1, 2}).is_duffing);
-  EXPECT_FALSE(with_spring({0, 1, 0, 2, 0.1}).is_duffing);
-  EXPECT_FALSE(with_spring({0, 1, 0, 2, 0, 0.1}).is_duffing);
-}
-
-TEST(Oscillator, BoundsItsPotentialFromBelowByTheLastPower) {
-  // Without negative terms the bound is the last term.
-  EXPECT_EQ(with_spring({0, 1, 0, 2}).potential_bound, 2.0 / 4);
-  EXPECT_EQ(with_spring({0, 1, 0.5, 0, 0, 3}).potential_bound, 3.0 / 6);
-  // With negative terms the bound is the minimum of the ratio, computed here on a fine grid.
-  for (const auto& g : {Polynomial::Coefficients{0, 1, -1, 0.5},
-                        {0, 1, -0.6, 0.1},
-                        {0, 0.5, 0, -0.3, 0, 0.2},
-                        {0, 1, 2, -3, 1, 1},
-                        {0, 1e-6, -1e-3, 1}}) {
-    const Oscillator oscillator = with_spring(g);
-    double least = std::numeric_limits<double>::infinity();
-    for (double y = 1e-6; y < 1e6; y *= 1.0003) {
-      least = std::min(least, oscillator.potential(y) / std::pow(y, oscillator.degree + 1));
-    }
-    EXPECT_LE(oscillator.potential_bound, least);
-    EXPECT_GE(oscillator.potential_bound, 0.95 * least);
+  const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7});
+  const Oscillator oscillator = make_oscillator(problem, problem::scales(problem));
+  EXPECT_EQ(oscillator.damping[0], 0.3);
+  EXPECT_TRUE(oscillator.left.exists);
+  EXPECT_FALSE(oscillator.right.exists);
+  EXPECT_EQ(oscillator.left.restitution, 0.7);
+  EXPECT_EQ(oscillator.left.contact_force, 0);
+  for (std::size_t n = 0; n < oscillator.force.size(); ++n) {
+    EXPECT_EQ(oscillator.force[n], problem.system.restoring_force().coefficient(n));
   }
 }
 
-TEST(Oscillator, WithoutABoundOfTheMotionIsRefused) {
-  EXPECT_THROW(with_spring({0.1, 1}), InputError);         // a force at the wall
-  EXPECT_THROW(with_spring({0, 1, 0, -0.1}), InputError);  // repulsive at large y
-  EXPECT_THROW(with_spring({0, -1, 0, 1}), InputError);    // repulsive near the wall
-  EXPECT_THROW(with_spring({0, 1, -3, 1}), InputError);    // a second, deeper well
-  EXPECT_THROW(with_spring({0, 0, 0, -1, 0, 1}), InputError);
+// With the kind duffing_at_wall the energy limits the flights; each condition is necessary.
+TEST(Oscillator, HasTheKindOfItsTerms) {
+  constexpr double r = 0.8;
+  EXPECT_EQ(kind_of({.damping = 0.1, .stiffness = 1, .restitution = r}), Kind::duffing_at_wall);
+  EXPECT_EQ(kind_of({.damping = 0.1, .cubic = 2, .restitution = r}), Kind::duffing_at_wall);
+  EXPECT_EQ(kind_of({.damping = 0.1, .stiffness = 1, .cubic = 2, .restitution = r}),
+            Kind::duffing_at_wall);
+  EXPECT_EQ(kind_of({.damping = 0.1, .constant = 0.1, .stiffness = 1, .restitution = r}),
+            Kind::linear);
+  EXPECT_EQ(kind_of({.damping = 0.1, .stiffness = 1}, {.none = true}), Kind::linear);
+  EXPECT_EQ(kind_of({.damping = 0.1, .stiffness = -1, .cubic = 1, .restitution = r}), Kind::cubic);
+  EXPECT_EQ(
+      kind_of({.damping = 0.1, .stiffness = 1, .quadratic = 0.1, .cubic = 2, .restitution = r}),
+      Kind::cubic);
+  EXPECT_EQ(kind_of({.damping = 0.1, .van_der_pol = 0.1, .stiffness = 1, .restitution = r}),
+            Kind::cubic);
+  EXPECT_EQ(kind_of({.damping = 0.1, .stiffness = 1, .quintic = 0.1, .restitution = r}),
+            Kind::full);
+  EXPECT_EQ(kind_of({.damping = 0.1, .rayleigh = 0.1, .stiffness = 1, .restitution = r}),
+            Kind::full);
+  problem::Problem noisy = tests::make_problem({});
+  EXPECT_TRUE(is_duffing_at_wall(noisy));
+  noisy.noise.intensity = 0.1;
+  EXPECT_FALSE(is_duffing_at_wall(noisy));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "mcs/motion/taylor_polynomial.hpp"
+#include "mcs/motion/taylor_flight.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {
@@ -17,15 +17,15 @@ namespace {
 constexpr double kBetweenSamples = 0.25;
 constexpr double kNoImpulse = std::numeric_limits<double>::infinity();
 
-using Kind = GeneralOscillator::Kind;
+using Kind = Oscillator::Kind;
 
 /// Streams without impulses, from the given states.
 struct FreeStreams {
-  GeneralMotionParameters motion;
+  MotionParameters motion;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
   std::deque<Stream> streams{};
 
-  FreeStreams(const GeneralOscillator& oscillator, const std::vector<State>& starts,
+  FreeStreams(const Oscillator& oscillator, const std::vector<State>& starts,
               const NoiseKicks& kicks = {})
       : motion{.oscillator = oscillator,
                .kicks = kicks,
@@ -63,7 +63,7 @@ struct FreeStreams {
   const Stream& operator[](std::size_t s) const { return streams[s]; }
 };
 
-double acceleration(const GeneralOscillator& o, double y, double v) {
+double acceleration(const Oscillator& o, double y, double v) {
   double force = 0, damping = 0;
   for (std::size_t n = o.force.size(); n-- > 0;) force = force * y + o.force[n];
   for (std::size_t n = o.damping.size(); n-- > 0;) damping = damping * y + o.damping[n];
@@ -71,7 +71,7 @@ double acceleration(const GeneralOscillator& o, double y, double v) {
 }
 
 /// Integrates by the classical Runge-Kutta method.
-State followed(const GeneralOscillator& o, State s, double time) {
+State followed(const Oscillator& o, State s, double time) {
   constexpr int kSteps = 20000;
   const double h = time / kSteps;
   for (int n = 0; n < kSteps; ++n) {
@@ -87,7 +87,7 @@ State followed(const GeneralOscillator& o, State s, double time) {
   return s;
 }
 
-GeneralOscillator full_oscillator() {
+Oscillator full_oscillator() {
   return {.force = {0.1, -0.7, 0.2, 0.5, -0.1, 0.3},
           .damping = {-0.1, 0.05, 0.2},
           .rayleigh = 0.1,
@@ -95,11 +95,10 @@ GeneralOscillator full_oscillator() {
 }
 
 // Every coefficient contributes: a wrong index or factor changes the first digits.
-TEST(GeneralMotionParameters, FollowsTheEquationWithAllItsTerms) {
-  GeneralOscillator cubic{
+TEST(AdvanceAnyOscillator, FollowsTheEquationWithAllItsTerms) {
+  Oscillator cubic{
       .force = {0.1, -0.7, 0.2, 0.5, 0, 0}, .damping = {-0.1, 0.05, 0.2}, .kind = Kind::cubic};
-  GeneralOscillator linear{
-      .force = {0.3, 1.5, 0, 0, 0, 0}, .damping = {0.2, 0, 0}, .kind = Kind::linear};
+  Oscillator linear{.force = {0.3, 1.5, 0, 0, 0, 0}, .damping = {0.2, 0, 0}, .kind = Kind::linear};
   for (const auto& oscillator : {full_oscillator(), cubic, linear}) {
     const std::vector<State> starts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {1.2, -1}};
     FreeStreams free(oscillator, starts);
@@ -113,8 +112,8 @@ TEST(GeneralMotionParameters, FollowsTheEquationWithAllItsTerms) {
 }
 
 // The drift is far below sampling errors: it changes E[v^2] over one decay time only.
-TEST(GeneralMotionParameters, KeepsTheEnergyOfADoubleWell) {
-  const GeneralOscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
+TEST(AdvanceAnyOscillator, KeepsTheEnergyOfADoubleWell) {
+  const Oscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
   const auto energy = [](const Branch& b) {
     const double y2 = b.y * b.y;
     return b.v * b.v / 2 - y2 / 2 + y2 * y2 / 8 + y2 * y2 * y2 / 12;
@@ -130,13 +129,13 @@ TEST(GeneralMotionParameters, KeepsTheEnergyOfADoubleWell) {
 
 /// y'' = -(y - 1) with an elastic wall at 0. The motion of amplitude `a` extends slightly behind
 /// the wall.
-GeneralOscillator across_a_gap() {
+Oscillator across_a_gap() {
   return {.force = {-1, 1, 0, 0, 0, 0},
           .left = {.exists = true, .position = 0, .restitution = 1, .contact_force = -1}};
 }
 
 // These impacts cannot be found from the signs of y at the ends of a flight.
-TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
+TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   const double a = 1.01, u = std::sqrt(a * a - 1);
   const double period = 2 * std::acos(-1 / a);  // from impact to impact
   std::vector<State> starts;
@@ -151,7 +150,7 @@ TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
     EXPECT_NEAR(stream.record.left_energy, 100 * u * u, 1e-3);
   }
   // The mirror image of this motion, with the wall on the other side.
-  GeneralOscillator mirrored{
+  Oscillator mirrored{
       .force = {-1, 1, 0, 0, 0, 0},
       .right = {.exists = true, .position = 2, .restitution = 1, .contact_force = -1}};
   FreeStreams right(mirrored, starts);
@@ -163,10 +162,10 @@ TEST(GeneralMotionParameters, FindsImpactsWithinAFlight) {
   }
 }
 
-TEST(GeneralMotionParameters, MovesBetweenTwoWalls) {
+TEST(AdvanceAnyOscillator, MovesBetweenTwoWalls) {
   const double u = 0.8, r = 0.5, s = 0.75, b = 1.5;
-  GeneralOscillator box{.left = {.exists = true, .position = 0, .restitution = r},
-                        .right = {.exists = true, .position = b, .restitution = s}};
+  Oscillator box{.left = {.exists = true, .position = 0, .restitution = r},
+                 .right = {.exists = true, .position = b, .restitution = s}};
   FreeStreams free(box, {{0, u}});
   // The times are b/u to the right, b/(s u) back, b/(r s u) to the right again, and half of the way
   // back.
@@ -180,7 +179,7 @@ TEST(GeneralMotionParameters, MovesBetweenTwoWalls) {
 }
 
 /// A ball on a floor, g = 1.
-GeneralOscillator ball(double r, double rest_speed) {
+Oscillator ball(double r, double rest_speed) {
   return {.force = {1, 0, 0, 0, 0, 0},
           .left = {.exists = true,
                    .position = 0,
@@ -191,7 +190,7 @@ GeneralOscillator ball(double r, double rest_speed) {
 
 // The fall from the height u^2/2 takes the time u, the n-th bounce 2 r^n u: (1 + r)/(1 - r) u in
 // all.
-TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
+TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
   const double r = 0.6, u = 2, time = 40;
   for (const double rest_speed : {1e-1, 1e-4}) {
     FreeStreams free(ball(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
@@ -208,7 +207,7 @@ TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
     EXPECT_EQ(in_bins + record.rest_left, record.samples);
   }
   // A ball below a ceiling.
-  GeneralOscillator up{
+  Oscillator up{
       .force = {-1, 0, 0, 0, 0, 0},
       .right = {
           .exists = true, .position = 3, .restitution = r, .contact_force = 1, .rest_speed = 1e-4}};
@@ -219,7 +218,7 @@ TEST(GeneralMotionParameters, ComesToRestAfterInfinitelyManyBounces) {
   EXPECT_NEAR(above[0].record.rest_right, (time - u * (1 + r) / (1 - r)) / kBetweenSamples, 1.0);
 }
 
-TEST(GeneralMotionParameters, LeavesRestByAnImpulseEitherWay) {
+TEST(AdvanceAnyOscillator, LeavesRestByAnImpulseEitherWay) {
   const double r = 0.6;
   for (const double amplitude : {1.0, -1.0}) {
     FreeStreams free(ball(r, 1e-4), {{0, 0}});
@@ -233,8 +232,8 @@ TEST(GeneralMotionParameters, LeavesRestByAnImpulseEitherWay) {
   }
 }
 
-TEST(GeneralMotionParameters, GivesTheSameBitsForAnyWidthAndInstructions) {
-  GeneralOscillator walls = full_oscillator();
+TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
+  Oscillator walls = full_oscillator();
   walls.left = {
       .exists = true, .position = 0, .restitution = 0.8, .contact_force = 0.1, .rest_speed = 1e-4};
   walls.right = {.exists = true, .position = 1.5, .restitution = 0.7, .contact_force = -1};
@@ -264,17 +263,17 @@ TEST(GeneralMotionParameters, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-TEST(GeneralMotionParameters, KicksSoonAfterOneNearAWallThatTakesEnergy) {
-  GeneralMotionParameters motion{.oscillator = across_a_gap(),
-                                 .kicks = {.diffusion = 0.5,
-                                           .damping = 0,
-                                           .longest_interval = 0.2,
-                                           .shortest_interval = 1e-6,
-                                           .has_lossy_wall = true},
-                                 .step = 0.3,
-                                 .sampling_interval = 1,
-                                 .y_bins = nullptr,
-                                 .v_bins = nullptr};
+TEST(AdvanceAnyOscillator, KicksSoonAfterOneNearAWallThatTakesEnergy) {
+  MotionParameters motion{.oscillator = across_a_gap(),
+                          .kicks = {.diffusion = 0.5,
+                                    .damping = 0,
+                                    .longest_interval = 0.2,
+                                    .shortest_interval = 1e-6,
+                                    .has_lossy_wall = true},
+                          .step = 0.3,
+                          .sampling_interval = 1,
+                          .y_bins = nullptr,
+                          .v_bins = nullptr};
   EXPECT_EQ(time_to_next_kick(motion, 0.01, 0), 0.2);  // an elastic wall
   motion.oscillator.left.restitution = 0.7;
   EXPECT_EQ(time_to_next_kick(motion, 0, 0), 1e-6);

@@ -2,21 +2,16 @@
 
 #include <array>
 
-#include "mcs/motion/general_oscillator.hpp"
-#include "mcs/motion/taylor_polynomial.hpp"
+#include "mcs/motion/taylor_flight.hpp"
 #include "numerics/simd/elementary.hpp"
-#include "numerics/simd/simd.hpp"
 
 // Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Coefficients a_n of y(s) = sum_n a_n s^n.
-template <class Real, int kOrder>
-using GeneralTaylorCoefficients = std::array<Real, kOrder + 1>;
-
+/// Tangent stiffness g'(y).
 template <class Real>
-FPKCHECK_INLINE Real general_stiffness(const GeneralOscillator& o, const Real& y) {
+FPKCHECK_INLINE Real tangent_stiffness(const Oscillator& o, const Real& y) {
   Real sum = simd::broadcast<Real>(5 * o.force[5]);
   for (std::size_t n = 4; n > 0; --n) sum = sum * y + static_cast<double>(n) * o.force[n];
   return sum;
@@ -36,13 +31,12 @@ FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
 ///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c.
 ///
 /// Cauchy products give the coefficients of powers; c(y) v = dC(y)/ds.
-template <GeneralOscillator::Kind kKind, int kOrder, class Real>
-FPKCHECK_INLINE void compute_general_coefficients_inline(
-    const GeneralOscillator& o, GeneralTaylorCoefficients<Real, kOrder>& a) {
-  using Kind = GeneralOscillator::Kind;
+template <Oscillator::Kind kKind, int kOrder, class Real>
+FPKCHECK_INLINE void compute_coefficients_inline(const Oscillator& o,
+                                                 std::array<Real, kOrder + 1>& a) {
   const double c0 = o.damping[0], c1 = o.damping[1] / 2, c2 = o.damping[2] / 3;
   std::array<Real, kOrder + 1> y2, y3, y4, y5, v, v2;
-  if constexpr (kKind != Kind::linear) {
+  if constexpr (kKind != Oscillator::Kind::linear) {
     y2[0] = a[0] * a[0];
     y3[0] = y2[0] * a[0];
   }
@@ -50,13 +44,13 @@ FPKCHECK_INLINE void compute_general_coefficients_inline(
   for (int n = 0; n + 2 <= kOrder; ++n) {
     Real sum = o.force[1] * a[n] + (c0 * (n + 1)) * a[n + 1];
     if (n == 0) sum = sum + o.force[0];
-    if constexpr (kKind != Kind::linear) {
+    if constexpr (kKind != Oscillator::Kind::linear) {
       y2[n + 1] = cauchy_product(a, a, n + 1);
       y3[n + 1] = cauchy_product(a, y2, n + 1);
       sum = sum + o.force[2] * y2[n] + o.force[3] * y3[n] +
             static_cast<double>(n + 1) * (c1 * y2[n + 1] + c2 * y3[n + 1]);
     }
-    if constexpr (kKind == Kind::full) {
+    if constexpr (kKind == Oscillator::Kind::full) {
       y4[n] = cauchy_product(y2, y2, n);
       y5[n] = cauchy_product(y2, y3, n);
       v[n] = static_cast<double>(n + 1) * a[n + 1];
@@ -68,36 +62,40 @@ FPKCHECK_INLINE void compute_general_coefficients_inline(
 }
 
 // The function is not inlined, since the compiler would otherwise generate a copy for each call.
-template <GeneralOscillator::Kind kKind, int kOrder, class Real>
-__attribute__((noinline)) void compute_general_coefficients_of_kind(
-    const GeneralOscillator& o, GeneralTaylorCoefficients<Real, kOrder>& a) {
-  compute_general_coefficients_inline<kKind, kOrder>(o, a);
+template <Oscillator::Kind kKind, int kOrder, class Real>
+__attribute__((noinline)) void compute_coefficients_of_kind(const Oscillator& o,
+                                                            std::array<Real, kOrder + 1>& a) {
+  compute_coefficients_inline<kKind, kOrder>(o, a);
 }
 
 template <int kOrder, class Real>
-FPKCHECK_INLINE void compute_general_coefficients(const GeneralOscillator& o,
-                                                  GeneralTaylorCoefficients<Real, kOrder>& a) {
-  using Kind = GeneralOscillator::Kind;
+FPKCHECK_INLINE void compute_coefficients(const Oscillator& o, std::array<Real, kOrder + 1>& a) {
   switch (o.kind) {
-    case Kind::linear:
-      return compute_general_coefficients_of_kind<Kind::linear, kOrder, Real>(o, a);
-    case Kind::cubic:
-      return compute_general_coefficients_of_kind<Kind::cubic, kOrder, Real>(o, a);
-    case Kind::full:
-      return compute_general_coefficients_of_kind<Kind::full, kOrder, Real>(o, a);
+    case Oscillator::Kind::linear:
+      return compute_coefficients_of_kind<Oscillator::Kind::linear, kOrder, Real>(o, a);
+    case Oscillator::Kind::duffing_at_wall:
+    case Oscillator::Kind::cubic:
+      return compute_coefficients_of_kind<Oscillator::Kind::cubic, kOrder, Real>(o, a);
+    case Oscillator::Kind::full:
+      return compute_coefficients_of_kind<Oscillator::Kind::full, kOrder, Real>(o, a);
   }
 }
 
-/// The motion of a GeneralOscillator between two events, as a Taylor polynomial in time.
+/// The flights of any oscillator.
 template <class Real, int kOrder>
-class GeneralFlight {
+class PolynomialFlight : public TaylorFlight<Real, kOrder> {
+  using Base = TaylorFlight<Real, kOrder>;
+  using Base::a_;
+  using Base::oscillator_;
+
  public:
+  using Base::polynomial_acceleration;
+  using Base::state_at_time;
+
   /// @param oscillator must outlive the flight
-  FPKCHECK_INLINE GeneralFlight(const GeneralOscillator& oscillator, const BasicState<Real>& start)
-      : oscillator_(oscillator) {
-    a_[0] = start.y;
-    a_[1] = start.v;
-    compute_general_coefficients<kOrder, Real>(oscillator, a_);
+  FPKCHECK_INLINE PolynomialFlight(const Oscillator& oscillator, const BasicState<Real>& start)
+      : Base(oscillator, start) {
+    compute_coefficients<kOrder, Real>(oscillator, a_);
   }
 
   /// Keeps the mass at its initial position in the given lanes.
@@ -131,7 +129,7 @@ class GeneralFlight {
     Real frequency = simd::exponential(simd::lanewise_max(logarithm_of_frequency,
                                                           simd::broadcast<Real>(-600.0))) +
                      longest;
-    const Real slope = general_stiffness(oscillator_, a_[0]);
+    const Real slope = tangent_stiffness(oscillator_, a_[0]);
     const Real stiffness = simd::lanewise_max(slope, -slope);
     const Real c = oscillator_.damping[0] +
                    a_[0] * (oscillator_.damping[1] + a_[0] * oscillator_.damping[2]) +
@@ -141,68 +139,44 @@ class GeneralFlight {
     return phase / frequency;
   }
 
-  FPKCHECK_INLINE BasicState<Real> state_at_time(const Real& s) const {
-    return state_at<kOrder>(a_, s);
-  }
-
-  FPKCHECK_INLINE Real acceleration(const Real& s) const { return acceleration_at<kOrder>(a_, s); }
-
   /// Zero of v in [0, end], in the lanes where v(0) and v(end) have different signs. The error is
   /// 1e-6 of the time to either end, which causes an error of 1e-12 in y.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const BasicState<Real>& at_end,
                                     const Mask& wanted) const {
-    Real low{}, high = end;
-    Real s = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
-    Mask open = wanted;
-    for (int n = 0; n < kMostIterations && simd::any_lane_set(open); ++n) {
+    const auto newton = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
       const Real v = state_at_time(s).v;
-      const Mask before = v * a_[1] > 0.0;
-      low = simd::select(before, s, low);
-      high = simd::select(before, high, s);
-      const Real newton = s - v / acceleration(s);
-      const Mask inside = (newton >= low) & (newton <= high);
-      const Real next = simd::select(inside, newton, 0.5 * (low + high));
-      const Real moved = simd::lanewise_max(next - s, s - next);
-      s = simd::select(open, next, s);
-      open = open & (moved > 1e-4 * s);
-    }
-    return s;
+      is_before = v * a_[1] > 0.0;
+      return s - v / polynomial_acceleration(s);
+    };
+    const Real chord = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
+    return bracketed_zero(
+        Real{}, end, chord, wanted, newton,
+        [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
   }
 
   /// Zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
   /// `inside` * (y - wall) changes from positive to negative.
   /// @param guess within [low, high]
   template <class Mask>
-  FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, Real low, Real high,
-                                   const Real& guess, const Mask& wanted) const {
-    Real s = guess;
-    Mask open = wanted;
-    for (int n = 0; n < kMostIterations && simd::any_lane_set(open); ++n) {
+  FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
+                                   const Real& high, const Real& guess, const Mask& wanted) const {
+    const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
       const BasicState<Real> state = state_at_time(s);
       const Real distance = inside * (state.y - wall), speed = inside * state.v;
-      const Mask before = distance > 0.0;
-      low = simd::select(before, s, low);
-      high = simd::select(before, high, s);
-      const Real halley =
-          s - distance * speed / (speed * speed - 0.5 * (distance * (inside * acceleration(s))));
-      const Mask fine = (halley >= low) & (halley <= high);
-      const Real next = simd::select(fine, halley, 0.5 * (low + high));
-      const Real moved = simd::lanewise_max(next - s, s - next);
-      s = simd::select(open, next, s);
-      // After a third-order correction of 1e-6 the error is rounding.
-      open = open & (moved > 1e-6 * s);
-    }
-    return s;
+      is_before = distance > 0.0;
+      return s - distance * speed /
+                     (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
+    };
+    // After a third-order correction of 1e-6 the error is rounding.
+    return bracketed_zero(
+        low, high, guess, wanted, halley,
+        [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });
   }
 
  private:
-  static constexpr int kMostIterations = 60;
   // For y'' = -y^5 and y(0) = 0 only every sixth coefficient differs from 0.
   static constexpr int kTestedOrders = 6;
-
-  const GeneralOscillator& oscillator_;
-  GeneralTaylorCoefficients<Real, kOrder> a_;
 };
 
 }  // namespace

@@ -3,19 +3,20 @@
 #include "mcs/motion/advance.hpp"
 #include "numerics/simd/elementary.hpp"
 
-// Included by files that are compiled for different instruction sets, as motion/advance_simd.hpp.
+// The scalar events of a stream: impulses and kicks of the noise. Included by files that are
+// compiled for different instruction sets, as motion/advance_simd.hpp.
 namespace fpkcheck::mcs {
 namespace {
 
 /// Weight of the current branch of a stream.
-inline double branch_weight(const GeneralMotionParameters& motion, const Stream& stream) {
+inline double branch_weight(const MotionParameters& motion, const Stream& stream) {
   return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
 }
 
 /// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `before` to
 /// `after`.
-inline void count_turning_point(const GeneralMotionParameters& motion, Stream& stream,
-                                double before, double after) {
+inline void count_turning_point(const MotionParameters& motion, Stream& stream, double before,
+                                double after) {
   if (!motion.records) return;
   const double y = stream.branch.y, counted_weight = branch_weight(motion, stream);
   if (before > 0 && after < 0) stream.record.peaks[(*motion.y_bins)(y)] += counted_weight;
@@ -25,26 +26,33 @@ inline void count_turning_point(const GeneralMotionParameters& motion, Stream& s
 }
 
 /// Applies one impulse, paper (3), and draws the next impulse.
-inline void apply_general_impulse(const GeneralMotionParameters& motion, Stream& stream) {
+inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const double before = b.v;
   b.v += b.amplitude;
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
+    const double counted_weight = branch_weight(motion, stream);
     ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
     stream.record.work +=
-        branch_weight(motion, stream) * (b.amplitude * before + b.amplitude * b.amplitude / 2);
+        counted_weight * ((b.amplitude - motion.shift) * before + b.amplitude * b.amplitude / 2);
+    if (motion.deposit) {
+      std::array<double, 3>& drawn = stream.record.deposit.impulses;
+      drawn[0] += counted_weight;
+      drawn[1] += counted_weight * b.amplitude;
+      drawn[2] += counted_weight * (b.amplitude * b.amplitude);
+    }
   }
   const Impulse next = stream.source.next_impulse();
   b.until_impulse = next.waiting;
   b.amplitude = next.amplitude;
-  if (motion.records && motion.splitting) motion.splitting->update_after_impulse(stream);
+  if (motion.splitting) motion.splitting->update_after_impulse(stream);
 }
 
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
 /// the kick and half of the interval after it.
-inline void apply_kick(const GeneralMotionParameters& motion, Stream& stream) {
+inline void apply_kick(const MotionParameters& motion, Stream& stream) {
   Branch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
   const double next = time_to_next_kick(motion, b.y, b.v);

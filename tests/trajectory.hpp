@@ -1,21 +1,19 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "mcs/impulses/impulse_source.hpp"
-#include "mcs/motion/flight.hpp"
+#include "mcs/motion/duffing_flight.hpp"
+#include "problem/scales.hpp"
 
-namespace fpkcheck::mcs {
+namespace fpkcheck::tests {
 
-/// Initial state of a stream: independent Gaussians z, z' of mean zero, folded by paper (5),
-/// y = |z|, y' = z' sgn z.
-inline State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
-                                  double velocity_deviation) {
-  const auto normals = source.standard_normals();
-  const double z = displacement_deviation * normals[0];
-  const double z_dot = velocity_deviation * normals[1];
-  return {std::abs(z), std::copysign(1.0, z) * z_dot};
+using Flight = mcs::DuffingFlight<double>;
+
+/// The oscillator of a problem, as mcs::make_simulation_plan() makes it.
+inline mcs::Oscillator oscillator_of(const problem::Problem& problem) {
+  return mcs::make_oscillator(problem, problem::scales(problem));
 }
 
 /// Observer of a trajectory that ignores all events, for the burn-in. Other observers have the same
@@ -28,19 +26,20 @@ struct NullObserver {
 };
 
 /// One realisation of paper (1)-(2) on y >= 0, advanced event by event: flights end exactly at
-/// impacts, at impulses and at the end of the duration. Scalar counterpart of advance(), for
-/// ensembles and tests.
+/// impacts, at impulses and at the end of the duration. Scalar counterpart of
+/// mcs::advance().
 class Trajectory {
  public:
-  /// @param step longest flight, in radians of the local frequency, below pi (Flight::max_step)
-  Trajectory(const Oscillator& oscillator, ImpulseSource source, const State& start, double step)
+  /// @param step longest flight, in radians of the local frequency, below pi (DuffingFlight::max_step)
+  Trajectory(const mcs::Oscillator& oscillator, mcs::ImpulseSource source, const mcs::State& start,
+             double step)
       : oscillator_(oscillator),
-        source_(source),
+        source_(std::move(source)),
         state_(start),
         next_(source_.next_impulse()),
         step_(step) {}
 
-  const State& state() const { return state_; }
+  const mcs::State& state() const { return state_; }
 
   /// Advances the state by a duration and passes every event to the observer.
   template <class Observer>
@@ -51,7 +50,7 @@ class Trajectory {
       if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
       double span = std::min({flight.max_step(step_), next_.waiting, duration});
-      State end = flight.state_at_time(span);
+      mcs::State end = flight.state_at_time(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
         span = flight.impact_time(span, end, true);
@@ -70,7 +69,7 @@ class Trajectory {
   template <class Observer>
   void apply_impact(Observer& observer) {
     observer.on_impact(state_.v);
-    state_ = {0, -oscillator_.restitution * state_.v};
+    state_ = {0, -oscillator_.left.restitution * state_.v};
   }
 
   template <class Observer>
@@ -80,11 +79,11 @@ class Trajectory {
     next_ = source_.next_impulse();
   }
 
-  Oscillator oscillator_;
-  ImpulseSource source_;
-  State state_;
-  Impulse next_;  // next impulse; `waiting` is the remaining time until this impulse
+  mcs::Oscillator oscillator_;
+  mcs::ImpulseSource source_;
+  mcs::State state_;
+  mcs::Impulse next_;  // next impulse; `waiting` is the remaining time until this impulse
   double step_;
 };
 
-}  // namespace fpkcheck::mcs
+}  // namespace fpkcheck::tests
