@@ -17,9 +17,10 @@ struct PlotElement {
   bool has_marks() const {
     return style == "points" || style == "linespoints" || style == "yerrorbars";
   }
-  // The colour scale beside the panels explains such elements.
+  // The colour scale beside the panels explains such elements; a white mark is the background of an
+  // open mark.
   bool uses_colour_scale() const {
-    return style == "image" || text.find("palette") != std::string::npos;
+    return style == "image" || colour == "white" || text.find("palette") != std::string::npos;
   }
 };
 

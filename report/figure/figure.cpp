@@ -45,6 +45,12 @@ std::string number_cell(double value, bool is_logarithmic) {
                                                                 : "NaN";
 }
 
+bool has_points(const FigureSeries& series) {
+  return std::ranges::any_of(series.points, [](const FigurePoint& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+  });
+}
+
 bool has_open_marks(const FigureSeries& series) {
   return !series.symbol.empty() && std::ranges::any_of(series.points, &FigurePoint::open);
 }
@@ -52,6 +58,10 @@ bool has_open_marks(const FigureSeries& series) {
 // The plot style of a series, in the colour of the series or of its legend entry. Styles may come
 // from a file: quoting prevents that a quotation mark in a colour ends the string.
 std::string series_style(const FigureSeries& series, const std::string& colour) {
+  if (series.is_area) {
+    return fmt::format("with filledcurves fillstyle solid 0.4 border rgb {0} fillcolor rgb {0}",
+                       gnuplot_string(colour));
+  }
   std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}",
                                   series.symbol.empty() ? "lines"
                                   : series.dash.empty() ? "points"
@@ -71,10 +81,18 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
                                       DataBlocks& blocks) {
   std::string rows;
   for (const auto& point : series.points) {
+    if (series.is_area && !std::isfinite(point.y)) {
+      rows += '\n';  // an empty line separates areas
+      continue;
+    }
     rows += fmt::format("{} {} {:d}\n", number_cell(point.x, panel.x.is_logarithmic),
                         number_cell(point.y, panel.y.is_logarithmic), point.open);
   }
   const std::string block = blocks.add(rows);
+  if (series.is_area) {
+    return {fmt::format("{} using 1:({:.6g}):2 {} notitle", block, panel.y.from,
+                        series_style(series, series.colour))};
+  }
   std::vector<std::string> plots{
       fmt::format("{} using 1:2 {} notitle", block, series_style(series, series.colour))};
   if (!has_open_marks(series)) return plots;
@@ -91,16 +109,51 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
 
 std::string map_plot(const FigureHeatMap& map, DataBlocks& blocks) {
   std::string rows;
-  for (std::size_t k = 0; k < map.values.size(); ++k) {
-    rows += fmt::format("{:.4g}{}", map.values[k], (k + 1) % map.columns == 0 ? '\n' : ' ');
+  for (const auto& [x, y, value] : map.discs) {
+    rows += fmt::format("{:.6g} {:.6g} {}\n", x, y, number_cell(value, false));
   }
-  const auto centres = [](const std::array<double, 2>& range, std::size_t cells) {
-    const double width = (range[1] - range[0]) / static_cast<double>(cells);
-    return fmt::format("{:.8g}+{:.8g}", range[0] + width / 2, width);
-  };
-  return fmt::format("{} matrix using ({}*$1):({}*$2):3 with image notitle", blocks.add(rows),
-                     centres(map.x_range, map.columns),
-                     centres(map.y_range, map.values.size() / map.columns));
+  if (map.values.empty()) {
+    return fmt::format(
+        "{} using 1:2:3 with points pointtype 7 pointsize {:.3g} linecolor palette "
+        "notitle",
+        blocks.add(rows), map.disc_size);
+  }
+  const std::size_t map_rows = map.values.size() / map.columns;
+  const double width = (map.x_range[1] - map.x_range[0]) / static_cast<double>(map.columns),
+               height = (map.y_range[1] - map.y_range[0]) / static_cast<double>(map_rows),
+               x = map.x_range[0] + width / 2, y = map.y_range[0] + height / 2;
+  // gnuplot cannot draw a single row or column of cells as an image, and warns about a matrix with
+  // missing values.
+  const bool is_image = map.columns > 1 && map_rows > 1;
+  const bool is_matrix =
+      is_image && std::ranges::all_of(map.values, [](double v) { return std::isfinite(v); });
+  for (std::size_t k = 0; k < map.values.size(); ++k) {
+    const bool is_end = (k + 1) % map.columns == 0;
+    const std::string value = number_cell(map.values[k], false);
+    rows += is_matrix
+                ? fmt::format("{}{}", value, is_end ? '\n' : ' ')
+                : fmt::format(
+                      "{:.6g} {:.6g} {}\n{}", x + static_cast<double>(k % map.columns) * width,
+                      y + static_cast<double>(k / map.columns) * height, value, is_end ? "\n" : "");
+  }
+  const std::string block = blocks.add(rows);
+  if (is_matrix) {
+    return fmt::format(
+        "{} matrix using ({:.8g}+{:.8g}*$1):({:.8g}+{:.8g}*$2):3 with image @cells notitle", block,
+        x, width, y, height);
+  }
+  return fmt::format(
+      "{} using {} notitle", block,
+      is_image ? "1:2:3 with image @cells"
+               : fmt::format("1:2:({:.6g}):({:.6g}):3 with boxxyerror fillstyle solid noborder "
+                             "linecolor palette",
+                             width / 2, height / 2));
+}
+
+std::string panel_letter(std::size_t panel) {
+  constexpr std::size_t kLetters = 26;
+  const std::string letter(1, static_cast<char>('a' + panel % kLetters));
+  return panel < kLetters ? letter : panel_letter(panel / kLetters - 1) + letter;
 }
 
 /// @param name x, y, or cb for the colours of a map
@@ -110,28 +163,37 @@ std::string axis_commands(const FigureAxis& axis, const std::string& name) {
     tics.push_back(fmt::format("{} {:.6g}", gnuplot_text(tic.label), tic.place));
   }
   return fmt::format(
-      "set {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n{5}set logscale {0}\n"
-      "set format {0} {6}\n",
+      "unset logscale {0}\nset {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n"
+      "{5}set format {0} {6}\n",
       name, gnuplot_text(axis.label), axis.from, axis.to,
       !tics.empty()       ? fmt::format("({})", fmt::join(tics, ", "))
       : axis.tic_step > 0 ? fmt::format("{:g}", axis.tic_step)
                           : "autofreq",
-      axis.is_logarithmic ? "" : "un",
+      axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : "",
       axis.is_logarithmic ? kPowerOfTenFormat : "say('%h', '$%h$')");
 }
 
 // The colour scale of a map, with a colour bar to the right of the panel.
-std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int figure_width) {
+/// @param has_colour_bar whether the panel has a colour bar
+std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int figure_width,
+                            bool has_colour_bar) {
   std::vector<std::string> colours;
   for (const auto& [position, colour] : map.colours) {
     colours.push_back(fmt::format("{:g} {}", position, gnuplot_string(colour)));
   }
   return axis_commands(map.colour_axis, "cb") +
          fmt::format(
-             "set palette defined ({})\n"
-             "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
-             fmt::join(colours, ", "), place.right + 8.0 / figure_width, place.bottom,
-             static_cast<double>(kColourBar) / figure_width, place.top - place.bottom);
+             "set palette defined ({})\n{}{}", fmt::join(colours, ", "),
+             // The background is grey, since light discs would be invisible on white.
+             map.values.empty() ? "set object 1 rectangle from graph 0,0 to graph 1,1 behind "
+                                  "fillcolor rgb '#E4E4E4' fillstyle noborder\n"
+                                : "",
+             has_colour_bar
+                 ? fmt::format(
+                       "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
+                       place.right + 8.0 / figure_width, place.bottom,
+                       static_cast<double>(kColourBar) / figure_width, place.top - place.bottom)
+                 : "unset colorbox\n");
 }
 
 Legend figure_legend(const Figure& figure) {
@@ -141,10 +203,19 @@ Legend figure_legend(const Figure& figure) {
   for (const auto& panel : figure.panels) {
     for (const auto& series : panel.series) {
       any_open = any_open || has_open_marks(series);
-      if (series.points.empty() || !listed.insert(series.name).second) continue;
+      if (!has_points(series) || !listed.insert(series.name).second) continue;
       const auto& colour = series.legend_colour.empty() ? series.colour : series.legend_colour;
       legend.entries.push_back({fmt::format("NaN {}", series_style(series, colour)), series.name});
     }
+  }
+  const auto with_gap = std::ranges::find_if(figure.panels, [](const FigurePanel& panel) {
+    return panel.map && !panel.map->no_value_name.empty() &&
+           !std::ranges::all_of(panel.map->values,
+                                [](double value) { return std::isfinite(value); });
+  });
+  if (with_gap != figure.panels.end()) {
+    legend.entries.push_back(
+        {"NaN with boxes linecolor rgb '#777777' fillstyle empty", with_gap->map->no_value_name});
   }
   if (any_open) {
     legend.entries.push_back(
@@ -152,6 +223,17 @@ Legend figure_legend(const Figure& figure) {
          "open: not ok"});
   }
   return legend;
+}
+
+// Whether all panels have maps with the same colours, so that a row of panels needs a single colour
+// bar.
+bool has_common_colours(const Figure& figure) {
+  const auto& first = figure.panels.front().map;
+  return std::ranges::all_of(figure.panels, [&](const FigurePanel& panel) {
+    return panel.map && panel.map->colour_axis.label == first->colour_axis.label &&
+           panel.map->colour_axis.from == first->colour_axis.from &&
+           panel.map->colour_axis.to == first->colour_axis.to;
+  });
 }
 
 PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth width) {
@@ -162,7 +244,9 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
   grid.panel_height = width == FigureWidth::screen        ? figure.panel_height
                       : width == FigureWidth::two_columns ? 3 * figure.panel_height / 4
                                                           : 2 * figure.panel_height / 3;
-  if (std::ranges::any_of(figure.panels, [](const auto& panel) { return panel.map.has_value(); })) {
+  if (has_common_colours(figure)) {
+    grid.right_margin = kBesideMap;
+  } else if (figure.panels.front().map) {
     grid.panel_right_margin = kBesideMap;
   }
   grid.legend_height = legend.entries.empty() ? 0 : legend_height(legend, grid.width);
@@ -210,33 +294,44 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
   const FigureTitle title = figure_title(figure.title, grid.size());
   grid.title_height = title.height;
 
+  // A map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images.
+  constexpr std::size_t kFewCells = 6000;
+  std::size_t cells = 0;
+  for (const auto& panel : figure.panels) cells += panel.map ? panel.map->values.size() : 0;
+  const bool few_cells = cells <= kFewCells;
+  const bool common_colours = has_common_colours(figure);
+  const auto figure_columns = static_cast<std::size_t>(grid.columns);
   DataBlocks blocks;
   std::string commands;
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const FigurePanel& panel = figure.panels[k];
     PanelBox place = grid.panel_box(k);
-    if (k + 1 == figure.panels.size()) place.right = grid.panel_box(0, grid.columns - 1).right;
+    const bool is_last = k + 1 == figure.panels.size();
+    if (is_last && !common_colours) place.right = grid.panel_box(0, grid.columns - 1).right;
     std::vector<std::string> plots;
     if (panel.map) {
       plots.push_back(map_plot(*panel.map, blocks));
-      commands += colour_commands(*panel.map, place, grid.width);
+      commands += colour_commands(*panel.map, place, grid.width,
+                                  is_last || (k + 1) % figure_columns == 0 || !common_colours);
     }
     for (const auto& series : panel.series) {
-      if (series.points.empty()) continue;
+      if (!has_points(series)) continue;
       for (auto& plot : series_plots(series, panel, blocks)) plots.push_back(std::move(plot));
     }
-    commands +=
-        fmt::format("set title {}\n{}{}{}plot {}\n\n",
-                    gnuplot_text(fmt::format("({}) {}", static_cast<char>('a' + k), panel.title)),
-                    panel_position_commands(place), axis_commands(panel.x, "x"),
-                    axis_commands(panel.y, "y"), fmt::join(plots, ", \\\n     "));
+    if (plots.empty()) plots.push_back("NaN notitle");
+    commands += fmt::format("set title {}\n{}{}{}plot {}\n\n",
+                            gnuplot_text(fmt::format("({}) {}", panel_letter(k), panel.title)),
+                            panel_position_commands(place), axis_commands(panel.x, "x"),
+                            axis_commands(panel.y, "y"), fmt::join(plots, ", \\\n     "));
   }
   return gnuplot_output_commands(file_stem, grid.size()) +
          "# Columns of a series: abscissa, ordinate, 1 for an open mark\n" + blocks.text() +
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +
+         fmt::format("cells = format eq 'svg' ? '{}' : ''\n", few_cells ? "pixels" : "") +
          PanelGrid::kLabels + title.command + commands +
-         (legend.entries.empty() ? "" : legend_strip_commands(legend, grid.size())) +
+         (legend.entries.empty() ? ""
+                                 : "unset object\n" + legend_strip_commands(legend, grid.size())) +
          "unset multiplot\nunset output\n";
 }
 

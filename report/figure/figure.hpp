@@ -33,6 +33,7 @@ struct FigureSeries {
   double line_width = 2;
   std::string symbol = "";  ///< symbol of plotly.js; "" for no marks
   double mark_size = 1.3;   ///< in units of gnuplot's point size
+  bool is_area = false;     ///< whether the area below the line is filled, in a paler colour
   std::vector<FigurePoint> points = {};
   std::string legend_colour = "";  ///< colour of an entry that series of several colours share
 };
@@ -62,7 +63,8 @@ FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSe
 FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
                        double FigurePoint::*coordinate);
 
-/// A map that shows values on a grid of equal cells by colours, below the series of its panel.
+/// A map that shows values by colours, below the series of its panel: on a grid of equal cells, or
+/// at single points. Values that are not finite have no colour.
 struct FigureHeatMap {
   std::array<double, 2> x_range, y_range;  ///< outer edges of the cells
   std::size_t columns;
@@ -70,6 +72,9 @@ struct FigureHeatMap {
   FigureAxis colour_axis;
   /// Positions, from 0 to 1, and colours of the colour scale.
   std::vector<std::pair<double, std::string>> colours;
+  std::vector<std::array<double, 3>> discs = {};  ///< x, y and value of single points
+  std::string no_value_name = "";                 ///< legend entry of cells without a colour
+  double disc_size = 1;                           ///< in units of gnuplot's point size
 };
 
 struct FigurePanel {

@@ -34,13 +34,18 @@ std::string density_symbol(transform::Variable variable) {
 }
 
 PointTypes point_types(const std::string& symbol) {
+  constexpr std::string_view kOpen = "-open";
+  if (symbol.ends_with(kOpen)) {
+    const int open = point_types(symbol.substr(0, symbol.size() - kOpen.size())).open;
+    return {open, open};
+  }
   constexpr std::pair<std::string_view, PointTypes> kShapes[] = {
-      {"circle", {7, 6}},          {"square", {5, 4}},    {"triangle-up", {9, 8}},
-      {"triangle-down", {11, 10}}, {"diamond", {13, 12}}, {"pentagon", {15, 14}}};
+      {"cross", {1, 1}},     {"asterisk", {3, 3}},    {"circle", {7, 6}},
+      {"square", {5, 4}},    {"triangle-up", {9, 8}}, {"triangle-down", {11, 10}},
+      {"diamond", {13, 12}}, {"pentagon", {15, 14}}};
   for (const auto& [shape, types] : kShapes) {
     if (shape == symbol) return types;
   }
-  if (symbol == "circle-open") return {6, 6};
   constexpr int kCross = 2, kPlus = 1;
   return {kCross, kPlus};
 }

@@ -62,7 +62,7 @@ TEST(FigureScript, HasALegendEntryForEveryElement) {
 TEST(FigureScript, HasGapsAndSharesDataOfEqualSeries) {
   const auto script = figure_script(whole_figure(), "stem");
   EXPECT_TRUE(contains(script, "$data0 << EOD\n1 0.1 0\n2 NaN 0\n3 NaN 0\nEOD\n")) << script;
-  EXPECT_TRUE(contains(script, "1 2\n3 nan\nEOD\n")) << script;
+  EXPECT_TRUE(contains(script, "0.5 0.5 3\n1.5 0.5 NaN\n\nEOD\n")) << script;
   const auto plots = tests::plot_elements(script);
   EXPECT_EQ(
       std::ranges::count_if(plots, [](const auto& plot) { return plot.text.find("$data0 ") < 2; }),

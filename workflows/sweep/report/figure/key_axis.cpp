@@ -1,14 +1,12 @@
 #include "workflows/sweep/report/figure/key_axis.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "problem/case_file.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/text.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -16,19 +14,6 @@ namespace {
 using base::Value;
 
 constexpr std::size_t kMaxTics = 6;
-
-struct AxisTic {
-  std::string text;
-  double place;
-};
-
-std::string tics_of(const std::vector<AxisTic>& tics) {
-  std::vector<std::string> list;
-  for (const auto& tic : tics) {
-    list.push_back(fmt::format("{} {:.6g}", report::gnuplot_literal(tic.text), tic.place));
-  }
-  return fmt::format("({})", fmt::join(list, ", "));
-}
 
 // The positions of tics: multiples of 1, 2 or 5 times a power of ten; at least kMaxTics / 2 tics.
 std::vector<double> round_numbers(double low, double high) {
@@ -106,57 +91,44 @@ double KeyAxis::relative_coordinate(const Value& value) const {
                          : (here - from) / (to - from);
 }
 
-std::string KeyAxis::commands(char letter) const {
-  const std::string label = label_command(letter);
-  if (is_words_) {
-    std::vector<AxisTic> tics;
-    for (const auto& value : values_) tics.push_back({value_text(value), coordinate(value)});
-    return label + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
-                               static_cast<double>(values_.size()) - 0.5, tics_of(tics));
-  }
-  double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
+report::FigureAxis KeyAxis::axis() const {
+  if (is_words_) return cell_axis();
+  const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
   constexpr double kRoom = 0.03;  // margin for the marks on both ends
   if (is_logarithmic_) {
-    std::vector<AxisTic> tics;
-    for (const double number : round_numbers_by_decades(low, high)) {
-      tics.push_back({fmt::format("{:g}", number), number});
-    }
     const double room = low == high ? 2 : std::pow(high / low, kRoom);
-    return label +
-           fmt::format("set logscale {0}\nset {0}range [{1:.6g}:{2:.6g}]\nset {0}tics {3}\n",
-                       letter, low / room, high * room, tics_of(tics));
+    report::FigureAxis axis{label_, low / room, high * room, true};
+    for (const double number : round_numbers_by_decades(low, high)) {
+      axis.tics.push_back({fmt::format("{:g}", number), number});
+    }
+    return axis;
   }
   const double room = low == high ? std::max(std::abs(low), 1.0) : kRoom * (high - low);
-  return label + fmt::format("set {0}range [{1:.6g}:{2:.6g}]\nset {0}tics autofreq\n", letter,
-                             low - room, high + room);
-}
-
-std::string KeyAxis::label_command(char letter) const {
-  return fmt::format("set {}label {}\n", letter, report::gnuplot_text(label_));
+  return {label_, low - room, high + room};
 }
 
 std::size_t KeyAxis::cell_index(const Value& value) const {
   return static_cast<std::size_t>(std::ranges::find(values_, value) - values_.begin());
 }
 
-std::string KeyAxis::cell_axis_commands(char letter) const {
+report::FigureAxis KeyAxis::cell_axis() const {
   const double last = static_cast<double>(values_.size()) - 1;
-  std::vector<AxisTic> tics;
+  report::FigureAxis axis{label_, -0.5, last + 0.5};
   if (is_even_) {
     const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
     const auto numbers =
         is_logarithmic_ ? round_numbers_by_decades(low, high) : round_numbers(low, high);
     for (const double number : numbers) {
-      tics.push_back({fmt::format("{:g}", number), relative_coordinate(number) * last});
+      axis.tics.push_back({fmt::format("{:g}", number), relative_coordinate(number) * last});
     }
   } else {
     const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;
     for (std::size_t k = 0; k < values_.size(); k += step) {
-      tics.push_back({value_text(values_[k]), static_cast<double>(k)});
+      axis.tics.push_back(
+          {report::escape_enhanced_text(value_text(values_[k])), static_cast<double>(k)});
     }
   }
-  return label_command(letter) + fmt::format("set {0}range [-0.5:{1}]\nset {0}tics {2}\n", letter,
-                                             last + 0.5, tics_of(tics));
+  return axis;
 }
 
 }  // namespace fpkcheck::sweep

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/figure.hpp"
 #include "workflows/sweep/plan/plan.hpp"
 
 namespace fpkcheck::sweep {
@@ -25,22 +26,18 @@ class KeyAxis {
   /// The text of a value on the axis: "0.8", "gaussian".
   static std::string value_text(const base::Value& value);
 
-  /// The coordinate of a value on the gnuplot axis.
+  /// The coordinate of a value on the axis.
   double coordinate(const base::Value& value) const;
   /// The coordinate of a value relative to the axis: 0 for the first of values(), 1 for the last.
   double relative_coordinate(const base::Value& value) const;
-  /// The gnuplot commands for label, scale, range and tics of the axis.
-  /// @param letter 'x' or 'y'
-  std::string commands(char letter) const;
-
-  /// The gnuplot command for the label of the axis, also for an axis of cells.
-  std::string label_command(char letter) const;
+  /// The axis with label, scale, range and tics.
+  report::FigureAxis axis() const;
 
   /// The index of a value in values(), which is the position of the value's cell in a map with
   /// cells of equal width.
   std::size_t cell_index(const base::Value& value) const;
-  /// The gnuplot commands for label, range and tics of an axis of cells with equal widths.
-  std::string cell_axis_commands(char letter) const;
+  /// The axis of cells with equal widths.
+  report::FigureAxis cell_axis() const;
 
  private:
   std::string key_, label_;

@@ -1,211 +1,275 @@
-#include "workflows/sweep/report/figure/figure_scripts.hpp"
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
-#include "report/figure/frame.hpp"
-#include "report/figure/layout.hpp"
-#include "report/figure/script_parts.hpp"
-#include "report/figure/text.hpp"
-#include "workflows/sweep/report/figure/map_data.hpp"
-#include "workflows/sweep/report/figure/status_mark.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
+#include "workflows/sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
-using report::PanelGrid;
 namespace {
 
-using report::LegendEntry;
+using report::FigureSeries;
 using transform::Status;
+
+constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
+// The smallest L1 distance with a distinct colour; all smaller distances have the colour of this
+// distance.
+constexpr double kMinColourDistance = 1e-4;
 
 /// A contour level of the maps, with its line style.
 struct ContourLevel {
   double l1;
   const char* name;
-  const char* style;
+  double line_width;
+  const char* dash;
 };
-constexpr ContourLevel kContourLevels[] = {
-    {0.01, "one", "with lines lc rgb '#08306B' lw 2 dt solid"},
-    {0.05, "five", "with lines lc rgb '#08306B' lw 2.6 dt (8,5)"}};
+constexpr ContourLevel kContourLevels[] = {{0.01, "1 %", 2, "solid"}, {0.05, "5 %", 2.6, "(8,5)"}};
 
-// The style of the outline around cells with a status that is not ok.
-constexpr const char* kOutline = "with lines lc rgb 'black' lw 0.8";
-
-// The background is grey, since light discs would be invisible on white.
-constexpr const char* kBackground =
-    "set object rectangle from graph 0,0 to graph 1,1 behind fc rgb '#E4E4E4' fs noborder\n";
-
-PanelGrid map_grid(const SweepView& view, std::size_t panels) {
-  const int count = static_cast<int>(panels);
-  PanelGrid grid{.medium = view.medium(), .width = view.width()};
-  grid.title_height = view.title().height;
-  grid.columns = view.medium() == report::FigureWidth::one_column ? 1
-                 : count <= 3                                     ? count
-                 : count == 4                                     ? 2
-                 : count <= 6                                     ? 3
-                                                                  : 4;
-  grid.rows = (count + grid.columns - 1) / grid.columns;
-  grid.panel_height = grid.columns <= 2 ? 300 : grid.columns == 3 ? 240 : 190;
-  grid.right_margin = 105;
-  grid.left_margin = 36;
-  return grid;
-}
-
-// The colours range from light (but not white) to dark, so that grey print keeps the order of the
-// values. All colours are light enough for black marks.
-std::string colour_scale(const PanelGrid& grid) {
-  const auto first = grid.panel_box(0, grid.columns - 1), last = grid.panel_box(grid.rows - 1, 0);
-  return fmt::format(
-      "set palette defined (0 '#FFF0A8', 1 '#FED976', 2 '#FDAE5B', 3 '#F07C3C', 4 '#CF2A1E')\n"
-      "set logscale cb\nset cbrange [{}:1]\nset format cb {}\n"
-      "set cblabel {}\n"
-      "set colorbox user origin screen {:.4f},{:.4f} size screen 0.014,{:.4f}\n",
-      kMinColourDistance, report::kPowerOfTenFormat,
-      report::gnuplot_text("larger {/:Italic L}_1 distance"), first.right + 0.022, last.bottom,
-      first.top - last.bottom);
-}
-
-// A map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images. In PNG the
-// map is drawn as an image, since rectangles would have visible seams.
-std::string cell_drawing_option(std::size_t cells) {
-  constexpr std::size_t kFew = 6000;
-  return fmt::format("cells = format eq 'svg' ? '{}' : ''\n", cells <= kFew ? "pixels" : "");
-}
-
-std::string cells_plot(const MapData& map, std::size_t m) {
-  // A single row or column of cells is drawn as rectangles, since gnuplot cannot draw such an
-  // image.
-  const bool is_image = map.x().values().size() > 1 && map.y().values().size() > 1;
-  return fmt::format("$map_{} using {} notitle", m,
-                     is_image ? "1:2:3 with image @cells"
-                              : "1:2:(0.5):(0.5):3 with boxxyerror fs solid noborder lc palette");
-}
-
-std::string discs_plot(std::size_t m, double size) {
-  return fmt::format("$map_{0} using 1:2:3 with points pt 7 ps {1:.3g} lc palette notitle", m,
-                     size);
-}
-
-// The contours are computed from the logarithms of the distances.
-std::string contour_commands(std::size_t m, const ContourLevel& level) {
-  return fmt::format(
-      "set cntrparam levels discrete {0:.6g}\nset table $contour_{1}_{2}\n"
-      "splot $map_{2} using 1:2:(log10($3))\nunset table\n",
-      std::log10(level.l1), level.name, m);
-}
-
-// The number of marks that fit side by side into a panel.
-std::size_t marks_per_length(double pixels) {
-  constexpr double kMarkSpacing = 15;
-  return static_cast<std::size_t>(std::max(1.0, pixels / kMarkSpacing));
-}
-
-// The size of discs in gnuplot's unit of point sizes. The size decreases with the number of points,
-// so that discs do not overlap.
-double disc_size(std::size_t points) {
-  return std::clamp(36 / std::sqrt(static_cast<double>(points)), 0.5, 1.6);
-}
-
-report::Legend map_legend(const MapData& map, const std::vector<std::size_t>& methods) {
-  const SweepView& view = map.view();
-  report::Legend legend{{}, 3};
-  for (const auto& level : kContourLevels) {
-    if (std::ranges::none_of(methods,
-                             [&](std::size_t m) { return map.has_contour(m, level.l1); })) {
-      continue;
-    }
-    legend.entries.push_back(
-        {fmt::format("NaN {}", level.style), fmt::format("{:g} %", 100 * level.l1)});
-  }
-  std::vector<Status> statuses;
-  bool any_reference = false, any_empty = !view.results().is_complete();
-  for (const std::size_t m : methods) {
-    for (const auto& point : view.results().points) {
-      statuses.push_back(point.methods[m].status);
-      const bool is_reference = view.is_reference(point.point, m);
-      any_reference = any_reference || is_reference;
-      any_empty = any_empty || !view.larger_l1(point.point, m);
-    }
-  }
-  if (std::ranges::any_of(methods, [&](std::size_t m) { return !map.outline_block(m).empty(); })) {
-    legend.entries.push_back({fmt::format("NaN {}", kOutline), "outline: not ok"});
-  }
-  std::ranges::move(status_legend(statuses), std::back_inserter(legend.entries));
-  if (any_reference)
-    legend.entries.push_back({"NaN " + mark_style(kReferenceMark), "the reference"});
-  if (any_empty && map.has_cells()) {
-    legend.entries.push_back({"NaN with boxes lc rgb '#777777' fs empty", "white: no distance"});
-  }
-  return legend;
-}
-
-// The data blocks and the plot commands of one panel.
-struct MapPanel {
-  std::string data, contours;
-  std::vector<std::string> plots;
+/// A kind of mark: a status that is not ok, or the reference, which has no distance to itself. The
+/// symbols differ in shape, so that grey print distinguishes them.
+struct StatusMark {
+  const char* symbol;
+  std::string name;
+  std::optional<Status> status;  ///< nothing for the reference
 };
 
-MapPanel map_panel(const MapData& map, const PanelGrid& grid, std::size_t m) {
-  const std::size_t points =
-      map.view().plan().points.size() * static_cast<std::size_t>(grid.columns);
-  const double disc = disc_size(points);
-  MapPanel panel{map.blocks(m), "", {}};
-  panel.plots.push_back(map.has_cells() ? cells_plot(map, m) : discs_plot(m, disc));
-  if (const std::string outline = map.outline_block(m); !outline.empty()) {
-    panel.data += outline;
-    panel.plots.push_back(fmt::format("$outline_{} using 1:2 {} notitle", m, kOutline));
+std::vector<StatusMark> status_marks() {
+  std::vector<StatusMark> marks;
+  const auto symbol = [](Status status) {
+    switch (status) {
+      case Status::ok:
+        break;
+      case Status::not_converged:
+        return "cross";  // a plus
+      case Status::ill_posed:
+        return "triangle-up-open";
+      case Status::inaccurate:
+        return "circle";
+      case Status::inadmissible:
+        return "x";
+      case Status::failed:
+        return "asterisk";
+      case Status::not_offered:
+        return "square-open";
+    }
+    return "";
+  };
+  for (const auto& [status, name, meaning] : transform::kStatusNames) {
+    if (status != Status::ok) marks.push_back({symbol(status), std::string(name), status});
   }
-  for (const auto& level : kContourLevels) {
-    if (!map.has_contour(m, level.l1)) continue;  // gnuplot warns about an empty table
-    panel.contours += contour_commands(m, level);
-    panel.plots.push_back(
-        fmt::format("$contour_{}_{} using 1:2 {} notitle", level.name, m, level.style));
-  }
-  const auto place = grid.panel_box(0, 0);
-  std::set<int> types;
-  panel.data += map.mark_blocks(m, marks_per_length((place.right - place.left) * grid.width),
-                                marks_per_length(grid.panel_height), types);
-  for (const int type : types) {
-    panel.plots.push_back(fmt::format("$mark_{}_{} using 1:2 {} notitle", m, type,
-                                      mark_style(type, map.has_cells() ? 0.9 : 0.75 * disc)));
-  }
-  return panel;
+  marks.push_back({"circle-open", "the reference", std::nullopt});
+  return marks;
 }
+
+/// The map of one method over the two varied keys. The map of the design product has cells, with
+/// the indices of the values as coordinates; the map of another design has discs at the points.
+class MethodMap {
+ public:
+  MethodMap(const SweepView& view, std::size_t m)
+      : view_(view), m_(m), x_(view.plan(), 0), y_(view.plan(), 1) {
+    if (!has_cells()) return;
+    cells_.assign(columns(), std::vector<std::size_t>(rows()));
+    for (std::size_t point = 0; point < view.plan().points.size(); ++point) {
+      const auto& values = view.plan().points[point];
+      cells_[x_.cell_index(values[0])][y_.cell_index(values[1])] = point;
+    }
+  }
+
+  report::FigurePanel panel(int columns_of_panels) const {
+    report::FigurePanel panel{.title = report::escape_enhanced_text(view_.plan().methods[m_].id()),
+                              .x = has_cells() ? x_.cell_axis() : x_.axis(),
+                              .y = has_cells() ? y_.cell_axis() : y_.axis(),
+                              .map = heat_map(disc_size(columns_of_panels))};
+    panel.series.push_back(outline());
+    for (const auto& level : kContourLevels) panel.series.push_back(contour(level));
+    const int width = 1000 / columns_of_panels;
+    for (const auto& mark : status_marks()) {
+      panel.series.push_back(marks(mark, tiles(width), tiles(panel_height(columns_of_panels)),
+                                   has_cells() ? 0.9 : 0.75 * disc_size(columns_of_panels)));
+    }
+    return panel;
+  }
+
+  static int panel_height(int columns_of_panels) {
+    return columns_of_panels <= 2 ? 300 : columns_of_panels == 3 ? 240 : 190;
+  }
+
+ private:
+  bool has_cells() const { return view_.plan().design == PlanDesign::product; }
+  std::size_t columns() const { return x_.values().size(); }
+  std::size_t rows() const { return y_.values().size(); }
+
+  // The number of marks that fit side by side into a length in pixels.
+  static std::size_t tiles(int pixels) {
+    constexpr int kMarkSpacing = 15;
+    return static_cast<std::size_t>(std::max(1, pixels / kMarkSpacing));
+  }
+
+  // The size of discs in gnuplot's unit of point sizes. The size decreases with the number of
+  // points, so that discs do not overlap.
+  double disc_size(int columns_of_panels) const {
+    const auto points = static_cast<double>(view_.plan().points.size()) * columns_of_panels;
+    return std::clamp(36 / std::sqrt(points), 0.5, 1.6);
+  }
+
+  // The distance of a point; at least a lower bound, so that the logarithm is finite.
+  double distance(std::size_t point) const {
+    const auto l1 = view_.larger_l1(point, m_);
+    return l1 ? std::max(*l1, kMinColourDistance / 10) : kNoDistance;
+  }
+
+  // The colours range from light (but not white) to dark, so that grey print keeps the order of the
+  // values. All colours are light enough for black marks.
+  report::FigureHeatMap heat_map(double disc_size) const {
+    report::FigureHeatMap map{
+        .x_range = {-0.5, static_cast<double>(columns()) - 0.5},
+        .y_range = {-0.5, static_cast<double>(rows()) - 0.5},
+        .columns = columns(),
+        .values = {},
+        .colour_axis = {"larger {/:Italic L}_1 distance", kMinColourDistance, 1, true},
+        .colours = {{0, "#FFF0A8"},
+                    {0.25, "#FED976"},
+                    {0.5, "#FDAE5B"},
+                    {0.75, "#F07C3C"},
+                    {1, "#CF2A1E"}},
+        .no_value_name = "white: no distance",
+        .disc_size = disc_size};
+    for (std::size_t j = 0; has_cells() && j < rows(); ++j) {
+      for (std::size_t i = 0; i < columns(); ++i) map.values.push_back(distance(cells_[i][j]));
+    }
+    for (std::size_t point = 0; !has_cells() && point < view_.plan().points.size(); ++point) {
+      const auto& values = view_.plan().points[point];
+      map.discs.push_back({x_.coordinate(values[0]), y_.coordinate(values[1]), distance(point)});
+    }
+    return map;
+  }
+
+  // The marks of one kind. The plane is divided into tiles with at most one mark, since overlapping
+  // marks are illegible. A map with few points shows all marks.
+  FigureSeries marks(const StatusMark& mark, std::size_t tiles_across, std::size_t tiles_up,
+                     double size) const {
+    constexpr std::size_t kFewPoints = 300;
+    FigureSeries series{.name = mark.name,
+                        .colour = "#000000",
+                        .line_width = 1.2,
+                        .symbol = mark.symbol,
+                        // A large filled mark would hide the colour.
+                        .mark_size = mark.status == Status::inaccurate ? size / 2 : size};
+    const bool is_few = !has_cells() && view_.plan().points.size() <= kFewPoints;
+    std::set<std::array<std::size_t, 2>> taken;
+    for (const auto& point : view_.results().points) {
+      const bool is_marked = mark.status ? point.methods[m_].status == *mark.status
+                                         : view_.is_reference(point.point, m_);
+      if (!is_marked) continue;
+      const auto& values = view_.plan().points[point.point];
+      const std::array tile{tile_index(x_, values[0], tiles_across),
+                            tile_index(y_, values[1], tiles_up)};
+      if (!is_few && !taken.insert(tile).second) continue;
+      series.points.push_back(
+          has_cells() ? report::FigurePoint{static_cast<double>(x_.cell_index(values[0])),
+                                            static_cast<double>(y_.cell_index(values[1]))}
+                      : report::FigurePoint{x_.coordinate(values[0]), y_.coordinate(values[1])});
+    }
+    return series;
+  }
+
+  static std::size_t tile_index(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
+    const auto count = static_cast<double>(tiles);
+    return static_cast<std::size_t>(std::min(axis.relative_coordinate(value) * count, count - 1));
+  }
+
+  static void add_segment(FigureSeries& series, const std::array<double, 2>& from,
+                          const std::array<double, 2>& to) {
+    series.points.push_back({from[0], from[1]});
+    series.points.push_back({to[0], to[1]});
+    series.points.push_back({to[0], kNoDistance});
+  }
+
+  // The borders between cells that are ok and cells that are not ok.
+  FigureSeries outline() const {
+    FigureSeries series{
+        .name = "outline: not ok", .colour = "#000000", .dash = "solid", .line_width = 0.8};
+    if (!has_cells()) return series;
+    const auto not_ok = [&](std::size_t i, std::size_t j) {
+      const auto* result = view_.method_result(cells_[i][j], m_);
+      return result != nullptr && result->status != Status::ok;
+    };
+    for (std::size_t i = 0; i < columns(); ++i) {
+      for (std::size_t j = 0; j < rows(); ++j) {
+        const double x = static_cast<double>(i), y = static_cast<double>(j);
+        if (i + 1 < columns() && not_ok(i, j) != not_ok(i + 1, j)) {
+          add_segment(series, {x + 0.5, y - 0.5}, {x + 0.5, y + 0.5});
+        }
+        if (j + 1 < rows() && not_ok(i, j) != not_ok(i, j + 1)) {
+          add_segment(series, {x - 0.5, y + 0.5}, {x + 0.5, y + 0.5});
+        }
+      }
+    }
+    return series;
+  }
+
+  // The contour of a level of the distance, by linear interpolation of the logarithms along the
+  // edges of the squares of four neighbouring cells (marching squares).
+  FigureSeries contour(const ContourLevel& level) const {
+    FigureSeries series{.name = level.name,
+                        .colour = "#08306B",
+                        .dash = level.dash,
+                        .line_width = level.line_width};
+    if (!has_cells() || x_.has_words() || y_.has_words()) return series;
+    constexpr std::array<std::array<std::size_t, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    for (std::size_t i = 0; i + 1 < columns(); ++i) {
+      for (std::size_t j = 0; j + 1 < rows(); ++j) {
+        std::array<double, 4> above;  // logarithm of the distance, relative to the level
+        for (std::size_t k = 0; k < above.size(); ++k) {
+          above[k] =
+              std::log10(distance(cells_[i + kCorners[k][0]][j + kCorners[k][1]]) / level.l1);
+        }
+        std::vector<std::array<double, 2>> crossings;
+        for (std::size_t k = 0; k < above.size(); ++k) {
+          const double from = above[k], to = above[(k + 1) % 4];
+          if (!std::isfinite(from) || !std::isfinite(to) || (from < 0) == (to < 0)) continue;
+          const double part = from / (from - to);
+          const auto coordinate = [&](std::size_t axis, std::size_t origin) {
+            return static_cast<double>(origin + kCorners[k][axis]) +
+                   part * (static_cast<double>(kCorners[(k + 1) % 4][axis]) -
+                           static_cast<double>(kCorners[k][axis]));
+          };
+          crossings.push_back({coordinate(0, i), coordinate(1, j)});
+        }
+        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+          add_segment(series, crossings[k], crossings[k + 1]);
+        }
+      }
+    }
+    return series;
+  }
+
+  const SweepView& view_;
+  std::size_t m_;
+  KeyAxis x_, y_;
+  std::vector<std::vector<std::size_t>> cells_;  // point of each cell, by x and y
+};
 
 }  // namespace
 
-std::string map_script(const SweepView& view, const std::string& file_stem) {
-  const MapData map(view);
+report::Figure map_figure(const SweepView& view) {
   const auto methods = view.compared_methods();
-  const report::Legend legend = map_legend(map, methods);
-  PanelGrid grid = map_grid(view, methods.size());
-  grid.legend_height = report::legend_height(legend, grid.width);
-  const std::string axes = map.has_cells()
-                               ? map.x().cell_axis_commands('x') + map.y().cell_axis_commands('y')
-                               : map.x().commands('x') + map.y().commands('y');
-  std::string data, contours, panels;
-  for (std::size_t k = 0; k < methods.size(); ++k) {
-    const MapPanel panel = map_panel(map, grid, methods[k]);
-    data += panel.data;
-    contours += panel.contours;
-    const auto column = k % static_cast<std::size_t>(grid.columns);
-    panels += fmt::format("set title {}\n{}{}plot {}\n{}\n",
-                          report::gnuplot_literal(view.plan().methods[methods[k]].id()),
-                          report::panel_position_commands(grid.panel_box(k)),
-                          column == 0 ? map.y().label_command('y') : "unset ylabel\n",
-                          fmt::join(panel.plots, ", \\\n     "), k == 0 ? "unset colorbox\n" : "");
-  }
-  if (!contours.empty()) {
-    contours = "set contour base\nunset surface\n" + contours + "unset contour\nset surface\n";
-  }
-  return report::gnuplot_output_commands(file_stem, grid.size()) + data + contours +
-         cell_drawing_option(view.plan().points.size() * methods.size()) + PanelGrid::kLabels +
-         "set tics out nomirror\nunset key\n" + colour_scale(grid) + view.title().command + axes +
-         (map.has_cells() ? "" : kBackground) + panels + "unset object\n" +
-         (legend.entries.empty() ? "" : report::legend_strip_commands(legend, grid.size())) +
-         "unset multiplot\nunset output\n";
+  const int count = static_cast<int>(methods.size());
+  const int columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 ? 3 : 4;
+  report::Figure figure{.title = view.title(),
+                        .columns = columns,
+                        .screen_width = 1200,
+                        .panel_height = MethodMap::panel_height(columns)};
+  for (const std::size_t m : methods) figure.panels.push_back(MethodMap(view, m).panel(columns));
+  return figure;
 }
 
 }  // namespace fpkcheck::sweep

@@ -5,7 +5,8 @@
 #include "base/files/pending_files.hpp"
 #include "base/process/stop_request.hpp"
 #include "report/figure/drawing.hpp"
-#include "workflows/sweep/report/figure/figure_scripts.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
+#include "workflows/sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -15,8 +16,7 @@ constexpr const char* kMoments = "sweep-moments";
 constexpr const char* kMap = "sweep-map";
 constexpr const char* kScatter = "sweep-keys";
 
-std::vector<SweepPicture> curves(const SweepView& view) {
-  const CurvesLayout layout = curves_layout(view.plan());
+std::vector<SweepPicture> curves(const SweepView& view, report::FigureWidth width) {
   std::vector<SweepPicture> pictures;
   if (view.has_distances()) {
     pictures.push_back(
@@ -26,23 +26,23 @@ std::vector<SweepPicture> curves(const SweepView& view) {
          "respect to that equation, which may differ from the problem's). Grey: error estimate of "
          "the reference, below which distances are not significant. Crosses at the top: solutions "
          "without a density.",
-         distances_script(view, layout, kDistances)});
+         report::figure_script(distances_figure(view), kDistances, width)});
   }
   pictures.push_back({kMoments,
                       "E[y\u00b2] and E[y\u2032\u00b2]. Open marks: the solution is not ok. The "
                       "axes cover the solutions that are ok.",
-                      moments_script(view, layout, kMoments)});
+                      report::figure_script(moments_figure(view), kMoments, width)});
   return pictures;
 }
 
-SweepPicture map(const SweepView& view) {
+SweepPicture map(const SweepView& view, report::FigureWidth width) {
   std::string caption =
       "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
       "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
   if (const auto reference = view.common_reference(); !reference.empty()) {
     caption += fmt::format(" The reference is {} at all points.", reference);
   }
-  return {kMap, caption, map_script(view, kMap)};
+  return {kMap, caption, report::figure_script(map_figure(view), kMap, width)};
 }
 
 }  // namespace
@@ -50,16 +50,16 @@ SweepPicture map(const SweepView& view) {
 std::vector<SweepPicture> sweep_pictures(const SweepResults& results, report::FigureWidth width) {
   const Plan& plan = results.plan;
   if (results.points.empty()) return {};
-  const SweepView view(results, width);
+  const SweepView view(results);
   const bool one_is_words = plan.axes.size() == 2 && plan.design == PlanDesign::product &&
                             KeyAxis(plan, 0).has_words() != KeyAxis(plan, 1).has_words();
-  if (plan.axes.size() == 1 || one_is_words) return curves(view);
+  if (plan.axes.size() == 1 || one_is_words) return curves(view, width);
   if (!view.has_distances()) return {};
-  if (plan.axes.size() == 2) return {map(view)};
+  if (plan.axes.size() == 2) return {map(view, width)};
   return {{kScatter,
            "The larger of the L1 distances of p(y) and p(y') to the reference of each point, "
            "against each key, and the median over the solutions that are ok.",
-           scatter_script(view, kScatter)}};
+           report::figure_script(scatter_figure(view), kScatter, width)}};
 }
 
 std::vector<std::string> draw_sweep(const std::filesystem::path& figures,

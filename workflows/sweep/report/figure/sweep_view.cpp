@@ -28,8 +28,8 @@ std::vector<std::string> fixed_parameter_list(const Plan& plan) {
 
 }  // namespace
 
-SweepView::SweepView(const SweepResults& results, report::FigureWidth width)
-    : results_(results), medium_(width), by_number_(results.plan.points.size(), nullptr) {
+SweepView::SweepView(const SweepResults& results)
+    : results_(results), by_number_(results.plan.points.size(), nullptr) {
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
@@ -89,18 +89,13 @@ std::vector<std::size_t> SweepView::compared_methods() const {
   return compared;
 }
 
-int SweepView::width() const {
-  constexpr int kScreenWidth = 1100;
-  return report::figure_width(medium_, kScreenWidth);
-}
-
-report::FigureTitle SweepView::title() const {
+std::vector<std::string> SweepView::title() const {
   std::vector<std::string> parts{plan().base.name + ": "};
   for (const auto& parameter : fixed_parameter_list(plan())) {
     if (parts.size() > 1) parts.back() += ", ";
     parts.push_back(parameter);
   }
-  return report::figure_title(parts, {.width = width(), .height = 0, .medium = medium_});
+  return parts;
 }
 
 std::string fixed_parameters(const Plan& plan) {

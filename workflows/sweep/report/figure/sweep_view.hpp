@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/frame.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -13,8 +12,7 @@ namespace fpkcheck::sweep {
 /// keeps a reference to the results.
 class SweepView {
  public:
-  explicit SweepView(const SweepResults& results,
-                     report::FigureWidth width = report::FigureWidth::screen);
+  explicit SweepView(const SweepResults& results);
 
   const SweepResults& results() const { return results_; }
   const Plan& plan() const { return results_.plan; }
@@ -38,15 +36,11 @@ class SweepView {
   /// always the reference.
   std::vector<std::size_t> compared_methods() const;
 
-  /// The medium of the figures, and the width of the figures in pixels.
-  report::FigureWidth medium() const { return medium_; }
-  int width() const;
-  /// The title of a figure with the parameters that are not varied.
-  report::FigureTitle title() const;
+  /// The parts of a figure's title: the parameters that are not varied.
+  std::vector<std::string> title() const;
 
  private:
   const SweepResults& results_;
-  report::FigureWidth medium_;
   std::vector<const PointResult*> by_number_;
 };
 

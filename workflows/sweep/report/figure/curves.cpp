@@ -1,0 +1,336 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/script_parts.hpp"
+#include "workflows/sweep/report/figure/figures.hpp"
+#include "workflows/sweep/report/figure/key_axis.hpp"
+
+namespace fpkcheck::sweep {
+namespace {
+
+using report::FigurePanel;
+using report::FigurePoint;
+using report::FigureSeries;
+using transform::Moments;
+using transform::Variable;
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kMarkRowHeight = 0.045;  // height of a row of marks, 1 being the panel's
+
+double value_of(const MarginalL1Pair& pair, Variable variable) {
+  return variable == Variable::y ? pair.y : pair.ydot;
+}
+
+/// A slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
+struct PlanSlice {
+  std::string name;  ///< value of the other key, e.g. "gaussian"; may be empty
+  std::vector<std::size_t> points;
+};
+
+/// The curves of all methods along one key. The curves of a plan with two keys are along the
+/// numeric key, with a slice for each value of the categorical key.
+class SweepCurves {
+ public:
+  explicit SweepCurves(const SweepView& view)
+      : view_(view),
+        place_(view.plan().axes.size() == 2 && KeyAxis(view.plan(), 0).has_words() ? 1 : 0),
+        along_(view.plan(), place_) {
+    const Plan& plan = view.plan();
+    if (plan.axes.size() == 1) {
+      slices_.push_back({"", std::vector<std::size_t>(plan.points.size())});
+      std::iota(slices_[0].points.begin(), slices_[0].points.end(), std::size_t{0});
+    } else {
+      const KeyAxis across(plan, 1 - place_);
+      for (const auto& value : across.values()) {
+        slices_.push_back({KeyAxis::value_text(value), {}});
+      }
+      for (std::size_t point = 0; point < plan.points.size(); ++point) {
+        slices_[across.cell_index(plan.points[point][1 - place_])].points.push_back(point);
+      }
+    }
+    for (auto& slice : slices_) {
+      std::ranges::sort(slice.points, {}, [&](std::size_t point) { return abscissa(point); });
+    }
+  }
+
+  const std::vector<PlanSlice>& slices() const { return slices_; }
+  bool has_words() const { return along_.has_words(); }
+  std::size_t method_count() const { return view_.plan().methods.size(); }
+
+  double abscissa(std::size_t point) const {
+    return along_.coordinate(view_.plan().points[point][place_]);
+  }
+  /// The abscissa of a method's result. On a categorical axis the methods are side by side at each
+  /// category.
+  double abscissa(std::size_t point, std::size_t m) const {
+    constexpr double kSpread = 0.7;  // width over which the methods are spread, 1 being a word's
+    const auto count = static_cast<double>(method_count());
+    const double beside = (static_cast<double>(m) - (count - 1) / 2) * kSpread / count;
+    return abscissa(point) + (has_words() ? beside : 0);
+  }
+
+  /// A figure with a row of panels for each slice: displacement and velocity, without series.
+  report::Figure panels() const {
+    report::Figure figure{.title = view_.title(), .panel_height = slices_.size() > 1 ? 250 : 350};
+    for (const auto& slice : slices_) {
+      for (const char* variable : {"displacement", "velocity"}) {
+        figure.panels.push_back(
+            {.title = report::escape_enhanced_text(
+                 slice.name.empty() ? variable : fmt::format("{}, {}", variable, slice.name)),
+             .x = along_.axis(),
+             .y = {"", 0, 1}});
+      }
+    }
+    return figure;
+  }
+
+  /// The curve of a method over a slice. On a categorical axis a curve has marks without a line.
+  /// @param value function that returns the optional ordinate of a method's result
+  template <class Value>
+  FigureSeries curve(const PlanSlice& slice, std::size_t m, Value value) const {
+    constexpr double kThin = 1.5, kBroad = 2.5;  // neighbouring curves need moderate widths
+    const auto& identity = view_.plan().methods[m].identity;
+    FigureSeries series = report::make_series(identity.id, identity.plot_style);
+    if (has_words()) series.dash = "";
+    series.line_width = std::clamp(identity.plot_style.width, kThin, kBroad);
+    const std::size_t most = std::ranges::max(slices_, {}, [](const PlanSlice& one) {
+                               return one.points.size();
+                             }).points.size();
+    series.mark_size = most <= 30 ? 1.1 : most <= 80 ? 0.7 : 0.4;
+    for (const std::size_t point : slice.points) {
+      const auto* result = view_.method_result(point, m);
+      const std::optional<double> ordinate =
+          result == nullptr ? std::nullopt : value(point, m, *result);
+      series.points.push_back({.x = abscissa(point, m),
+                               .y = ordinate.value_or(kGap),
+                               .open = ordinate && result->status != transform::Status::ok});
+    }
+    return series;
+  }
+
+ private:
+  const SweepView& view_;
+  std::size_t place_;  // index of the key on the abscissa in the plan's axes
+  KeyAxis along_;
+  std::vector<PlanSlice> slices_;
+};
+
+/// The series of a figure of distances.
+class DistanceSeries {
+ public:
+  DistanceSeries(const SweepView& view, const SweepCurves& curves, const PlanSlice& slice,
+                 Variable variable)
+      : view_(view), curves_(curves), slice_(slice), variable_(variable) {}
+
+  std::vector<FigureSeries> all() const {
+    std::vector<FigureSeries> all{reference_error()};
+    for (const std::size_t m : view_.compared_methods()) {
+      const auto curve = curves_.curve(
+          slice_, m, [&](std::size_t point, std::size_t method, const MethodResult& result) {
+            return l1(point, method, result);
+          });
+      all.push_back(error_estimate(m, curve));
+      all.push_back(curve);
+    }
+    return all;
+  }
+
+ private:
+  // The L1 distance of a method's marginal density to the point's reference; empty for the
+  // reference itself.
+  std::optional<double> l1(std::size_t point, std::size_t m, const MethodResult& result) const {
+    if (!result.l1 || view_.is_reference(point, m)) return std::nullopt;
+    return value_of(*result.l1, variable_);
+  }
+
+  // The error estimates of the reference. On a categorical axis each category has a bar of its own,
+  // which nearly touches the next bar.
+  FigureSeries reference_error() const {
+    FigureSeries series{.name = "error of the reference",
+                        .colour = "#AAAAAA",
+                        .dash = "solid",
+                        .line_width = 1,
+                        .is_area = true};
+    for (const std::size_t point : slice_.points) {
+      const auto error = view_.reference_error(point);
+      const double x = curves_.abscissa(point), y = error ? value_of(*error, variable_) : kGap;
+      if (!curves_.has_words()) {
+        series.points.push_back({x, y});
+        continue;
+      }
+      constexpr double kHalf = 0.48;  // half-width of a bar, 1 being the width of a word
+      for (const auto& place : {FigurePoint{x - kHalf, y}, {x + kHalf, y}, {x, kGap}}) {
+        series.points.push_back(place);
+      }
+    }
+    return series;
+  }
+
+  // The error estimates of a method where the method has a distance. On a categorical axis a line
+  // connects the distance and the error estimate.
+  FigureSeries error_estimate(std::size_t m, const FigureSeries& distances) const {
+    FigureSeries series{.name = "error estimate",
+                        .colour = distances.colour,
+                        .dash = "(2,4)",
+                        .line_width = 1.5,
+                        .symbol = curves_.has_words() ? "" : "circle",
+                        .mark_size = 0.25,
+                        .legend_colour = "#444444"};
+    for (std::size_t k = 0; k < slice_.points.size(); ++k) {
+      const auto* result = view_.method_result(slice_.points[k], m);
+      const auto& [x, y, open, name, label, colour] = distances.points[k];
+      const bool is_known = result != nullptr && result->error && std::isfinite(y);
+      if (curves_.has_words()) series.points.push_back({x, y});
+      series.points.push_back({x, is_known ? value_of(*result->error, variable_) : kGap});
+      if (curves_.has_words()) series.points.push_back({x, kGap});
+    }
+    return series;
+  }
+
+  const SweepView& view_;
+  const SweepCurves& curves_;
+  const PlanSlice& slice_;
+  Variable variable_;
+};
+
+// Whether the point has a reference, but the method has no density that can be compared with the
+// reference.
+bool lacks_density(const SweepView& view, std::size_t point, std::size_t m) {
+  const auto* result = view.method_result(point, m);
+  return result != nullptr && !result->l1 && !view.is_reference(point, m) &&
+         result->status != transform::Status::ok && !view.point_result(point)->reference.empty();
+}
+
+// The crosses at the top of a panel, a series for each method without a density at some point.
+std::vector<FigureSeries> no_density_series(const SweepView& view, const SweepCurves& curves,
+                                            const PlanSlice& slice,
+                                            const std::vector<std::size_t>& methods,
+                                            const report::FigureAxis& axis) {
+  std::vector<FigureSeries> all;
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    all.push_back({.name = "no density",
+                   .colour = view.plan().methods[methods[row]].identity.plot_style.colour,
+                   .symbol = "x",
+                   .mark_size = 0.8,
+                   .legend_colour = "#444444"});
+    for (const std::size_t point : slice.points) {
+      if (!lacks_density(view, point, methods[row])) continue;
+      all.back().points.push_back({curves.abscissa(point, methods[row]), row_ordinate(axis, row)});
+    }
+  }
+  return all;
+}
+
+// The axis that contains the solutions that are ok, if there are any: outliers among the other
+// solutions would compress the curves.
+report::FigureAxis moment_axis(const std::string& label,
+                               const std::vector<const FigurePanel*>& panels) {
+  std::vector<FigureSeries> ok, all;
+  for (const auto* panel : panels) {
+    for (const auto& series : panel->series) {
+      all.push_back(series);
+      ok.push_back(series);
+      std::erase_if(ok.back().points, &FigurePoint::open);
+    }
+  }
+  const bool any_ok = std::ranges::any_of(ok, [](const FigureSeries& series) {
+    return std::ranges::any_of(series.points,
+                               [](const FigurePoint& point) { return std::isfinite(point.y); });
+  });
+  return report::linear_axis(label, any_ok ? ok : all, &FigurePoint::y);
+}
+
+}  // namespace
+
+report::FigureAxis distance_axis(const std::string& label, const std::vector<FigurePanel>& panels,
+                                 std::size_t rows_above) {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const auto& panel : panels) {
+    for (const auto& series : panel.series) {
+      for (const auto& point : series.points) {
+        if (!std::isfinite(point.y) || point.y <= 0) continue;
+        low = std::min(low, point.y);
+        high = std::max(high, point.y);
+      }
+    }
+  }
+  if (high == 0) low = 1e-3, high = 1;
+  constexpr double kLargest = 20, kDecades = 1e8;  // L1 of two densities is at most 2
+  high = 1.5 * std::min(high, kLargest);
+  low = std::max(low / 1.5, high / kDecades);
+  const double rows = kMarkRowHeight * static_cast<double>(rows_above);
+  return {label, low, high * std::pow(high / low, rows / (1 - rows)), true};
+}
+
+double row_ordinate(const report::FigureAxis& axis, std::size_t row) {
+  return axis.from *
+         std::pow(axis.to / axis.from, 1 - kMarkRowHeight * (static_cast<double>(row) + 0.5));
+}
+
+report::Figure distances_figure(const SweepView& view) {
+  const SweepCurves curves(view);
+  report::Figure figure = curves.panels();
+  std::vector<std::size_t> without_density;
+  for (std::size_t m = 0; m < curves.method_count(); ++m) {
+    for (std::size_t point = 0; point < view.plan().points.size(); ++point) {
+      if (!lacks_density(view, point, m)) continue;
+      without_density.push_back(m);
+      break;
+    }
+  }
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+    const Variable variable = k % 2 == 0 ? Variable::y : Variable::ydot;
+    figure.panels[k].series = DistanceSeries(view, curves, curves.slices()[k / 2], variable).all();
+  }
+  const std::string reference = view.common_reference();
+  const auto axis = distance_axis("", figure.panels, without_density.size());
+  for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+    FigurePanel& panel = figure.panels[k];
+    panel.y = axis;
+    panel.y.label =
+        fmt::format("{{/:Italic L}}_1 distance of {} to {}",
+                    report::density_symbol(k % 2 == 0 ? Variable::y : Variable::ydot),
+                    reference.empty() ? "the reference" : report::escape_enhanced_text(reference));
+    for (auto& series :
+         no_density_series(view, curves, curves.slices()[k / 2], without_density, axis)) {
+      panel.series.push_back(std::move(series));
+    }
+  }
+  return figure;
+}
+
+report::Figure moments_figure(const SweepView& view) {
+  const SweepCurves curves(view);
+  report::Figure figure = curves.panels();
+  const auto fill = [&](std::size_t first, const std::string& label, double Moments::*moment) {
+    std::vector<const FigurePanel*> panels;
+    for (std::size_t k = first; k < figure.panels.size(); k += 2) {
+      FigurePanel& panel = figure.panels[k];
+      // The least trusted curve is drawn last.
+      for (std::size_t m = curves.method_count(); m-- > 0;) {
+        panel.series.push_back(curves.curve(
+            curves.slices()[k / 2], m,
+            [&](std::size_t, std::size_t, const MethodResult& result) -> std::optional<double> {
+              if (!result.moments) return std::nullopt;
+              return (*result.moments).*moment;
+            }));
+      }
+      panels.push_back(&panel);
+    }
+    const report::FigureAxis axis = moment_axis(label, panels);
+    for (std::size_t k = first; k < figure.panels.size(); k += 2) figure.panels[k].y = axis;
+  };
+  fill(0, "E[{/:Italic y}^2]", &Moments::y2);
+  fill(1, "E[{/:Italic y}'^2]", &Moments::v2);
+  return figure;
+}
+
+}  // namespace fpkcheck::sweep
