@@ -93,7 +93,6 @@ int bounds_command(const CommandCall& call) {
                          .solutions = {},
                          .pairs = {},
                          .budget = {},
-                         .limits = {},
                          .curves = {},
                          .joints = {},
                          .bounds = methods::guaranteed_bounds(problem, options)});

@@ -134,7 +134,8 @@ bool Assessment::are_indistinguishable(const SolutionAssessment& first,
 }
 
 Assessment assess_solutions(std::span<const Solution> solutions,
-                            std::span<const PairDistances> pairs) {
+                            std::span<const PairDistances> pairs,
+                            std::span<const ErrorBudgetRow> budget) {
   Assessment assessment;
   if (const Solution* reference = select_reference(solutions)) {
     const auto known = [&](Variable variable) {
@@ -156,6 +157,7 @@ Assessment assess_solutions(std::span<const Solution> solutions,
     assessment.solutions.push_back(std::move(assessed));
   }
   rank_closures(solutions, assessment);
+  assessment.limiting_errors = limiting_errors(budget, solutions, pairs);
   return assessment;
 }
 

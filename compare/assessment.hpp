@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
+#include "compare/limiting_errors.hpp"
 #include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
@@ -92,6 +93,7 @@ struct Assessment {
   double reference_ydot_l1 = std::numeric_limits<double>::infinity();
   std::optional<Confirmation> confirmation = {};   ///< empty without a second solution
   std::vector<SolutionAssessment> solutions = {};  ///< in the order of the solutions of the case
+  LimitingErrors limiting_errors = {};             ///< limiting errors of the closures
 
   /// Whether the reference was selected by its error estimate, and not by trust.
   bool is_selected_by_error_estimate() const;
@@ -114,7 +116,9 @@ struct Assessment {
 /// @param solutions by increasing trust
 /// @param pairs distances of the solutions; without distances the result has the reference, but no
 ///        agreement and no rank
+/// @param budget error budgets of the closures
 Assessment assess_solutions(std::span<const transform::Solution> solutions,
-                            std::span<const PairDistances> pairs);
+                            std::span<const PairDistances> pairs = {},
+                            std::span<const ErrorBudgetRow> budget = {});
 
 }  // namespace fpkcheck::compare

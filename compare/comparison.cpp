@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "compare/limiting_errors.hpp"
 #include "compare/rest_atoms.hpp"
 #include "compare/smooth_reference.hpp"
 
@@ -119,7 +118,6 @@ Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solutio
   }
   result.budget = error_budget(axes, solutions,
                                smooth_reference == nullptr ? over_uniform_bins : result.smooth);
-  result.limits = limiting_errors_text(result.budget, solutions, result.pairs);
   clip_negative_densities(solutions, result.marginals);
   clip_negative_densities(solutions, result.smooth);
   return result;

@@ -19,7 +19,6 @@ struct Comparison {
   std::vector<SolutionMarginal> smooth;
   std::vector<PairDistances> pairs;    ///< distances of all pairs of solutions, in both variables
   std::vector<ErrorBudgetRow> budget;  ///< error budgets of the closures
-  std::string limits;                  ///< a sentence on the largest error of each closure
 };
 
 /// Computes the marginals of all solutions with a density, the distances of all pairs of solutions

@@ -58,7 +58,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               std::vector<Solution>& solutions,
                               const compare::Comparison* comparison) {
   const Solution* const reference =
-      transform::find_solution(solutions, compare::assess_solutions(solutions, {}).reference);
+      transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
   std::optional<compare::Comparison> computed_comparison;
   const auto distance = [&](const Solution& solution) -> Distance {
     if (reference == nullptr) return {};

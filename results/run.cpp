@@ -92,7 +92,6 @@ CaseResult make_case_result(const problem::Problem& problem, const compare::Comp
                     .solutions = std::move(solutions),
                     .pairs = std::move(comparison.pairs),
                     .budget = std::move(comparison.budget),
-                    .limits = std::move(comparison.limits),
                     .curves = {},
                     .joints = {}};
   for (auto& found : comparison.marginals) result.curves.push_back(make_curve(std::move(found)));

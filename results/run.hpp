@@ -66,9 +66,7 @@ struct CaseResult {
   std::vector<transform::Solution> solutions;   ///< by increasing trust
   std::vector<compare::PairDistances> pairs;    ///< distances of all pairs of solutions
   std::vector<compare::ErrorBudgetRow> budget;  ///< error budgets of the closures
-  /// A sentence on the largest error of each closure; empty without an error budget.
-  std::string limits;
-  std::vector<Curve> curves;         ///< marginal densities over the comparison bins
+  std::vector<Curve> curves;                    ///< marginal densities over the comparison bins
   std::vector<JointDensity> joints;  ///< joint densities of all solutions with a joint density
   /// Marginal densities of all solutions over smooth bins, if a solution has smooth estimates
   /// (compare/smooth_reference.hpp); else empty.
@@ -87,9 +85,9 @@ struct CaseResult {
   }
   /// The reference of the case; null if there is none.
   const transform::Solution* reference() const { return find(assessment.reference); }
-  /// Assesses the solutions of the case. A function that changes the solutions or their distances
-  /// calls this function afterwards.
-  void assess() { assessment = compare::assess_solutions(solutions, pairs); }
+  /// Assesses the solutions of the case. A function that changes the solutions, their distances or
+  /// the error budgets calls this function afterwards.
+  void assess() { assessment = compare::assess_solutions(solutions, pairs, budget); }
   /// The marginal density of a solution over the comparison bins; null if there is none.
   const Curve* curve(std::string_view solution, transform::Variable variable) const;
   /// The marginal density of a solution over smooth bins; null if there is none.

@@ -12,6 +12,7 @@
 #include "base/text/sanitise.hpp"
 #include "compare/assessment.hpp"
 #include "results/json.hpp"
+#include "results/limiting_errors_text.hpp"
 #include "results/solution_json.hpp"
 
 namespace fpkcheck::results {
@@ -97,6 +98,13 @@ Json moment_error_estimate_json(const MomentErrorEstimate& own) {
           {"error", moments_json(own.error)}};
 }
 
+Json limiting_error_json(const compare::LimitingErrorGroup& group) {
+  return {{"part", group.part.empty() ? Json() : Json(group.part)},
+          {"solutions", group.closures},
+          {"least_fraction", group.least_fraction},
+          {"greatest_fraction", group.greatest_fraction}};
+}
+
 Json assessment_json(const compare::Assessment& assessment) {
   Json json{{"reference", Json()}, {"confirmation", Json()}, {"solutions", Json::array()}};
   if (!assessment.reference.empty()) {
@@ -115,6 +123,9 @@ Json assessment_json(const compare::Assessment& assessment) {
                                  {"ydot_l1", number_or_null_json(solution.ydot)},
                                  {"rank", solution.rank ? Json(*solution.rank) : Json()}});
   }
+  const auto& [groups, has_reference_disagreement] = assessment.limiting_errors;
+  json["limiting_errors"] = json_list(groups, limiting_error_json);
+  json["reference_disagreement"] = has_reference_disagreement;
   return json;
 }
 
@@ -123,7 +134,7 @@ Json case_json(const CaseResult& case_result) {
   json["solutions"] = json_list(case_result.solutions, solution_json);
   json["comparisons"] = json_list(case_result.pairs, pair_json);
   json["budget"] = json_list(case_result.budget, budget_row_json);
-  json["limits"] = case_result.limits;
+  json["limits"] = limiting_errors_text(case_result);
   if (case_result.bounds) json["bounds"] = bounds_json(*case_result.bounds);
   if (!case_result.moment_error_estimates.empty())
     json["own_errors"] = json_list(case_result.moment_error_estimates, moment_error_estimate_json);
@@ -208,6 +219,22 @@ compare::GuaranteedBounds bounds_from_json(const Json& json) {
   return bounds;
 }
 
+compare::LimitingErrorGroup limiting_error_from_json(const Json& json,
+                                                     std::span<const ErrorBudgetRow> budget) {
+  compare::LimitingErrorGroup group{.part = {},
+                                    .closures = json.at("solutions"),
+                                    .least_fraction = json.at("least_fraction"),
+                                    .greatest_fraction = json.at("greatest_fraction")};
+  if (!json.at("part").is_null())
+    group.part = compare::name(compare::parse_approximations(json.at("part").get<std::string>()));
+  const bool known = std::ranges::all_of(group.closures, [&](const std::string& id) {
+    return std::ranges::find(budget, id, &ErrorBudgetRow::solution) != budget.end();
+  });
+  if (!known || group.closures.empty())
+    throw InputError("\"limiting_errors\" has other solutions than \"budget\"; run again");
+  return group;
+}
+
 // The assessment of exactly the solutions of the case, in the same order.
 compare::Assessment assessment_from_json(const Json& json, const CaseResult& case_result) {
   const auto id_in = [&](const Json& object) {
@@ -242,6 +269,11 @@ compare::Assessment assessment_from_json(const Json& json, const CaseResult& cas
                           &compare::SolutionAssessment::id, &transform::Solution::id)) {
     throw InputError("\"assessment\" has other solutions than \"solutions\"; run again");
   }
+  for (const auto& group : json.at("limiting_errors")) {
+    assessment.limiting_errors.groups.push_back(
+        limiting_error_from_json(group, case_result.budget));
+  }
+  assessment.limiting_errors.has_reference_disagreement = json.at("reference_disagreement");
   return assessment;
 }
 
@@ -250,7 +282,6 @@ CaseResult case_from_json(const Json& json) {
                          .solutions = {},
                          .pairs = {},
                          .budget = {},
-                         .limits = json.value("limits", std::string()),
                          .curves = {},
                          .joints = {}};
   std::set<std::string> ids;

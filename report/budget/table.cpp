@@ -8,6 +8,7 @@
 
 #include "report/text/l1_text.hpp"
 #include "report/text/wrap_text.hpp"
+#include "results/limiting_errors_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -132,8 +133,8 @@ std::string budget_table(const results::CaseResult& case_result, const TextForma
   const auto columns = budget_columns(case_result, format);
   if (columns.empty()) return "";
   const std::string text = table_rows_text(columns, format);
-  return case_result.limits.empty() ? text
-                                    : text + wrap_text("  " + case_result.limits, format.width, 2);
+  const std::string limits = results::limiting_errors_text(case_result);
+  return limits.empty() ? text : text + wrap_text("  " + limits, format.width, 2);
 }
 
 }  // namespace fpkcheck::report

@@ -21,6 +21,7 @@
 #include "report/page/problem_text.hpp"
 #include "report/page/verdict_view.hpp"
 #include "report/references.hpp"
+#include "results/limiting_errors_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -69,7 +70,8 @@ class CaseSection {
     html_ += html_element("p", reference) + results_table(case_result) + reasons_html(case_result);
     auto sentences = findings(case_result);
     std::erase(sentences, reference);  // already above the table
-    if (!case_result.limits.empty()) sentences.push_back(case_result.limits);
+    if (const auto limits = results::limiting_errors_text(case_result); !limits.empty())
+      sentences.push_back(limits);
     html_ += list_html(sentences);
     add_plots("budget", "Error budget", budget_introduction(case_result),
               budget_plots(case_result, id));

@@ -26,7 +26,7 @@ Solution& find(std::vector<Solution>& solutions, const std::string& id) {
 }
 
 std::string reference_id(const std::vector<Solution>& solutions) {
-  return assess_solutions(solutions, {}).reference;
+  return assess_solutions(solutions).reference;
 }
 
 TEST(Reference, HasTheSmallestErrorEstimate) {

@@ -1,6 +1,8 @@
-#include "compare/limiting_errors.hpp"
+#include "results/limiting_errors_text.hpp"
 
 #include <gtest/gtest.h>
+
+#include "made_up_solutions.hpp"
 
 namespace fpkcheck::compare {
 namespace {
@@ -24,7 +26,14 @@ struct Budgets {
   std::vector<ErrorBudgetRow> rows;
   std::vector<PairDistances> pairs;  ///< of the references
 
-  std::string limits() const { return compare::limiting_errors_text(rows, solutions, pairs); }
+  std::string limits() const {
+    auto case_result = tests::made_up_case();
+    case_result.solutions = solutions;
+    case_result.pairs = pairs;
+    case_result.budget = rows;
+    case_result.assess();
+    return results::limiting_errors_text(case_result);
+  }
 
   /// Finite differences and the simulation, and their distance in both variables.
   void add_references(double l1) {

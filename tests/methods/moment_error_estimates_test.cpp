@@ -60,13 +60,8 @@ TEST(MomentErrorEstimates, HavePhysicalAxesForMirroredProblems) {
                                {.right = 0.5, .right_restitution = 1});
   const auto known = tests::with_noise(system, 0.4), weaker = tests::with_noise(system, 0.36);
   const exact::EnergyLaw law(weaker), truth(known);
-  results::CaseResult one{.problem = known,
-                          .solutions = {},
-                          .pairs = {},
-                          .budget = {},
-                          .limits = {},
-                          .curves = {},
-                          .joints = {}};
+  results::CaseResult one{
+      .problem = known, .solutions = {}, .pairs = {}, .budget = {}, .curves = {}, .joints = {}};
   transform::Solution solution;
   solution.identity.id = "one";
   solution.identity.role = transform::SolutionRole::closure;

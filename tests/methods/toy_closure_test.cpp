@@ -11,6 +11,7 @@
 #include "problem/equivalent_linearisation.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
+#include "results/limiting_errors_text.hpp"
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transform/panel_marginals.hpp"
@@ -144,7 +145,8 @@ TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
   ASSERT_EQ(case_.budget.size(), 6u);
   EXPECT_EQ(case_.budget[2].solution, "toy-bell-n2");
   EXPECT_EQ(case_.budget[2].parts.front().name(), "closure");
-  EXPECT_TRUE(contains(case_.limits, "toy-bell-n2 and -n4")) << case_.limits;
+  const std::string limits = results::limiting_errors_text(case_);
+  EXPECT_TRUE(contains(limits, "toy-bell-n2 and -n4")) << limits;
 }
 
 TEST_F(ToyClosure, AppearsInFilesFiguresAndPageWithItsStyle) {

@@ -92,7 +92,6 @@ TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
   auto run = made_up_run();
   auto& case_result = run.cases[0];
   case_result.budget.clear();
-  case_result.limits.clear();
   case_result.joints.clear();
   for (auto& solution : case_result.solutions) {
     auto& identity = solution.identity;

@@ -183,6 +183,11 @@ TEST(Summary, HasEveryFieldOfTheContract) {
   EXPECT_TRUE(closure.at("y_l1").is_number());
   EXPECT_EQ(closure.at("rank"), 2);
   EXPECT_TRUE(assessment.at("solutions").at(6).at("rank").is_null());
+  const Json& limit = assessment.at("limiting_errors").at(0);
+  EXPECT_TRUE(limit.at("part").is_null() || limit.at("part").is_string());
+  EXPECT_EQ(limit.at("solutions").at(0), "epc-gaussian-n2");
+  EXPECT_LE(limit.at("least_fraction"), limit.at("greatest_fraction"));
+  EXPECT_TRUE(assessment.at("reference_disagreement").is_boolean());
 }
 
 TEST(Summary, OfAnOlderVersionIsAssessedWhenRead) {
@@ -203,6 +208,9 @@ TEST(Summary, HasTheStoredAssessment) {
     wrong["cases"][0]["assessment"]["solutions"][0][field] = value;
     EXPECT_TRUE(contains(refusal(wrong.dump()), "assessment")) << field;
   }
+  Json wrong = json;
+  wrong["cases"][0]["assessment"]["limiting_errors"][0]["solutions"][0] = "nobody";
+  EXPECT_TRUE(contains(refusal(wrong.dump()), "limiting_errors"));
   assessment["solutions"].erase(0);
   EXPECT_TRUE(contains(refusal(json.dump()), "other solutions"));
 }

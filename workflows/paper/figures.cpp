@@ -38,7 +38,6 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
                    .solutions = {},
                    .pairs = {},
                    .budget = {},
-                   .limits = {},
                    .curves = {},
                    .joints = {}};
   for (const auto& [id, paper_name] : paper_names()) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "modified_case.hpp"
+#include "results/limiting_errors_text.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -28,7 +29,6 @@ std::vector<std::string> cells_after(const std::string& text, const std::string&
 
 results::CaseResult with_known_numbers() {
   auto case_result = made_up_case();
-  case_result.limits = "Nothing limits it.";
   auto& row = case_result.budget[5];
   EXPECT_EQ(row.solution, "epc-gaussian-n6");
   EXPECT_EQ(row.variable, transform::Variable::ydot);
@@ -36,17 +36,20 @@ results::CaseResult with_known_numbers() {
   row.total_tail = 0.2222;
   row.parts[0].l1 = 0.03333;
   row.parts[1].l1 = 4.4e-6;
+  case_result.assess();
   return case_result;
 }
 
 TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
-  const std::string text = budget_table(with_known_numbers(), 120);
+  const auto case_result = with_known_numbers();
+  const std::string text = budget_table(case_result, 120);
   // Columns: names; total, closure + impact, truncation of p(y), then of p(y'); the tails.
   const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
             (std::vector<std::string>{"0.01111", "0.03333", "4.4e-06", "0.222"}));
-  EXPECT_TRUE(text.ends_with("\n  Nothing limits it.\n")) << text;
+  const std::string limits = results::limiting_errors_text(case_result);
+  EXPECT_TRUE(tests::collapse_whitespace(text).ends_with(" " + limits + " ")) << text;
 }
 
 TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsCommonPartsBelow) {

@@ -197,7 +197,6 @@ inline results::CaseResult case_of(transform::Metrics metrics) {
           .solutions = {one},
           .pairs = {},
           .budget = {},
-          .limits = {},
           .curves = {},
           .joints = {}};
 }

@@ -109,7 +109,7 @@ SolvedPoint solved(const Plan& plan, std::size_t point) {
   }
 
   const Solution* reference =
-      transform::find_solution(solutions, compare::assess_solutions(solutions, {}).reference);
+      transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
   compare::Comparison comparison;
   if (reference != nullptr || plan.marginals) {
     comparison = compare::compare_solutions(axes, solutions);
@@ -152,7 +152,6 @@ void write_marginals(const Plan& plan, const std::filesystem::path& directory,
                                                 .solutions = {},
                                                 .pairs = {},
                                                 .budget = {},
-                                                .limits = {},
                                                 .curves = solved.curves,
                                                 .joints = {}}};
   std::ostringstream text;
