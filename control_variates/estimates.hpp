@@ -6,7 +6,7 @@
 
 #include "control_variates/control_setup.hpp"
 #include "mcs/estimate/density_estimate.hpp"
-#include "mcs/estimate/estimate.hpp"
+#include "mcs/estimate/stream_weights.hpp"
 #include "mcs/summary.hpp"
 
 namespace fpkcheck::control_variates {

@@ -81,6 +81,17 @@ transform::SmoothBinEstimate find_smooth_bin_estimate(const BinEstimates& bins,
 
 }  // namespace
 
+Result make_result(const ControlSetup& setup, mcs::Result simulation) {
+  const auto streams = std::exchange(simulation.summary.deposits, {});
+  const Eigen::MatrixXd generator = generator_means(setup, streams);
+  FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
+  const SimulationChecks judged = check_simulation(setup, generator, streams, estimates);
+  return {.estimates = std::move(estimates),
+          .checks = judged,
+          .simulation = std::move(simulation),
+          .backward_means = setup.backward_means};
+}
+
 Solution make_solution(Result&& result) {
   const auto& [estimates, checks, simulation, means] = result;
   Solution solution = std::move(result.simulation.solution);

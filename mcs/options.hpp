@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/options/description.hpp"
-#include "mcs/deposit/deposit_grid.hpp"
+#include "mcs/deposit/deposit.hpp"
 #include "problem/model.hpp"
 #include "transform/identity.hpp"
 
@@ -48,7 +48,7 @@ struct Options {
   /// times of the slowest mode of equivalent linearisation (2/c_eq below critical damping). `tails`
   /// takes 1/32 of this time and `controlled` 1/8; `samples` or `target_error` takes 1e4 times this
   /// time as a limit. A default time that needs more than some seconds is shortened, yet reaches
-  /// `accuracy` if about a minute suffices (simulation/durations.hpp).
+  /// `accuracy` if about a minute suffices (simulation/simulation_plan.cpp).
   std::optional<double> time{};
   /// Required effective samples of y'^2 (Summary::effective_samples).
   std::optional<double> samples{};

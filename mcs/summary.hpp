@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mcs/deposit/deposit.hpp"
-#include "mcs/estimate/estimate.hpp"
+#include "mcs/estimate/stream_weights.hpp"
 #include "mcs/streams/stream.hpp"
 #include "transform/balance_residuals.hpp"
 #include "transform/metric.hpp"

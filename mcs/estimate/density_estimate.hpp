@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "transform/marginal.hpp"
@@ -21,11 +23,6 @@ struct L1SamplingError {
 
 L1SamplingError l1_sampling_error(const BinErrors& errors);
 
-/// Probabilities that the variable is below each bin edge, estimated from each stream.
-/// @return shape (streams, edges)
-std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
-                                                          transform::Variable variable);
-
 /// A marginal density and its sampling errors.
 struct MarginalEstimate {
   transform::Marginal marginal;
@@ -43,5 +40,11 @@ struct JointEstimate {
   std::vector<double> standard_errors;  ///< standard errors of the averages, row-major
 };
 JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights);
+
+/// Quantiles of y or y' from the distribution function F of the histogram, cubic between its edges.
+/// The 95 % interval holds the values whose F agrees with the probability within the sampling error
+/// (Woodruff, JASA 47, 1952). Quantiles outside the bins are omitted.
+std::vector<Quantile> estimate_quantiles(const Simulation& simulation, const StreamWeights& weights,
+                                         transform::Variable variable);
 
 }  // namespace fpkcheck::mcs

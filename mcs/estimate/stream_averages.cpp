@@ -1,26 +1,40 @@
 #include "mcs/estimate/stream_averages.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "mcs/estimate/stream_weights.hpp"
-
 namespace fpkcheck::mcs {
+namespace {
+
+constexpr std::size_t kEdgesPerLevel = 10;  // bin edges per crossing level
+
+double sum_above(const std::vector<double>& sums, std::size_t edge) {
+  return std::accumulate(sums.begin() + static_cast<std::ptrdiff_t>(edge) + 1, sums.end(), 0.0);
+}
+
+template <class Of>
+std::vector<LevelEventRate> level_rates(const Simulation& simulation, const StreamWeights& weights,
+                                        std::size_t first, Of of) {
+  const auto& edges = simulation.plan().y_bins.edges();
+  std::vector<LevelEventRate> found;
+  for (std::size_t k = first; k < edges.size(); k += kEdgesPerLevel) {
+    const auto values = value_per_stream(simulation.streams(), [&](const StreamRecord& record) {
+      return of(record, k) / simulation.stream_time();
+    });
+    found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate(values)});
+  }
+  return found;
+}
+
+}  // namespace
 
 double moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
   const auto index = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
   return record.powers[static_cast<std::size_t>(index)] / simulation.stream_samples();
 }
-
-namespace {
-
-double power_of_y(const Simulation& simulation, const StreamRecord& record, int n) {
-  if (n <= static_cast<int>(kHighestPower)) return moment(simulation, record, n, 0);
-  return (n == 5 ? record.y5 : record.y6) / simulation.stream_samples();
-}
-
-}  // namespace
 
 double physical_moment(const Simulation& simulation, const StreamRecord& record, int p, int q) {
   const problem::Frame& frame = simulation.plan().frame;
@@ -38,10 +52,14 @@ double physical_moment(const Simulation& simulation, const StreamRecord& record,
 
 double polynomial_mean(const Simulation& simulation, const StreamRecord& record,
                        const numerics::Polynomial& g) {
+  assert(g.degree() <= 6);
+  const auto power_of_y = [&](std::size_t n) {
+    if (n <= kHighestPower) return moment(simulation, record, static_cast<int>(n), 0);
+    return (n == 5 ? record.y5 : record.y6) / simulation.stream_samples();
+  };
   double mean = g.coefficient(0);
   for (std::size_t n = 1; n <= g.degree(); ++n) {
-    if (g.coefficient(n) == 0) continue;
-    mean += g.coefficient(n) * power_of_y(simulation, record, static_cast<int>(n));
+    if (g.coefficient(n) != 0) mean += g.coefficient(n) * power_of_y(n);
   }
   return mean;
 }
@@ -66,6 +84,21 @@ double effective_sample_count(const Simulation& simulation, int p, int q) {
   const auto [mean, error] = plain_estimate(stream_moments(simulation, p, q));
   const double second = plain_estimate(stream_moments(simulation, 2 * p, 2 * q)).mean;
   return (second - mean * mean) / (error * error);
+}
+
+std::vector<LevelEventRate> estimate_upcrossing_rates(const Simulation& simulation,
+                                                      const StreamWeights& weights) {
+  return level_rates(simulation, weights, kEdgesPerLevel,
+                     [](const StreamRecord& record, std::size_t k) {
+                       return sum_above(record.peaks, k) - sum_above(record.troughs, k);
+                     });
+}
+
+std::vector<LevelEventRate> estimate_peak_rates(const Simulation& simulation,
+                                                const StreamWeights& weights) {
+  return level_rates(simulation, weights, 0, [](const StreamRecord& record, std::size_t k) {
+    return sum_above(record.peaks, k);
+  });
 }
 
 }  // namespace fpkcheck::mcs

@@ -3,9 +3,29 @@
 #include <span>
 #include <vector>
 
-#include "mcs/estimate/estimate.hpp"
-
 namespace fpkcheck::mcs {
+
+/// Half-width of the 95 % interval of a normal variable, in standard errors.
+inline constexpr double kNormal95 = 1.959964;
+
+/// A mean and its standard error.
+struct Estimate {
+  double mean = 0;
+  double standard_error = 0;
+};
+
+/// Quantile of a variable: the probability of a smaller value than `value` is `probability`.
+struct Quantile {
+  double probability;
+  double value;
+  double lower, upper;  ///< ends of the 95 % interval
+};
+
+/// Rate of upward crossings of the level of y, or of peaks above this level, per unit time.
+struct LevelEventRate {
+  double level;
+  Estimate rate;
+};
 
 /// Weights of the stream averages, which write the control-variate estimate (Lavenberg & Welch,
 /// Management Science 27, 1981) as a weighted mean.

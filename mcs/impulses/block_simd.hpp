@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "mcs/impulses/block.hpp"
+#include "mcs/impulses/impulse_source.hpp"
 #include "mcs/impulses/standard_amplitude.hpp"
 
 // Compiled for several instruction sets, as motion/advance_simd.hpp.

@@ -16,7 +16,7 @@ ImpulseBlock make_block_of_impulses(const Excitation& excitation, const UniformN
 }  // namespace
 
 void ImpulseSource::make_impulse_block() {
-  const UniformNumbers u = uniform_numbers(seed_, stream_, RandomNumberPurpose::impulses, number_);
+  const UniformNumbers u = uniform_numbers(seed_, stream_, purpose_, number_);
   block_ = make_block_of_impulses(excitation_, u);
   if (number_ == 0 && excitation_.arrivals == Excitation::Arrivals::even) {
     block_.waiting[0] = u.first[0] * excitation_.interval;
@@ -34,18 +34,6 @@ std::array<double, 2> ImpulseSource::standard_normals() const {
   const ImpulseBlock block = baseline::make_impulse_block(
       normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::start, 0));
   return {block.amplitude[0], block.amplitude[1]};
-}
-
-void NoiseSource::make_impulse_block() {
-  static const Excitation normal = standard_normal_impulses();
-  block_ = make_block_of_impulses(
-      normal, uniform_numbers(seed_, stream_, RandomNumberPurpose::noise, number_));
-}
-
-void NoiseSource::continue_from(std::uint64_t number) {
-  number_ = number - number % kBlockSize;
-  if (number_ < number) make_impulse_block();
-  number_ = number;
 }
 
 }  // namespace fpkcheck::mcs

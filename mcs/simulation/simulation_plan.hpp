@@ -6,7 +6,6 @@
 #include "mcs/impulses/excitation.hpp"
 #include "mcs/motion/oscillator.hpp"
 #include "mcs/options.hpp"
-#include "mcs/simulation/durations.hpp"
 #include "mcs/streams/histogram.hpp"
 #include "problem/problem.hpp"
 #include "transform/marginal.hpp"
@@ -16,6 +15,14 @@ namespace fpkcheck::mcs {
 /// Default limit of the Taylor step in radians. The errors of the flights are below those of the
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStep = 0.9;
+
+/// Cause of a burn-in below 5 decay times.
+enum class ShortBurnInCause {
+  none,      ///< the burn-in leaves exp(-5) of the initial deviation, or less
+  impulses,  ///< frequent impulses
+  wells,     ///< rare transitions between wells
+  decay      ///< weak damping
+};
 
 /// All parameters of a simulation, with the default values computed.
 struct SimulationPlan {

@@ -1,6 +1,7 @@
 #include "mcs/streams/importance_splitting.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -89,6 +90,7 @@ void ImportanceSplitting::split_initial_state(Stream& stream) const {
 }
 
 void resume_next_branch(Stream& stream) {
+  assert(!stream.pending_branches.empty());
   PendingBranch& next = stream.pending_branches.back();
   stream.branch = next.branch;
   if (next.copies > 0) {

@@ -1,4 +1,4 @@
-#include "control_variates/functionals.hpp"
+#include "control_variates/control_setup.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control_variates/result.hpp"
+#include "control_variates/solution.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "paper_cases.hpp"
 

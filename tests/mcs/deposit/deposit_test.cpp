@@ -10,9 +10,9 @@
 #include "base/input_error.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/solve.hpp"
+#include "mcs/trajectory.hpp"
 #include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
-#include "trajectory.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {

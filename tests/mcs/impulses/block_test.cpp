@@ -1,4 +1,4 @@
-#include "mcs/impulses/block.hpp"
+#include "mcs/impulses/impulse_source.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <deque>
 
+#include "mcs/trajectory.hpp"
 #include "paper_cases.hpp"
 #include "thorough.hpp"
-#include "trajectory.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::mcs {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mcs/motion/polynomial_flight.hpp"
+#include "mcs/trajectory.hpp"
 #include "paper_cases.hpp"
-#include "trajectory.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

@@ -1,4 +1,4 @@
-#include "trajectory.hpp"
+#include "mcs/trajectory.hpp"
 
 #include <gtest/gtest.h>
 

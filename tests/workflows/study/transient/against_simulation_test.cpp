@@ -7,8 +7,8 @@
 
 #include "fd_fpk/transient.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
+#include "mcs/trajectory.hpp"
 #include "paper_cases.hpp"
-#include "trajectory.hpp"
 #include "transform/density.hpp"
 
 namespace fpkcheck {

@@ -1,4 +1,4 @@
-#include "mcs/deposit/deposit_grid.hpp"
+#include "mcs/deposit/deposit.hpp"
 
 #include <fmt/format.h>
 
