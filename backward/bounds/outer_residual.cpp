@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cassert>
+#include <cfenv>
 #include <cmath>
 
 #include "backward/bounds/functional.hpp"
@@ -166,6 +168,7 @@ class OuterResidual {
 
 double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
                             const Certificate& certificate) {
+  assert(std::fegetround() == FE_UPWARD);
   return OuterResidual(context, functional, certificate).bound();
 }
 

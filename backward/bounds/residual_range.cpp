@@ -1,3 +1,5 @@
+#include <cassert>
+#include <cfenv>
 #include <cmath>
 
 #include "backward/bounds/functional.hpp"
@@ -186,6 +188,7 @@ class RangeSearch {
 ResidualRange residual_range(const CertificateCheckInputs& s, const Functional& functional,
                              const Certificate& certificate,
                              std::pair<double, double> expected_range, double tolerance) {
+  assert(std::fegetround() == FE_UPWARD);
   const Eigen::MatrixXd& c = certificate.coefficients;
   // Condition (1) of docs/bounds.md is checked here, since the fit does not guarantee the
   // condition.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "backward/generator/impulse_table.hpp"
@@ -101,6 +102,7 @@ std::string bounds_unsupported_reason(const problem::Problem& problem) {
 }
 
 std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power) {
+  assert(bounds_unsupported_reason(problem).empty());
   return numerics::call_with_upward_rounding([&] {
     std::vector<double> upper;
     for (const numerics::Interval& bound : moment_bounds(problem, power))

@@ -1,6 +1,8 @@
 #include "backward/generator/generator_operators.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cfenv>
 
 #include "backward/generator/impact_basis.hpp"
 #include "numerics/splines/bezier_extraction.hpp"
@@ -9,6 +11,7 @@ namespace fpkcheck::backward {
 
 VelocityOperators velocity_operators(const problem::Problem& problem, const ImpactBasis& basis,
                                      std::span<const double> cuts) {
+  assert(std::fegetround() == FE_UPWARD);
   const problem::ImpulseLaw& law = problem.impulses.law();
   VelocityPieceConstraints kinks = velocity_piece_constraints(basis, law);
   kinks.cuts.insert(kinks.cuts.end(), cuts.begin(), cuts.end());

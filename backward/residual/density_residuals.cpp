@@ -1,6 +1,7 @@
 #include "backward/residual/density_residuals.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -20,15 +21,6 @@ namespace {
 // Weight of the jumps at the wall (ControlFitProblem::wall_weight), as for four samples per radian
 // of the undamped motion. The corrected moments hardly depend on this weight.
 constexpr double kWallWeight = 4;
-
-WeakResiduals make_weak_residuals(const problem::Problem& problem, ControlSplines splines) {
-  return {problem, std::move(splines.y), std::move(splines.v)};
-}
-
-ControlFitProblem residual_fit(const problem::Problem& problem, const WeakResiduals& residuals) {
-  const double wall_weight = kWallWeight * problem::scales(problem).frequency;
-  return control_fit(problem, residuals.y(), residuals.v(), wall_weight);
-}
 
 const ControlCells& cells_for(const problem::ProblemFeatures& features) {
   if (features.wells < 2) return DensityResiduals::kCells;
@@ -79,11 +71,14 @@ DensityResiduals::DensityResiduals(const problem::Problem& problem)
     : DensityResiduals(problem, cells_for(problem::features(problem))) {}
 
 DensityResiduals::DensityResiduals(const problem::Problem& problem, const ControlCells& cells)
-    : residuals_(make_weak_residuals(
-          problem, control_splines(problem, cells, CellWidths::narrower_at_walls))),
-      functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)),
-      h_(fit_control_functions(residual_fit(problem, residuals_), functions_.all)),
-      unresolved_(residual_fit(problem, residuals_), functions_.all, h_) {}
+    : residuals_(problem, control_splines(problem, cells, CellWidths::narrower_at_walls)),
+      functions_(goal_functions(residuals_.y(), residuals_.v(), problem.frame)) {
+  assert(residuals_unsupported_reason(problem).empty());
+  const ControlFitProblem fit = control_fit(problem, residuals_.y(), residuals_.v(),
+                                            kWallWeight * problem::scales(problem).frequency);
+  h_ = fit_control_functions(fit, functions_.all);
+  unresolved_ = UnresolvedResidual(fit, functions_.all, h_);
+}
 
 Eigen::MatrixXd DensityResiduals::backward_solution(Eigen::Index goal_function) const {
   return h_.coefficients.col(goal_function).reshaped<Eigen::RowMajor>(y().size(), v().size());

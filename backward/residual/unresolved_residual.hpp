@@ -14,6 +14,7 @@ namespace fpkcheck::backward {
 /// splines, and the means of the absolute jump over cells of impact speeds.
 class UnresolvedResidual {
  public:
+  UnresolvedResidual() = default;
   /// @param fit the fit of h; its weight defines the averages over wells
   /// @param functions the functions f, one for each column of h
   UnresolvedResidual(const ControlFitProblem& fit, std::span<const SeparableFunction> functions,

@@ -83,11 +83,10 @@ Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vecto
 
 }  // namespace
 
-WeakResiduals::WeakResiduals(const problem::Problem& problem, numerics::QuinticBSplines y,
-                             numerics::QuinticBSplines v)
+WeakResiduals::WeakResiduals(const problem::Problem& problem, ControlSplines splines)
     : problem_(problem),
-      y_(std::move(y)),
-      v_(std::move(v)),
+      y_(std::move(splines.y)),
+      v_(std::move(splines.v)),
       walls_(impact_walls(problem.system)),
       wall_breaks_(impact_breaks(walls_, v_)),
       v_breaks_(breaks_after_impulse(v_, problem.impulses)),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "backward/control/control_fit.hpp"
 #include "backward/control/generator_factors.hpp"
 #include "backward/residual/sampled_density.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
@@ -39,10 +40,9 @@ struct DensityIntegrals {
 class WeakResiduals {
  public:
   /// @param problem in wall coordinates; the moments are in physical coordinates
-  /// @param y splines from wall to wall, or over the range of the motion
-  /// @param v splines with 0 among the breaks
-  WeakResiduals(const problem::Problem& problem, numerics::QuinticBSplines y,
-                numerics::QuinticBSplines v);
+  /// @param splines splines of y from wall to wall, or over the range of the motion; splines of v
+  ///   with 0 among the breaks
+  WeakResiduals(const problem::Problem& problem, ControlSplines splines);
 
   /// @throws InputError as sample_density() does, and when the mass is not positive
   DensityIntegrals operator()(const transform::Density& density) const;

@@ -1,5 +1,3 @@
-#include "backward/residual/density_residuals.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "backward/bounds/bounds_from_grid.hpp"
+#include "backward/residual/density_residuals.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_moments.hpp"
 #include "exact/linear_problem.hpp"
@@ -217,8 +216,8 @@ TEST(DensityResiduals, DoNotDependOnTheUnitOfTheDensity) {
 
 TEST(DensityResiduals, WeightByTheCentredSolution) {
   // For E[y'] the solution is h = -y + constant: the weight is y - E_p[y].
-  const auto weak = WeakResiduals(tests::paper_case(1), case_1_residuals().y(),
-                                  case_1_residuals().v())(gaussian_density());
+  const auto weak = WeakResiduals(
+      tests::paper_case(1), {case_1_residuals().y(), case_1_residuals().v()})(gaussian_density());
   const auto y = case_1_residuals().y().coefficients_of_power(1);
   Eigen::MatrixXd expected = weak.residuals;
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {

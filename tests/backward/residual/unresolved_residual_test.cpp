@@ -1,5 +1,3 @@
-#include "backward/residual/unresolved_residual.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "backward/control/control_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
+#include "backward/residual/unresolved_residual.hpp"
 #include "paper_cases.hpp"
 #include "residual/bell.hpp"
 
@@ -18,8 +17,7 @@ using tests::kSigmaV;
 using tests::kSigmaY;
 
 WeakResiduals weak_residuals(const problem::Problem& problem) {
-  auto splines = control_splines(problem, {.y = 40, .v = 88}, CellWidths::narrower_at_walls);
-  return {problem, std::move(splines.y), std::move(splines.v)};
+  return {problem, control_splines(problem, {.y = 40, .v = 88}, CellWidths::narrower_at_walls)};
 }
 
 ControlFitProblem unit_fit(const problem::Problem& problem, const WeakResiduals& residuals) {

@@ -1,5 +1,3 @@
-#include "backward/residual/weak_residuals.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "backward/residual/weak_residuals.hpp"
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_problem.hpp"
@@ -18,8 +17,9 @@ namespace fpkcheck::backward {
 namespace {
 
 WeakResiduals residuals_of(const problem::Problem& problem) {
-  return {problem, numerics::QuinticBSplines(numerics::graded_knots(0, 6, 4, 14)),
-          numerics::QuinticBSplines(numerics::graded_knots(-7, 7, 4, 28, 3))};
+  return {problem,
+          {numerics::QuinticBSplines(numerics::graded_knots(0, 6, 4, 14)),
+           numerics::QuinticBSplines(numerics::graded_knots(-7, 7, 4, 28, 3))}};
 }
 
 /// A density without symmetry, whose value at the ends is 1e-11 of the peak.
