@@ -9,10 +9,11 @@
 #include <variant>
 
 #include "base/input_error.hpp"
-#include "epc/contact/density.hpp"
-#include "epc/gaussian/density.hpp"
+#include "epc/contact/coordinates.hpp"
+#include "epc/contact/store_density.hpp"
+#include "epc/gaussian/density_support.hpp"
 #include "epc/moment/density.hpp"
-#include "epc/polar/density.hpp"
+#include "epc/polar/coordinates.hpp"
 #include "problem/frame.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/panel_marginals.hpp"
@@ -83,7 +84,7 @@ SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::
   const polar::Coordinates coordinates(require_problem(problem, frame));
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
-    return polar::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
+    return amplitude::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
   }
   const BoundingBox box = frame.box.value();
   return {.value =
@@ -111,17 +112,18 @@ SmoothDensity density_in_contact_variables(const ClosedForm& form,
   const auto coordinates = contact_coordinates(require_problem(problem, frame));
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
-    return contact::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
+    return amplitude::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
   }
   const BoundingBox box = frame.box.value();
   const double far = std::numeric_limits<double>::infinity();
-  return {.value =
-              [whole = contact::density_from_exponent(q, coordinates, far, {frame.level}, constant),
-               box](double y, double v) {
-                return y <= box.y_max && std::abs(v) <= box.v_max ? whole.value(y, v) : 0;
-              },
-          .y_max = box.y_max,
-          .v_max = box.v_max};
+  return {
+      .value =
+          [whole = amplitude::density_from_exponent(q, coordinates, far, {frame.level}, constant),
+           box](double y, double v) {
+            return y <= box.y_max && std::abs(v) <= box.v_max ? whole.value(y, v) : 0;
+          },
+      .y_max = box.y_max,
+      .v_max = box.v_max};
 }
 
 SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem::Problem* problem) {

@@ -3,10 +3,9 @@
 #include <chrono>
 
 #include "epc/contact/coordinates.hpp"
-#include "epc/contact/solve.hpp"
-#include "epc/gaussian/solve.hpp"
-#include "epc/moment/solve.hpp"
-#include "epc/polar/solve.hpp"
+#include "epc/formulations.hpp"
+#include "problem/equivalent_linearisation.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -38,6 +37,52 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   solution.seconds = elapsed.count();
   return result;
+}
+
+namespace {
+
+std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
+  if (features.rests_in_contact) {
+    return "the mass comes to rest at a wall: an exponential polynomial of y and y' has no atom; "
+           "use epc-polar, fd or mcs";
+  }
+  if (features.collapse) {
+    return "impacts accumulate under noise: a restitution coefficient is <= exp(-pi / sqrt 3); "
+           "no exponential polynomial has the density at the wall";
+  }
+  return "";
+}
+
+std::string gaussian_unsupported_reason(const problem::ProblemFeatures& features,
+                                        const Options& options) {
+  if (features.two_walls || (!features.no_wall && !features.constant_damping)) {
+    return "the formulation gaussian supports one wall with constant damping, or no wall";
+  }
+  if (features.no_wall && equation_of(options) == Equation::kf) {
+    return "the jump integral of the formulation gaussian needs a wall: use equation km4 or white";
+  }
+  return wall_unsupported_reason(features);
+}
+
+}  // namespace
+
+std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+  const problem::ProblemFeatures features = problem::features(problem);
+  if (problem::has_equivalent_linearisation(problem)) return "";
+  switch (options.formulation) {
+    case Formulation::gaussian:
+      return gaussian_unsupported_reason(features, options);
+    case Formulation::moment:
+      return wall_unsupported_reason(features);
+    case Formulation::polar:
+      if (contact::is_pressed_on_one_wall(problem)) return "";
+      return features.rests_in_contact
+                 ? "with an atom, the formulation polar needs one wall against which the force "
+                   "presses everywhere; use fd or mcs"
+                 : "the formulation polar needs one wall at the equilibrium, constant damping and "
+                   "impulses alone";
+  }
+  return "";
 }
 
 }  // namespace fpkcheck::epc

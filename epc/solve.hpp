@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
 #include "problem/problem.hpp"
@@ -8,7 +10,7 @@ namespace fpkcheck::epc {
 
 /// Solves the equations of the formulation and assesses the root. The status is
 ///  - ok if the density of the root has decayed on the whole edge of its support, has mass 1, and
-///    is near the density of order n-2. The limits are in form/acceptance_limits.hpp. In the
+///    is near the density of order n-2. The limits are in summary.hpp. In the
 ///    formulation gaussian, the density must also satisfy the balance of power;
 ///  - inadmissible if a root was found, but its density violates one of these conditions. The
 ///    result still contains the density and the coefficients;
@@ -17,5 +19,9 @@ namespace fpkcheck::epc {
 ///    not resolve (moment, polar). The result has no density.
 /// @throws InputError from validate
 Result solve(const problem::Problem& problem, const Options& options);
+
+/// Reason why the closure does not support a problem, as one phrase. The reason is empty if the
+/// closure supports the problem.
+std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::epc

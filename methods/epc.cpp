@@ -1,4 +1,3 @@
-#include "epc/applicability.hpp"
 #include "epc/options.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "epc/form/acceptance_limits.hpp"
 #include "epc/half_plane/root_search.hpp"
+#include "epc/summary.hpp"
 
 namespace fpkcheck::epc::amplitude {
 

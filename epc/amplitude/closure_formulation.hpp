@@ -1,7 +1,10 @@
 #pragma once
 
-#include "epc/amplitude/half_circle.hpp"
-#include "epc/half_plane/closure_formulation.hpp"
+#include <string>
+
+#include "epc/amplitude/coordinate_policy.hpp"
+#include "epc/half_plane/result_from_root.hpp"
+#include "epc/half_plane/root_search.hpp"
 #include "epc/options.hpp"
 
 namespace fpkcheck::epc::amplitude {
@@ -63,5 +66,67 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
 ///                 the peak
 /// @param edge     largest value of the quantity on the edge of the support, relative to the peak
 std::string inadmissible_reason(const char* quantity, double at_level, double edge);
+
+/// The formulation in given coordinates.
+template <class Coordinates>
+class FormulationIn final : public ClosureFormulation {
+ public:
+  /// @param temperature,unit see ClosureFormulation
+  FormulationIn(const problem::Problem& problem, const Coordinates& coordinates, double temperature,
+                double unit, TailTreatment tail)
+      : ClosureFormulation(temperature, unit, tail), problem_(problem), coordinates_(coordinates) {}
+
+  half_plane::QuadraturePoints points_below_energy(
+      double support, const half_plane::QuadratureSize& size) const override {
+    const double rho_max = amplitude_of_energy(support);
+    return quadrature_points(coordinates_, rho_max,
+                             Coordinates::amplitude_break_points(problem_.impulses.law(), rho_max),
+                             size);
+  }
+  half_plane::ClosureEquations closure_equations(
+      double support, const half_plane::Confinement& confinement, half_plane::Basis basis,
+      half_plane::QuadraturePoints points, const half_plane::QuadratureSize& size) const override {
+    return amplitude::closure_equations(problem_, coordinates_, amplitude_of_energy(support),
+                                        confinement, std::move(basis), std::move(points),
+                                        size.wall);
+  }
+
+ protected:
+  PolarExponent polar_exponent(const Polynomial& q) const override {
+    return amplitude::polar_exponent<Coordinates>(q);
+  }
+  double phase(double s, double t) const override { return Coordinates::phase(s, t); }
+
+ private:
+  const problem::Problem& problem_;
+  const Coordinates& coordinates_;
+};
+
+/// Stores leading form, closed form and edges of a root in a result that already contains the
+/// density, and sets the status.
+/// @param quantity name in the reason of the quantity whose decay is checked
+template <class Coordinates>
+void assess_root(const problem::Problem& problem, const Coordinates& coordinates,
+                 const half_plane::RootSearchResult& root, TailTreatment tail,
+                 const transform::SmoothDensity& density, const char* quantity, Result& result) {
+  const half_plane::ClosureDensity& closure = root.closure;
+  Summary& summary = result.summary;
+  const StandardDeviations sigma = half_plane::root_mean_squares(summary.moments);
+  summary.leading_form = leading_form_in_amplitude<Coordinates>(closure.q, sigma);
+  summary.frame = half_plane::closed_form_parameters(closure, tail, Coordinates::kVariables);
+  summary.frame->coordinates = problem.frame;
+  const double support = amplitude_of_energy(closure.support);
+  const double edge =
+      std::exp(maximum_over_phase(amplitude::polar_exponent<Coordinates>(closure.q), support) +
+               half_plane::confinement_of(closure.level, tail)(closure.support) - closure.peak);
+  half_plane::store_half_plane_summary(
+      root, tail, density, sigma,
+      {.support = contour_of_amplitude(coordinates, support),
+       .level = contour_of_amplitude(coordinates, amplitude_of_energy(closure.level)),
+       .density = edge},
+      result);
+  half_plane::set_status(root, kQuadratureTolerance,
+                         inadmissible_reason(quantity, root.decay_ratio, edge), result);
+}
 
 }  // namespace fpkcheck::epc::amplitude

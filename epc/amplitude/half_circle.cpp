@@ -43,4 +43,22 @@ DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_am
   return {{}, last_amplitude};
 }
 
+numerics::QuadratureRule legendre_panels(double end, const std::vector<double>& breaks,
+                                         int point_count) {
+  if (breaks.empty()) return numerics::gauss_legendre_rule(point_count, 0, end);
+  numerics::QuadratureRule all;
+  double from = 0;
+  const auto add = [&](double to) {
+    const auto panel = numerics::gauss_legendre_rule(
+        static_cast<int>(point_count * (0.2 + (to - from) / end)) + 2, from, to);
+    all.points.insert(all.points.end(), panel.points.begin(), panel.points.end());
+    all.weights.conservativeResize(std::ssize(all.points));
+    all.weights.tail(panel.size()) = panel.weights;
+    from = to;
+  };
+  for (const double at : breaks) add(at);
+  add(end);
+  return all;
+}
+
 }  // namespace fpkcheck::epc::amplitude

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <vector>
+
+#include "numerics/quadrature/gauss_rule.hpp"
 
 /// Common part of the formulations polar and contact: the exponent is a polynomial of the amplitude
 /// rho = sqrt(v^2 + 2 V(y)) and one further coordinate. The problem has one wall on the left.
@@ -39,5 +42,11 @@ struct DecayScan {
 /// Scans growing amplitudes, from 0 on. The scan ends when the maximum over the phases lies `depth`
 /// below its peak, when this maximum rises again, or at the amplitude `last_amplitude`.
 DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_amplitude);
+
+/// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
+/// a panel is proportional to the width of the panel, plus a constant.
+/// @param breaks increasing, between 0 and end
+numerics::QuadratureRule legendre_panels(double end, const std::vector<double>& breaks,
+                                         int point_count);
 
 }  // namespace fpkcheck::epc::amplitude

@@ -1,18 +1,14 @@
 #include "epc/contact/coordinates.hpp"
 
 #include <boost/math/tools/roots.hpp>
+#include <cassert>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "epc/amplitude/half_circle.hpp"
 #include "problem/features.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::epc::contact {
-
-using half_plane::QuadraturePoints;
-using half_plane::QuadratureRule;
 
 bool is_pressed_on_one_wall(const problem::Problem& problem) {
   const auto features = problem::features(problem);
@@ -24,8 +20,11 @@ bool is_pressed_on_one_wall(const problem::Problem& problem) {
 Coordinates::Coordinates(const problem::Problem& problem)
     : potential_(problem.system.restoring_force().antiderivative()),
       force_(problem.system.restoring_force()),
+      restitution_(problem.system.restitution()),
       atom_weight_(2 * std::log(1 / problem.system.restitution()) /
-                   problem.impulses.arrival_rate()) {}
+                   problem.impulses.arrival_rate()) {
+  assert(is_pressed_on_one_wall(problem));
+}
 
 double Coordinates::displacement(double w) const {
   if (w == 0) return 0;
@@ -41,29 +40,11 @@ double Coordinates::displacement(double w) const {
       std::min(beyond, energy / force_(0.0)), 0.0, beyond, kDigits, iterations);
 }
 
-QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
-                                   const half_plane::QuadratureSize& size) {
-  const QuadratureRule rho = half_plane::gauss_legendre_rule(size.s, 0, rho_max);
-  const QuadratureRule theta =
-      half_plane::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  QuadraturePoints points = QuadraturePoints::zeros(rho.nodes.size() * theta.nodes.size() + 1);
-  Eigen::Index k = 0;
-  for (Eigen::Index i = 0; i < rho.nodes.size(); ++i) {
-    for (Eigen::Index j = 0; j < theta.nodes.size(); ++j, ++k) {
-      const double w = rho.nodes[i] * std::cos(theta.nodes[j]);
-      points.s[k] = rho.nodes[i];
-      points.t[k] = rho.nodes[i] * std::sin(theta.nodes[j]);
-      points.y[k] = coordinates.displacement(w);
-      points.v[k] = points.t[k];
-      points.energy[k] = amplitude::energy_of_amplitude(rho.nodes[i]);
-      // dy dv = (w / g) dw dv = (w / g) rho drho dtheta
-      points.weight[k] = rho.weight[i] * theta.weight[j] * rho.nodes[i] * w /
-                         coordinates.restoring_force(points.y[k]) *
-                         Coordinates::density_prefactor(rho.nodes[i]);
-    }
-  }
-  points.weight[k] = coordinates.atom_weight();  // the last point is the corner
-  return points;
+amplitude::FlowRates Coordinates::flow_rates(const problem::System& system, double y, double rho,
+                                             double v) const {
+  const double damping =
+      (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v;
+  return {-v * damping / rho, -(damping + force_(y))};
 }
 
 }  // namespace fpkcheck::epc::contact

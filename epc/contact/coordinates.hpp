@@ -1,14 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
-#include "epc/half_plane/quadrature_points.hpp"
+#include "epc/amplitude/coordinate_policy.hpp"
+#include "epc/form/closed_form.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-
-namespace fpkcheck::problem {
-struct Problem;
-class System;
-}  // namespace fpkcheck::problem
+#include "problem/problem.hpp"
 
 namespace fpkcheck::epc::contact {
 
@@ -38,6 +38,8 @@ bool is_pressed_on_one_wall(const problem::Problem& problem);
 /// comes to rest is such an odd power.
 class Coordinates {
  public:
+  static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
+
   /// @pre is_pressed_on_one_wall(problem); the wall at 0
   explicit Coordinates(const problem::Problem& problem);
 
@@ -45,27 +47,44 @@ class Coordinates {
   double potential_speed(double y) const { return std::sqrt(2 * potential_(y)); }
   /// Displacement y from w(y): the inverse function of w.
   double displacement(double w) const;
+  /// Derivative dy/dw = w/g at a displacement y.
+  double displacement_slope(double y) const { return potential_speed(y) / force_(y); }
   /// Amplitude rho of a state.
   double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
-  /// Restoring force g(y).
-  double restoring_force(double y) const { return force_(y); }
+  /// Coordinates rho and v of a state.
+  std::pair<double, double> coordinates_of_state(double y, double v) const {
+    return {amplitude_of(y, v), v};
+  }
+  /// Coordinates rho and v of the velocity v after an impulse, at the speed w(y). If the mass is at
+  /// rest in contact, w = 0, an impact follows each impulse towards the wall.
+  std::pair<double, double> coordinates_after_impulse(double w, double v) const {
+    if (w == 0 && v < 0) return {-restitution_ * v, -restitution_ * v};
+    return {std::hypot(w, v), v};
+  }
+  static double second_coordinate(double rho, double theta) { return rho * std::sin(theta); }
+  static double phase(double rho, double v) {
+    return rho > 0 ? std::asin(std::clamp(v / rho, -1.0, 1.0)) : 0;
+  }
+  /// Rates of change between impulses, rho' = -v f / rho and v' = -(f + g), f the damping force.
+  amplitude::FlowRates flow_rates(const problem::System& system, double y, double rho,
+                                  double v) const;
 
   /// Factor 1/e of the density at an amplitude rho > 0. In the corner, an atom replaces the
   /// density.
   static double density_prefactor(double rho) { return 2 / (rho * rho); }
   /// Ratio of the probability of the atom to the exponential: P0 / (C exp(Q_n(0, 0))).
   double atom_weight() const { return atom_weight_; }
+  /// The mean of phi over the impulses is continuous.
+  static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
+    return {};
+  }
+  static std::vector<double> leading_phases() {
+    return {amplitude::scan_phases().begin(), amplitude::scan_phases().end()};
+  }
 
  private:
   numerics::Polynomial potential_, force_;
-  double atom_weight_;
+  double restitution_, atom_weight_;
 };
-
-/// Gauss-Legendre points in amplitude rho and phase theta, v = rho sin(theta). The coordinates s
-/// and t of the points are rho and v. The weights include the factor 1/e of the density. The last
-/// point is the atom.
-/// @param size numbers of points: s in rho, t in theta
-half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
-                                               const half_plane::QuadratureSize& size);
 
 }  // namespace fpkcheck::epc::contact

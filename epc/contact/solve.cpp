@@ -1,15 +1,13 @@
-#include "epc/contact/solve.hpp"
-
 #include <cmath>
 #include <variant>
 
 #include "epc/amplitude/closure_formulation.hpp"
-#include "epc/contact/contour.hpp"
-#include "epc/contact/density.hpp"
-#include "epc/contact/root_search.hpp"
 #include "epc/contact/store_density.hpp"
+#include "epc/formulations.hpp"
+#include "epc/half_plane/newton.hpp"
 #include "epc/half_plane/result_from_root.hpp"
 #include "epc/half_plane/root_search.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::epc::contact {
 namespace {
@@ -46,9 +44,9 @@ double distance_to_previous_order(const Coordinates& coordinates, const ClosureD
                                   TailTreatment tail, const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);
   const GridDensity before = transform::average_over_cells(
-      density_from_exponent(previous.q, coordinates, previous.support,
-                            half_plane::confinement_of(previous.level, tail),
-                            -previous.log_normalisation),
+      amplitude::density_from_exponent(previous.q, coordinates, previous.support,
+                                       half_plane::confinement_of(previous.level, tail),
+                                       -previous.log_normalisation),
       cells.y_edges, cells.v_edges);
   const double atoms =
       std::abs(probability_at_rest(coordinates, previous) - solution.atoms[0].probability);
@@ -59,37 +57,25 @@ double distance_to_previous_order(const Coordinates& coordinates, const ClosureD
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
-  const RootSearchResult root = find_root(problem, coordinates, options);
+  const double deviation = problem::scales(problem).velocity_deviation;
+  const double temperature = deviation * deviation;
+  const RootSearchResult root = half_plane::find_root(
+      amplitude::FormulationIn(problem, coordinates, temperature,
+                               half_plane::rate_of_change_unit(problem, temperature), options.tail),
+      options);
   Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
-  auto& [solution, summary] = result;
   const ClosureDensity& closure = root.closure;
-  const auto confinement = half_plane::confinement_of(closure.level, options.tail);
-  const transform::SmoothDensity density = density_from_exponent(
-      closure.q, coordinates, closure.support, confinement, -closure.log_normalisation);
+  const transform::SmoothDensity density = amplitude::density_from_exponent(
+      closure.q, coordinates, closure.support,
+      half_plane::confinement_of(closure.level, options.tail), -closure.log_normalisation);
   store_density_and_atom(problem, coordinates, root, density, result);
   if (root.previous) {
-    summary.distance_to_previous =
-        distance_to_previous_order(coordinates, *root.previous, options.tail, solution);
+    result.summary.distance_to_previous =
+        distance_to_previous_order(coordinates, *root.previous, options.tail, result.solution);
   }
-  const StandardDeviations sigma = half_plane::root_mean_squares(summary.moments);
-  summary.leading_form = leading_form_in_amplitude_and_velocity(closure.q, sigma);
-  summary.frame =
-      half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::contact);
-  summary.frame->coordinates = problem.frame;
-  const double support = amplitude::amplitude_of_energy(closure.support);
-  const double edge = std::exp(amplitude::maximum_over_phase(polar_exponent(closure.q), support) +
-                               confinement(closure.support) - closure.peak);
-  half_plane::store_half_plane_summary(
-      root, options.tail, density, sigma,
-      {.support = contour_of_amplitude(coordinates, support),
-       .level = contour_of_amplitude(coordinates, amplitude::amplitude_of_energy(closure.level)),
-       .density = edge},
-      result);
-  half_plane::set_status(root, amplitude::kQuadratureTolerance,
-                         amplitude::inadmissible_reason("exp(Q_n)", root.decay_ratio, edge),
-                         result);
+  amplitude::assess_root(problem, coordinates, root, options.tail, density, "exp(Q_n)", result);
   return result;
 }
 

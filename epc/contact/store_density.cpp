@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "epc/amplitude/graded_impulse_quadrature.hpp"
 #include "epc/amplitude/half_circle.hpp"
-#include "epc/contact/density.hpp"
+#include "epc/amplitude/impulse_means.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/motion_balances.hpp"
 #include "problem/problem.hpp"
@@ -15,6 +14,26 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
+
+// Cell edges from 0 to `end`. The first cell has the width first * end. The next cells have widths
+// proportional to the distance from 0, and the last cells have equal widths.
+std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
+  constexpr int kEven = 120;
+  std::vector<double> edges{0};
+  for (double at = first * end; at < end; at += std::min((growth - 1) * at, end / kEven)) {
+    edges.push_back(at);
+  }
+  if (end - edges.back() < end / (2 * kEven)) edges.pop_back();
+  edges.push_back(end);
+  return edges;
+}
+
+std::vector<double> with_mirror_image(const std::vector<double>& edges) {
+  std::vector<double> all;
+  for (auto at = edges.rbegin(); at + 1 != edges.rend(); ++at) all.push_back(-*at);
+  all.insert(all.end(), edges.begin(), edges.end());
+  return all;
+}
 
 // Discrete law for expectations: points and their probabilities. The last point is the atom.
 struct DiscreteLaw {
@@ -35,8 +54,8 @@ DiscreteLaw discrete_law_of(const Coordinates& coordinates,
                             const transform::SmoothDensity& density) {
   const half_plane::ClosureDensity& closure = root.closure;
   DiscreteLaw law{
-      .points = quadrature_points(coordinates, amplitude::amplitude_of_energy(closure.support),
-                                  root.quadrature),
+      .points = amplitude::quadrature_points(
+          coordinates, amplitude::amplitude_of_energy(closure.support), {}, root.quadrature),
       .mass = {}};
   law.mass = law.points.weight;
   const Index last = law.mass.size() - 1;
@@ -74,10 +93,10 @@ double moment_into_wall(const problem::ImpulseLaw& law, int power) {
 
 // Integral int u^power p(0, -u) du over the impacts of the moving mass, u the impact speed.
 double wall_flux(const transform::SmoothDensity& density, int points, int power) {
-  const half_plane::QuadratureRule wall = half_plane::gauss_legendre_rule(points, 0, density.v_max);
+  const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;
-  for (Index i = 0; i < wall.nodes.size(); ++i) {
-    sum += wall.weight[i] * std::pow(wall.nodes[i], power) * density.value(0, -wall.nodes[i]);
+  for (Index i = 0; i < wall.size(); ++i) {
+    sum += wall.weights[i] * std::pow(wall.points[i], power) * density.value(0, -wall.points[i]);
   }
   return sum;
 }
@@ -105,6 +124,15 @@ transform::BalanceResiduals balances_of(const problem::Problem& problem, const D
 }
 
 }  // namespace
+
+transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
+  // Near the corner y is of the order of v^2: the first cell in y has the relative width kFirst^2.
+  // The probability in the first cells is of the order of kFirst.
+  constexpr double kFirst = 1e-6, kGrowth = 1.3;
+  return transform::average_over_cells(
+      density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
+      with_mirror_image(edges_graded_to_zero(density.v_max, kFirst, kGrowth)));
+}
 
 void store_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
                             const half_plane::RootSearchResult& root,

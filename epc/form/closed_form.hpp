@@ -7,7 +7,6 @@
 
 #include "base/options/enum_names.hpp"
 #include "epc/form/polynomial.hpp"
-#include "epc/form/rays.hpp"
 #include "problem/frame.hpp"
 #include "transform/metric.hpp"
 

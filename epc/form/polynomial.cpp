@@ -1,6 +1,13 @@
 #include "epc/form/polynomial.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
+#include <cassert>
+#include <cmath>
+#include <limits>
 
 namespace fpkcheck::epc {
 
@@ -45,6 +52,118 @@ std::vector<double> derivative_coefficients(const std::vector<double>& coefficie
     result.push_back(static_cast<double>(m) * coefficients[m]);
   }
   return result;
+}
+
+const std::vector<Direction>& scan_directions() {
+  constexpr int kDirections = 1440;
+  static const std::vector<Direction> table = [] {
+    std::vector<Direction> all;
+    for (int k = 0; k < kDirections; ++k) {
+      const double half_turns = 2.0 * k / kDirections;
+      all.push_back({boost::math::cos_pi(half_turns), boost::math::sin_pi(half_turns)});
+    }
+    return all;
+  }();
+  return table;
+}
+
+std::size_t distinct_direction_count(const Polynomial& q) {
+  const bool even = std::ranges::all_of(
+      q.terms(), [](const Term& term) { return (term.x1 + term.x2) % 2 == 0 || term.a == 0; });
+  return even ? scan_directions().size() / 2 : scan_directions().size();
+}
+
+RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& sigma,
+                                const Direction& direction) {
+  RayCoefficients coefficients =
+      q.restriction_to_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
+  while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
+  return coefficients;
+}
+
+namespace {
+
+// Removes the terms that are rounding errors and have no reliable sign. In the scaled plane these
+// terms are smaller than kRounding times the largest term.
+Polynomial without_rounding(const Polynomial& q, const StandardDeviations& sigma) {
+  constexpr double kRounding = 1e-10;
+  const auto size = [&](const Term& term) {
+    return std::abs(term.a) * std::pow(sigma.x1, term.x1) * std::pow(sigma.x2, term.x2);
+  };
+  double largest = 0;
+  for (const Term& term : q.terms()) largest = std::max(largest, size(term));
+  std::vector<Term> terms = q.terms();
+  std::erase_if(terms, [&](const Term& term) { return size(term) <= kRounding * largest; });
+  return Polynomial(std::move(terms));
+}
+
+// Radius, in units of sigma, from which a polynomial of the radius rises: the last change of sign of
+// its slope up to the radius `end`.
+double last_rise(const RayCoefficients& ray, double sigma, double end, double step) {
+  const RayCoefficients slope = derivative_coefficients(ray);
+  double radius = end;
+  while (radius > 0 && horner(slope, radius * sigma) > 0) radius -= step;
+  return std::max(radius, 0.0);
+}
+
+}  // namespace
+
+LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviations& sigma,
+                         DirectionSet plane) {
+  const Polynomial q = without_rounding(with_rounding, sigma);
+  LeadingForm form{true, {1, 0}, 0, 0};
+  double largest = -std::numeric_limits<double>::infinity();
+  int rising = 0, seen = 0;
+  const std::size_t distinct = distinct_direction_count(q);
+  RayCoefficients worst;
+  for (std::size_t k = 0; k < scan_directions().size(); ++k) {
+    const Direction e = scan_directions()[k];
+    if (plane == DirectionSet::half ? e.x1 < 0 : k >= distinct) continue;
+    ++seen;
+    const RayCoefficients coefficients = restrict_to_ray(q, sigma, e);
+    if (coefficients.size() < 2) continue;
+    const double leading = coefficients.back();
+    if (leading > 0) ++rising;
+    if (leading > largest) {
+      largest = leading;
+      form.worst = e;
+      worst = coefficients;
+    }
+  }
+  form.negative = rising == 0;
+  form.rising_fraction = static_cast<double>(rising) / seen;
+  if (!form.negative) form.rises_from = last_rise(worst, 1, 4 * kLargestRadius, kRadialStep / 8);
+  return form;
+}
+
+LeadingForm leading_form_along(const Polynomial& q, const std::vector<Direction>& directions,
+                               double sigma) {
+  assert(!directions.empty());
+  LeadingForm form{true, {1, 0}, 0, 0};
+  double largest = -std::numeric_limits<double>::infinity();
+  int rising = 0;
+  RayCoefficients worst;
+  for (const Direction& e : directions) {
+    const RayCoefficients coefficients = q.restriction_to_ray(e.x1, e.x2);
+    const double leading = coefficients.back();
+    if (leading >= 0) ++rising;
+    if (leading <= largest) continue;
+    largest = leading;
+    form.worst = e;
+    worst = coefficients;
+  }
+  form.negative = rising == 0;
+  form.rising_fraction = static_cast<double>(rising) / static_cast<double>(directions.size());
+  if (!form.negative) form.rises_from = last_rise(worst, sigma, kLargestRadius, kRadialStep / 2);
+  return form;
+}
+
+std::string leading_form_text(const LeadingForm& form, const std::string& plane) {
+  if (form.negative) return "although Q_n falls at infinity";
+  return fmt::format(
+      "and Q_n rises at infinity along {:.0f} % of all directions, most steeply along {} = "
+      "({:.2f}, {:.2f}) from radius {:.2f} on",
+      100 * form.rising_fraction, plane, form.worst.x1, form.worst.x2, form.rises_from);
 }
 
 }  // namespace fpkcheck::epc

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "epc/form/leading_form.hpp"
+#include "epc/form/polynomial.hpp"
 #include "numerics/linear_algebra/dense_decompositions.hpp"
 #include "numerics/roots/continuation.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epc/gaussian/newton.hpp"
+#include "epc/gaussian/projected_equations.hpp"
 #include "epc/summary.hpp"
 
 namespace fpkcheck::epc::gaussian {

@@ -2,12 +2,86 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
-#include "epc/gaussian/impulse_quadrature_rule.hpp"
 #include "numerics/quadrature/composite_gauss.hpp"
+#include "problem/impulse_law.hpp"
 #include "problem/impulse_train.hpp"
 
 namespace fpkcheck::epc::gaussian {
+
+using numerics::QuadratureRule;
+
+namespace {
+
+QuadratureRule quadrature_rule_of(const problem::GaussianLaw& law, int points) {
+  QuadratureRule rule = numerics::normal_quadrature_rule(2 * points - 1);
+  for (double& y : rule.points) y = law.mean + law.deviation * y;
+  return rule;
+}
+
+QuadratureRule quadrature_rule_of(const problem::LaplaceLaw& law, int points) {
+  const QuadratureRule half = numerics::exponential_quadrature_rule(2 * points - 1);
+  QuadratureRule rule{{}, Eigen::VectorXd(2 * half.size())};
+  for (Eigen::Index i = 0; i < half.size(); ++i) {
+    for (const int side : {-1, 1})
+      rule.points.push_back(law.mean + side * law.scale * half.points[i]);
+    rule.weights.segment<2>(2 * i).setConstant(half.weights[i] / 2);
+  }
+  return rule;
+}
+
+QuadratureRule quadrature_rule_of(const problem::ExponentialLaw& law, int points) {
+  QuadratureRule rule = numerics::exponential_quadrature_rule(2 * points - 1);
+  for (double& y : rule.points) y = law.mean + law.scale * (y - 1);
+  return rule;
+}
+
+QuadratureRule quadrature_rule_of(const problem::TwoPointLaw& law, int) {
+  return {.points = {law.mean - law.deviation, law.mean + law.deviation},
+          .weights = Eigen::Vector2d(0.5, 0.5)};
+}
+
+QuadratureRule quadrature_rule_of(const problem::UniformLaw& law, int points) {
+  QuadratureRule rule =
+      numerics::gauss_legendre_rule(points, law.mean - law.half_width, law.mean + law.half_width);
+  rule.weights /= 2 * law.half_width;
+  return rule;
+}
+
+}  // namespace
+
+QuadratureRule impulse_quadrature_rule(const problem::ImpulseLaw& law, int points) {
+  return std::visit(
+      [&](const auto& kind) {
+        if constexpr (requires { quadrature_rule_of(kind, points); }) {
+          return quadrature_rule_of(kind, points);
+        } else {
+          return piecewise_impulse_quadrature_rule(law);
+        }
+      },
+      law.kind());
+}
+
+QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law) {
+  std::vector<double> points, probabilities;
+  const auto add = [&](double amplitude, double probability) {
+    points.push_back(amplitude);
+    probabilities.push_back(probability);
+  };
+  for (const auto& [amplitude, probability] : law.atoms()) add(amplitude, probability);
+  const std::vector<double> pieces = law.density_breakpoints();
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const double from = pieces[i], to = pieces[i + 1];
+    const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
+    for (const auto& [at, weight] : numerics::composite_gauss_points(from, to, panels)) {
+      add(at, weight * law.density(at));
+    }
+  }
+  return {points,
+          Eigen::Map<const Eigen::VectorXd>(probabilities.data(), std::ssize(probabilities))};
+}
+
 namespace {
 
 // Number of ten-point panels in each of radius and angle on a half-plane.
@@ -48,7 +122,7 @@ JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
       nodes_(disc_rule(basis.sigma(), radius, basis.monomial_set() == MonomialSet::point_symmetric),
              basis) {
   const QuadratureRule law = impulse_quadrature_rule(impulses.law(), kJumpPoints);
-  jumps_ = static_cast<Eigen::Index>(law.nodes.size());
+  jumps_ = law.size();
   Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
   jump_weights_.resize(x1.size());
   const auto& [sigma1, sigma2] = basis.sigma();
@@ -56,7 +130,7 @@ JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
     for (Eigen::Index j = 0; j < jumps_; ++j) {
       const Eigen::Index row = i * jumps_ + j;
       x1[row] = nodes_.x1(i);
-      x2[row] = nodes_.x2(i) - sign_of_x1(i) * law.nodes[j];
+      x2[row] = nodes_.x2(i) - sign_of_x1(i) * law.points[j];
       const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kJumpMargin;
       jump_weights_[row] = reached ? law.weights[j] : 0;
     }

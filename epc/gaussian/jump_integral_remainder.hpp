@@ -1,16 +1,28 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include "epc/gaussian/projection_nodes.hpp"
-
-namespace fpkcheck::problem {
-class ImpulseTrain;
-}  // namespace fpkcheck::problem
+#include "epc/gaussian/basis.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+#include "problem/impulse_law.hpp"
+#include "problem/impulse_train.hpp"
 
 namespace fpkcheck::epc::gaussian {
+
+/// Quadrature rule for the mean E[g(Y)] of a smooth function g of the impulse. The rule is the
+/// Gauss rule of the law about its mean: Gauss-Hermite for the law gaussian, Gauss-Laguerre on
+/// either side of the mean for laplace, Gauss-Laguerre for exponential, Gauss-Legendre for uniform.
+/// The rule of two_point consists of the atoms. Any other law has
+/// piecewise_impulse_quadrature_rule().
+/// @param points number of points, for laplace on each side; unused for two_point and for
+///        piecewise_impulse_quadrature_rule()
+numerics::QuadratureRule impulse_quadrature_rule(const problem::ImpulseLaw& law, int points);
+
+/// Quadrature rule for E[g(Y)] for any law of the impulse Y: the atoms of the law, and
+/// Gauss-Legendre panels for the density of the law. Panels end at points where this density is not
+/// smooth.
+numerics::QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law);
 
 /// Remainder of the jump integral beyond the terms of paper (22),
 ///

@@ -5,7 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "epc/gaussian/quadrature_rules.hpp"
+#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -17,24 +18,26 @@ int smooth_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + 
 int signed_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
 int impact_degree(int n) { return n + n; }
 
-PlaneQuadratureRule product_rule(const QuadratureRule& u1, const QuadratureRule& u2,
+PlaneQuadratureRule product_rule(const numerics::QuadratureRule& u1,
+                                 const numerics::QuadratureRule& u2,
                                  const StandardDeviations& sigma) {
   PlaneQuadratureRule rule;
-  for (std::size_t i = 0; i < u1.nodes.size(); ++i) {
-    for (std::size_t j = 0; j < u2.nodes.size(); ++j) {
-      rule.add_point(sigma.x1 * u1.nodes[i], sigma.x2 * u2.nodes[j], u1.weights[i] * u2.weights[j]);
+  for (std::size_t i = 0; i < u1.points.size(); ++i) {
+    for (std::size_t j = 0; j < u2.points.size(); ++j) {
+      rule.add_point(sigma.x1 * u1.points[i], sigma.x2 * u2.points[j],
+                     u1.weights[i] * u2.weights[j]);
     }
   }
   return rule;
 }
 
 // Quadrature rule on the wall x1 = 0: int delta(x1) f1(x1) dx1 = f1(0), and |x2| = sigma_2 |u|.
-PlaneQuadratureRule wall_line_rule(const QuadratureRule& absolute,
+PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
                                    const StandardDeviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
   PlaneQuadratureRule rule;
-  for (std::size_t j = 0; j < absolute.nodes.size(); ++j) {
-    rule.add_point(0, sigma.x2 * absolute.nodes[j], at_wall * sigma.x2 * absolute.weights[j]);
+  for (std::size_t j = 0; j < absolute.points.size(); ++j) {
+    rule.add_point(0, sigma.x2 * absolute.points[j], at_wall * sigma.x2 * absolute.weights[j]);
   }
   return rule;
 }
@@ -74,15 +77,17 @@ bool has_signed_part(const ResidualCoefficients& f) {
 ProjectedEquations::ProjectedEquations(Basis basis)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
-          product_rule(normal_quadrature_rule(smooth_degree(basis_.order())),
-                       normal_quadrature_rule(smooth_degree(basis_.order())), basis_.sigma()),
+          product_rule(numerics::normal_quadrature_rule(smooth_degree(basis_.order())),
+                       numerics::normal_quadrature_rule(smooth_degree(basis_.order())),
+                       basis_.sigma()),
           basis_)),
       signed_(projection_nodes(
-          product_rule(sign_weighted_normal_rule(signed_degree(basis_.order())),
-                       normal_quadrature_rule(signed_degree(basis_.order())), basis_.sigma()),
+          product_rule(numerics::sign_weighted_normal_rule(signed_degree(basis_.order())),
+                       numerics::normal_quadrature_rule(signed_degree(basis_.order())),
+                       basis_.sigma()),
           basis_)),
       impact_(projection_nodes(
-          wall_line_rule(absolute_weighted_normal_rule(impact_degree(basis_.order())),
+          wall_line_rule(numerics::absolute_weighted_normal_rule(impact_degree(basis_.order())),
                          basis_.sigma()),
           basis_)) {}
 
@@ -140,6 +145,58 @@ Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
                       impact_, a, [&](Eigen::Index i, const ExponentDerivatives&) {
                         return impact_residual_gradient(f, impact_.x2(i));
                       }));
+}
+
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kLeastStepFraction = 1e-4;
+constexpr double kArmijo = 0.1;
+
+// Interface of equations (23) for numerics::newton.
+struct NewtonEquations {
+  struct Iterate {
+    VectorXd a, residual;
+    double size;
+  };
+  struct Step {
+    VectorXd change;
+  };
+
+  Iterate at(const VectorXd& a) const {
+    const VectorXd residual = projection.residual(f, a);
+    return {a, residual, residual.lpNorm<Eigen::Infinity>() / unit};
+  }
+  Step step(const Iterate& here) const {
+    return {-numerics::LuFactors(projection.jacobian(f, here.a)).solve(here.residual)};
+  }
+  double step_fraction(const Iterate& here, const Step& step) const {
+    const double before = here.residual.norm();
+    return numerics::backtrack(1, kLeastStepFraction, [&](double step_fraction) {
+      const double after = projection.residual(f, here.a + step_fraction * step.change).norm();
+      return after < (1 - kArmijo * step_fraction) * before;
+    });
+  }
+
+  const ProjectedEquations& projection;
+  const ResidualCoefficients& f;
+  double unit;
+};
+
+}  // namespace
+
+double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f) {
+  constexpr double kRounding = 1e-4;
+  const StandardDeviations& sigma = projection.basis().sigma();
+  return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
+}
+
+numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
+                                       const ResidualCoefficients& f, const VectorXd& start,
+                                       const numerics::NewtonOptions& options) {
+  return numerics::solve_by_newton(NewtonEquations{projection, f, residual_unit(projection, f)},
+                                   start, options);
 }
 
 }  // namespace fpkcheck::epc::gaussian

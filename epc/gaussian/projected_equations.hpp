@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
-
 #include <Eigen/Core>
+#include <optional>
 
 #include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/jump_integral_remainder.hpp"
-#include "epc/gaussian/projection_nodes.hpp"
 #include "epc/gaussian/residual.hpp"
+#include "numerics/roots/newton.hpp"
 
 namespace fpkcheck::epc::gaussian {
 
@@ -40,5 +39,18 @@ class ProjectedEquations {
   ProjectionNodes impact_;  // weights delta(x1) |x2| f1 f2
   std::optional<JumpIntegralRemainder> jump_;
 };
+
+/// Unit in which residuals are measured: the damping c, which is a term of F, but at least 1e-4
+/// times sigma_2/sigma_1, the frequency of the transport terms. In a smaller unit, the rounding
+/// errors of the transport terms would dominate the residual.
+double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f);
+
+/// Solves (23) by the paper's Newton-Raphson method, with the analytic Jacobian. The norm of the
+/// residual is max |R_s(a)| / residual_unit. With the option `damped`, each step is halved until
+/// the residual decreases (Armijo's rule). The iteration ends if no step in Newton's direction
+/// decreases the residual.
+numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
+                                       const ResidualCoefficients& f, const Eigen::VectorXd& start,
+                                       const numerics::NewtonOptions& options);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "epc/form/acceptance_limits.hpp"
 #include "epc/gaussian/continuation.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/projected_equations.hpp"
+#include "epc/selection_policy.hpp"
+#include "epc/summary.hpp"
 #include "numerics/linear_algebra/dense_decompositions.hpp"
 #include "problem/problem.hpp"
 

@@ -1,16 +1,15 @@
-#include "epc/gaussian/solve.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 
-#include "epc/form/acceptance_limits.hpp"
 #include "epc/form/store_density.hpp"
+#include "epc/formulations.hpp"
 #include "epc/gaussian/basis.hpp"
-#include "epc/gaussian/density.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/root_search.hpp"
+#include "epc/selection_policy.hpp"
+#include "epc/summary.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {

@@ -4,10 +4,60 @@
 #include <vector>
 
 #include "epc/form/polynomial.hpp"
-#include "epc/half_plane/orthonormal_polynomials.hpp"
-#include "epc/half_plane/quadrature_points.hpp"
 
 namespace fpkcheck::epc::half_plane {
+
+/// Numbers of quadrature points in the coordinates s and t, and on the wall.
+struct QuadratureSize {
+  int s, t, wall;
+};
+
+/// Quadrature rule on the half-plane y >= 0, which approximates an integral of f by
+/// sum_i weight_i f(y_i, v_i). Q_n is a polynomial of the coordinates s and t, which are (y, v) for
+/// the formulation moment, (rho, theta) for polar, and (rho, v) for contact.
+struct QuadraturePoints {
+  Eigen::VectorXd s, t;
+  Eigen::VectorXd y, v;
+  Eigen::VectorXd energy;  ///< energy h, the argument of the confinement
+  Eigen::VectorXd weight;  ///< quadrature weights for dy dv
+
+  /// A rule of `count` points whose coordinates, energies and weights are all 0.
+  static QuadraturePoints zeros(Eigen::Index count);
+  Eigen::Index size() const { return weight.size(); }
+};
+
+/// Polynomials h_0 = 1, h_1 .. h_n of one variable that are orthonormal under a discrete measure,
+///
+///     b_i h_{i+1}(x) = (x - a_i) h_i(x) - b_{i-1} h_{i-1}(x),
+///
+/// by Stieltjes' procedure. The discrete measure approximates a marginal density. Hermite
+/// polynomials, which are orthonormal on the whole line, lose accuracy on y >= 0 as the order
+/// grows.
+class OrthonormalPolynomials {
+ public:
+  /// @param points,weights points and weights of the measure, shape (number of points). The sum of
+  ///   the weights is 1, and more than `degree` points are distinct
+  /// @param degree largest degree n
+  OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
+
+  int degree() const { return static_cast<int>(centre_.size()); }
+
+  /// Tables of the polynomials and their derivatives: entry [j](i, k) is the j-th derivative of h_k
+  /// at x_i.
+  /// @param order highest derivative j
+  std::vector<Eigen::MatrixXd> derivative_tables(const Eigen::VectorXd& x, int order) const;
+  /// Values of the polynomials: entry (i, k) is h_k(x_i).
+  Eigen::MatrixXd polynomial_values(const Eigen::VectorXd& x) const {
+    return derivative_tables(x, 0)[0];
+  }
+
+  /// Coefficients of the polynomials: entry (k, p) is the coefficient of x^p in h_k.
+  Eigen::MatrixXd monomial_coefficients() const;
+
+ private:
+  std::vector<double> centre_;  // a_i
+  std::vector<double> norm_;    // b_i
+};
 
 /// Basis of products h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates s and t of
 /// QuadraturePoints. The polynomials h and g are orthonormal under the marginal densities of an

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <utility>
 
-#include <Eigen/Core>
+#include "epc/half_plane/basis.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
@@ -66,6 +67,20 @@ class GalerkinSystem {
                                   const DensityAtPoints& density) const;
 
   GalerkinTables tables_;
+};
+
+/// Galerkin equations for the functions of a basis, with the basis and the quadrature points.
+class ClosureEquations : public GalerkinSystem {
+ public:
+  ClosureEquations(GalerkinTables tables, Basis basis, QuadraturePoints points)
+      : GalerkinSystem(std::move(tables)), basis_(std::move(basis)), points_(std::move(points)) {}
+
+  const Basis& basis() const { return basis_; }
+  const QuadraturePoints& points() const { return points_; }
+
+ private:
+  Basis basis_;
+  QuadraturePoints points_;
 };
 
 }  // namespace fpkcheck::epc::half_plane

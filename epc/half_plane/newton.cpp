@@ -1,14 +1,45 @@
 #include "epc/half_plane/newton.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "epc/half_plane/norms.hpp"
 #include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::epc::half_plane {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double rate_of_change_unit(const problem::Problem& problem, double temperature) {
+  assert(temperature > 0);
+  constexpr double kRounding = 1e-4;
+  return std::max(total_intensity(problem) / (2 * temperature),
+                  kRounding * problem::scales(problem).frequency);
+}
+
+double residual_norm(const VectorXd& residual, const MatrixXd& covariance, double unit) {
+  const Eigen::LLT<MatrixXd> factors(covariance);
+  if (factors.info() != Eigen::Success) return std::numeric_limits<double>::infinity();
+  return factors.matrixL().solve(residual).norm() / unit;
+}
+
+double condition_number(const MatrixXd& jacobian, const MatrixXd& covariance) {
+  const Eigen::LLT<MatrixXd> factors(covariance);
+  MatrixXd scaled = factors.matrixL().solve(jacobian);
+  scaled = factors.matrixL().solve(scaled.transpose().eval());
+  const VectorXd values = numerics::singular_values(scaled);
+  return values[0] / values[values.size() - 1];
+}
+
+double step_norm(const VectorXd& step, const MatrixXd& covariance) {
+  return std::sqrt(step.dot(covariance * step));
+}
+
 namespace {
 
 using Eigen::MatrixXd;

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
-#include "epc/form/acceptance_limits.hpp"
 #include "epc/half_plane/root_search.hpp"
+#include "epc/summary.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {
@@ -55,6 +56,7 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
                               const transform::SmoothDensity& density,
                               const StandardDeviations& sigma, const BoundaryContours& edges,
                               Result& result) {
+  assert(result.solution.density);
   const ClosureDensity& closure = root.closure;
   const auto beyond = [&](const Contour& contour) {
     return probability_beyond_contour(closure.q, contour, closure.temperature,

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "epc/half_plane/contour.hpp"
-#include "epc/half_plane/root_search_result.hpp"
+#include "epc/half_plane/closure_density.hpp"
+#include "epc/half_plane/root_search.hpp"
 #include "epc/summary.hpp"
 
 /// Conversion of a root to a result: common part of the formulations on the half-plane.

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "epc/half_plane/newton.hpp"
-#include "epc/half_plane/norms.hpp"
-#include "epc/half_plane/try_confinement_levels.hpp"
 #include "numerics/linear_algebra/dense_decompositions.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -27,6 +25,29 @@ constexpr double kLongestSeconds = 1e9;  // seconds; the clock can represent thi
 // Refined numbers of quadrature points: more than twice as many points in the plane.
 QuadratureSize refined_size(const QuadratureSize& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
+}
+
+// Attempts a solution at each of the confinement levels in turn. Returns the first result with a
+// decay ratio below the limit, else the result with the smallest decay ratio. The return value is
+// empty if every attempt failed.
+// @param attempt function that takes a confinement level and returns an optional pair of a result
+//        and the decay ratio of the result
+template <class Result, class Attempt>
+std::optional<Result> try_confinement_levels(const std::vector<double>& levels,
+                                             double decay_ratio_limit, const Attempt& attempt) {
+  std::optional<Result> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double level : levels) {
+    std::optional<std::pair<Result, double>> outcome = attempt(level);
+    if (!outcome) continue;
+    auto& [result, density] = *outcome;
+    if (!best || density < least) {
+      best = std::move(result);
+      least = density;
+    }
+    if (least < decay_ratio_limit) break;
+  }
+  return best;
 }
 
 class RootSearch {
@@ -280,14 +301,6 @@ class RootSearch {
 };
 
 }  // namespace
-
-double support_energy(double level, TailTreatment tail) {
-  return tail == TailTreatment::confined ? level * Confinement::support_ratio() : level;
-}
-
-Confinement confinement_of(double level, TailTreatment tail) {
-  return tail == TailTreatment::confined ? Confinement{level} : Confinement{};
-}
 
 RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
   return RootSearch(formulation, options).run();

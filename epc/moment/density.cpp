@@ -1,6 +1,11 @@
 #include "epc/moment/density.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "epc/half_plane/root_search.hpp"
 
 namespace fpkcheck::epc::moment {
 
@@ -14,7 +19,76 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Energy
               },
           .y_max = domain.y_max(),
           .v_max = domain.v_max(),
-          .y_min = domain.y_min()};
+          .y_min = domain.y_low()};
+}
+
+half_plane::Contour edge_contour(const EnergyDomain& domain) {
+  constexpr int kPoints = 48;
+  half_plane::Contour contour;
+  for (const problem::HalfCycle& part : domain.y_intervals()) {
+    // The area A inside the contour has dA/dh = integral of dy/|v| over the points (y, +-v),
+    // y = centre + half_length sin(phi).
+    const double centre = (part.left + part.right) / 2;
+    const double half_length = (part.right - part.left) / 2;
+    for (int i = 0; i < kPoints; ++i) {
+      const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
+      const double y = centre + half_length * std::sin(phi);
+      const double v = domain.v_half_width(y);
+      const double dy = std::numbers::pi / kPoints * half_length * std::cos(phi);
+      for (const double side : {1, -1}) {
+        contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
+      }
+    }
+  }
+  return contour;
+}
+
+double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& problem,
+                                   double energy) {
+  const EnergyDomain domain(problem, energy);
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const problem::HalfCycle& part : domain.y_intervals()) {
+    const double at_low = domain.v_half_width(part.left);
+    const double at_high = part.at_right ? domain.v_half_width(part.right) : 0;
+    largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
+                        q(part.left, at_low), q(part.left, -at_low)});
+  }
+  for (const auto& point : edge_contour(domain)) largest = std::max(largest, q(point.y, point.v));
+  return largest;
+}
+
+DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, double first_energy,
+                     double last_energy, double depth) {
+  constexpr int kContoursBefore = 40;
+  constexpr double kGrowth = 1.05;
+  DecayScan fall{-std::numeric_limits<double>::infinity(), std::nullopt};
+  for (int i = 1; i <= kContoursBefore; ++i) {
+    fall.peak = std::max(
+        fall.peak, largest_exponent_on_contour(q, problem, first_energy * i / kContoursBefore));
+  }
+  double before = std::numeric_limits<double>::infinity();
+  for (double energy = first_energy; energy <= last_energy; energy *= kGrowth) {
+    const double largest = largest_exponent_on_contour(q, problem, energy);
+    if (largest > before) break;
+    if (largest < fall.peak - depth) {
+      fall.crossing = energy;
+      break;
+    }
+    before = largest;
+  }
+  return fall;
+}
+
+double density_ratio_at_level(const half_plane::ClosureDensity& closure,
+                              const problem::Problem& problem) {
+  return std::exp(largest_exponent_on_contour(closure.q, problem, closure.level) - closure.peak);
+}
+
+double density_ratio_at_edge(const half_plane::ClosureDensity& closure,
+                             const problem::Problem& problem, TailTreatment tail) {
+  const double confined = half_plane::confinement_of(closure.level, tail)(closure.support);
+  return std::exp(largest_exponent_on_contour(closure.q, problem, closure.support) - closure.peak +
+                  confined);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "problem/equivalent_linearisation.hpp"
-
 namespace fpkcheck::epc::moment {
 
 using half_plane::QuadraturePoints;
-using half_plane::QuadratureRule;
+using numerics::QuadratureRule;
 using problem::HalfCycle;
 
 namespace {
@@ -25,29 +24,8 @@ EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
     : potential_(problem::effective_potential(problem)),
       level_(level),
       wall_low_(problem.system.left_wall() ? problem.system.left_wall()->position : -kInfinity),
-      wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity),
-      at_equilibrium_(problem::has_equivalent_linearisation(problem)) {
-  if (at_equilibrium_) {
-    add_interval_at_wall(problem);
-  } else {
-    add_intervals_between_walls(problem);
-  }
-}
-
-void EnergyDomain::add_interval_at_wall(const problem::Problem& problem) {
-  minimum_ = problem::static_deflection(problem);
-  lowest_potential_ = potential_(minimum_);
-  double beyond = minimum_ + 1;
-  while (energy(beyond, 0) < level_) beyond = minimum_ + 2 * (beyond - minimum_);
-  const double high = turning_point(minimum_, beyond);
-  const bool at_wall = energy(0, 0) <= level_;
-  parts_.push_back({.left = at_wall ? 0 : turning_point(minimum_, 0),
-                    .right = high,
-                    .at_left = at_wall,
-                    .at_right = false});
-}
-
-void EnergyDomain::add_intervals_between_walls(const problem::Problem& problem) {
+      wall_high_(problem.system.right_wall() ? problem.system.right_wall()->position : kInfinity) {
+  assert(level > 0);
   const problem::UndampedOrbits orbits(problem);
   lowest_potential_ = orbits.lowest_potential();
   parts_ = orbits.half_cycles(lowest_potential_ + level_);
@@ -81,16 +59,6 @@ double EnergyDomain::continued_turning_point(double wall, double far) const {
 }
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
-  if (at_equilibrium_) {
-    // If the wall cuts the domain, sin(phi) = -1 is the left turning point of a potential V that is
-    // even about its minimum. If this turning point lies inside the domain, sin(phi) = -1 is the
-    // wall itself.
-    const bool cut_by_wall = part.left == 0 && minimum_ < part.right - minimum_;
-    const double centre = cut_by_wall ? minimum_ : (part.left + part.right) / 2;
-    const double half_length = part.right - centre;
-    return {centre, half_length, cut_by_wall ? std::asin(-centre / half_length) : -kQuarterTurn,
-            kQuarterTurn};
-  }
   // v_half_width() has a further singularity at the turning point that the motion would have behind
   // a wall. The map also removes this singularity.
   const double low = part.at_left ? continued_turning_point(part.left, part.right) : part.left;
@@ -102,22 +70,22 @@ EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
 }
 
 QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
-  const QuadratureRule tau = half_plane::gauss_legendre_rule(v_points, -1, 1);
+  const QuadratureRule tau = numerics::gauss_legendre_rule(v_points, -1, 1);
   QuadraturePoints points =
       QuadraturePoints::zeros(static_cast<Eigen::Index>(parts_.size()) * y_points * v_points);
   Eigen::Index k = 0;
   for (const HalfCycle& part : parts_) {
     const auto [centre, half_length, first, last] = sine_map_of(part);
-    const QuadratureRule phi = half_plane::gauss_legendre_rule(y_points, first, last);
+    const QuadratureRule phi = numerics::gauss_legendre_rule(y_points, first, last);
     for (int i = 0; i < y_points; ++i) {
-      const double y = centre + half_length * std::sin(phi.nodes[i]);
+      const double y = centre + half_length * std::sin(phi.points[i]);
       const double width = v_half_width(y);
-      const double y_weight = phi.weight[i] * half_length * std::cos(phi.nodes[i]);
+      const double y_weight = phi.weights[i] * half_length * std::cos(phi.points[i]);
       for (int j = 0; j < v_points; ++j, ++k) {
         points.y[k] = y;
-        points.v[k] = width * tau.nodes[j];
+        points.v[k] = width * tau.points[j];
         points.energy[k] = energy(y, points.v[k]);
-        points.weight[k] = y_weight * width * tau.weight[j];
+        points.weight[k] = y_weight * width * tau.weights[j];
       }
     }
   }
@@ -129,13 +97,13 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
 QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
   const double width = parts_.front().at_left ? v_half_width(y_low()) : 0;
   if (width == 0) return {};
-  return half_plane::gauss_legendre_rule(point_count, -width, 0);
+  return numerics::gauss_legendre_rule(point_count, -width, 0);
 }
 
 QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
   const double width = parts_.back().at_right ? v_half_width(y_max()) : 0;
   if (width == 0) return {};
-  return half_plane::gauss_legendre_rule(point_count, 0, width);
+  return numerics::gauss_legendre_rule(point_count, 0, width);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "epc/half_plane/quadrature_points.hpp"
+#include "epc/half_plane/basis.hpp"
 #include "numerics/polynomials/polynomial.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::problem {
@@ -43,9 +44,6 @@ class EnergyDomain {
   double y_low() const { return parts_.front().left; }
   /// Upper end of the domain in y.
   double y_max() const { return parts_.back().right; }
-  /// Lower end in y of the box of densities on the domain: y_low(), or 0 for the paper's
-  /// oscillator.
-  double y_min() const { return at_equilibrium_ ? 0 : y_low(); }
   /// Upper end of the domain in v.
   double v_max() const;
   /// Half-width of the domain in v at a displacement y: sqrt(2 (level - V(y) + min V)); 0 for a y
@@ -59,10 +57,10 @@ class EnergyDomain {
   half_plane::QuadraturePoints quadrature_points(int y_points, int v_points) const;
   /// Gauss-Legendre rule in v for states on the left wall before an impact, -v_half_width < v < 0.
   /// The rule is empty if no left wall cuts the domain.
-  half_plane::QuadratureRule left_wall_quadrature_rule(int point_count) const;
+  numerics::QuadratureRule left_wall_quadrature_rule(int point_count) const;
   /// Gauss-Legendre rule in v for states on the right wall before an impact, 0 < v < v_half_width.
   /// The rule is empty if no right wall cuts the domain.
-  half_plane::QuadratureRule right_wall_quadrature_rule(int point_count) const;
+  numerics::QuadratureRule right_wall_quadrature_rule(int point_count) const;
 
  private:
   // Map y = centre + half_length sin(phi) of one part of the domain.
@@ -70,19 +68,15 @@ class EnergyDomain {
     double centre, half_length;
     double first, last;  // limits of phi
   };
-  void add_interval_at_wall(const problem::Problem& problem);
-  void add_intervals_between_walls(const problem::Problem& problem);
   double turning_point(double from, double towards) const;
   double continued_turning_point(double wall, double far) const;
   SineMap sine_map_of(const problem::HalfCycle& part) const;
 
   numerics::Polynomial potential_;  // V
   double level_;
-  double lowest_potential_ = 0;  // min V
+  double lowest_potential_;  // min V
   double wall_low_, wall_high_;
   std::vector<problem::HalfCycle> parts_;
-  bool at_equilibrium_;  // the paper's oscillator: one wall at y = 0, the equilibrium of the spring
-  double minimum_ = 0;   // for the paper's oscillator: minimiser of V on y >= 0
 };
 
 }  // namespace fpkcheck::epc::moment

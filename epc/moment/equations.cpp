@@ -26,16 +26,16 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
 struct IncomingWallPoints {
   VectorXd y, before, after, weight;
 
-  void add(const problem::Wall& wall, const half_plane::QuadratureRule& line) {
+  void add(const problem::Wall& wall, const numerics::QuadratureRule& line) {
     const auto joined = [](const VectorXd& a, const VectorXd& b) {
       VectorXd both(a.size() + b.size());
       both << a, b;
       return both;
     };
-    y = joined(y, VectorXd::Constant(line.nodes.size(), wall.position));
-    before = joined(before, line.nodes);
-    after = joined(after, -wall.restitution * line.nodes);
-    weight = joined(weight, line.weight);
+    y = joined(y, VectorXd::Constant(line.size(), wall.position));
+    before = joined(before, line.point_vector());
+    after = joined(after, -wall.restitution * line.point_vector());
+    weight = joined(weight, line.weights);
   }
 };
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "epc/half_plane/confinement.hpp"
-#include "epc/half_plane/equations.hpp"
+#include "epc/half_plane/closure_density.hpp"
+#include "epc/half_plane/galerkin_system.hpp"
 #include "epc/moment/energy_domain.hpp"
 
 namespace fpkcheck::epc::moment {

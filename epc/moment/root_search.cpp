@@ -1,18 +1,18 @@
 #include "epc/moment/root_search.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "epc/form/acceptance_limits.hpp"
-#include "epc/half_plane/norms.hpp"
-#include "epc/half_plane/root_search.hpp"
-#include "epc/moment/contour_decay.hpp"
-#include "epc/moment/density_at_level.hpp"
-#include "epc/moment/energy_averaged_formulation.hpp"
+#include "epc/half_plane/newton.hpp"
+#include "epc/moment/density.hpp"
+#include "epc/moment/energy_averaged_exponent.hpp"
 #include "epc/moment/equations.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "epc/selection_policy.hpp"
+#include "epc/summary.hpp"
+#include "problem/scales.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
@@ -25,15 +25,6 @@ using half_plane::QuadratureRefinement;
 using half_plane::QuadratureSize;
 using half_plane::SearchStage;
 
-// Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T = E[v^2],
-// in the order of the attempts.
-constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
-constexpr double kFarthestDeviations = 16;
-
-double level_of(const ClosureDensity& closure, double deviations) {
-  return closure.temperature * deviations * deviations / 2;
-}
-
 // Products lambda E[Y^j], j = 0 .. n; 0 for terms that are absent from the equation.
 std::vector<double> rate_moments(const problem::Problem& problem, const Options& options) {
   std::vector<double> moments(options.order + 1);
@@ -42,54 +33,35 @@ std::vector<double> rate_moments(const problem::Problem& problem, const Options&
   return moments;
 }
 
-// Formulation for the paper's oscillator, started from equivalent linearisation.
-class LinearisedFormulation : public half_plane::ClosureFormulation {
+// Energy h of a Gaussian density exp(-h/T) at d standard deviations, in units of T.
+double depth_of(double deviations) { return deviations * deviations / 2; }
+
+// Common part of the two starts: equations, domains and confinement levels in y and v.
+class MomentFormulation : public half_plane::ClosureFormulation {
  public:
-  LinearisedFormulation(const problem::Problem& problem, const Options& options)
-      : problem_(problem), tail_(options.tail), rate_moment_(rate_moments(problem, options)) {}
+  // The temperature is an approximation of E[v^2].
+  MomentFormulation(const problem::Problem& problem, const Options& options, double temperature)
+      : problem_(problem),
+        tail_(options.tail),
+        rate_moment_(rate_moments(problem, options)),
+        rate_unit_(half_plane::rate_of_change_unit(problem, temperature)) {}
 
-  ClosureDensity initial_density() const override {
-    const auto linear = problem::equivalent_linearisation(problem_);
-    const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
-    const double centre = problem::static_deflection(problem_);
-    return {
-        .q = Polynomial(
-            {{1, 0, centre / (s1 * s1)}, {2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}}),
-        .temperature = s2 * s2};
-  }
+  double rate_of_change_unit() const override { return rate_unit_; }
 
-  double rate_of_change_unit() const override { return half_plane::rate_of_change_unit(problem_); }
-
+  // The energy at which exp(Q_n) of the guess is negligible, if there is one, then the candidates.
   std::vector<double> confinement_levels(const ClosureDensity& guess,
                                          SearchStage stage) const override {
-    std::vector<double> confinement_levels;
-    for (const double deviations : kLevelDeviations)
-      confinement_levels.push_back(level_of(guess, deviations));
-    if (stage == SearchStage::rough) return confinement_levels;
-    const auto whole = negligible_level(guess, confinement_levels.front(), guess);
-    if (whole) confinement_levels.insert(confinement_levels.begin(), *whole);
-    return confinement_levels;
+    std::vector<double> levels = candidate_levels(guess);
+    if (stage == SearchStage::rough || guess.q.terms().empty()) return levels;
+    const auto whole = negligible_level(guess, levels.front(), guess);
+    if (whole) levels.insert(levels.begin(), *whole);
+    return levels;
   }
 
   std::optional<double> improved_confinement_level(const ClosureDensity& guess,
                                                    const ClosureDensity& closure) const override {
     const auto whole = negligible_level(closure, closure.level, guess);
     return whole && *whole > kMinLevelRatio * closure.level ? whole : std::nullopt;
-  }
-
-  QuadratureSize quadrature_size(int order, double level_over_temperature,
-                                 SearchStage stage) const override {
-    if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The number of points grows more slowly than the width of the domain: in the added part of a
-    // wider domain the density is small.
-    const double deviations = std::sqrt(2 * level_over_temperature);
-    const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
-    const auto widened = [&](int points) {
-      constexpr double kRounding = 1e-9;  // a width of 1 must not lose a point by rounding
-      return static_cast<int>(points * width * (1 + kRounding));
-    };
-    const int v = widened(32 + 2 * order);
-    return {widened(24 + 2 * order), v, v};
   }
 
   QuadratureRefinement quadrature_refinement() const override {
@@ -117,29 +89,169 @@ class LinearisedFormulation : public half_plane::ClosureFormulation {
     return stage == SearchStage::rough ? kIntermediateLevelDensity : kEdgeDensityLimit;
   }
 
- private:
-  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if there is no
-  // such energy up to kFarthestDeviations of the guess.
-  std::optional<double> negligible_level(const ClosureDensity& closure, double from,
-                                         const ClosureDensity& guess) const {
-    return scan_decay(closure.q, problem_, from, level_of(guess, kFarthestDeviations),
-                      kNegligibleDepth)
-        .crossing;
-  }
+ protected:
+  // Candidates for the confinement level at which a density like the guess has decayed.
+  virtual std::vector<double> candidate_levels(const ClosureDensity& guess) const = 0;
+  // Energies between which an energy is searched at which exp(Q_n) is negligible.
+  virtual std::pair<double, double> scan_range(double from, const ClosureDensity& guess) const = 0;
 
   const problem::Problem& problem_;
+
+ private:
+  // Energy at which the Q_n of a density lies kNegligibleDepth below its peak; empty if there is no
+  // such energy in the range of the scan.
+  std::optional<double> negligible_level(const ClosureDensity& closure, double from,
+                                         const ClosureDensity& guess) const {
+    const auto [begin, end] = scan_range(from, guess);
+    return scan_decay(closure.q, problem_, begin, end, kNegligibleDepth).crossing;
+  }
+
   TailTreatment tail_;
   std::vector<double> rate_moment_;
+  double rate_unit_;
+};
+
+// Search from the Gaussian density of equivalent linearisation.
+class LinearisedFormulation final : public MomentFormulation {
+ public:
+  LinearisedFormulation(const problem::Problem& problem, const Options& options)
+      : LinearisedFormulation(problem, options, problem::scales(problem)) {}
+
+  ClosureDensity initial_density() const override {
+    const double s1 = scales_.displacement_deviation, s2 = scales_.velocity_deviation;
+    return {.q = Polynomial({{1, 0, scales_.centre / (s1 * s1)},
+                             {2, 0, -1 / (2 * s1 * s1)},
+                             {0, 2, -1 / (2 * s2 * s2)}}),
+            .temperature = s2 * s2};
+  }
+
+  QuadratureSize quadrature_size(int order, double level_over_temperature,
+                                 SearchStage stage) const override {
+    if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
+    // The number of points grows more slowly than the width of the domain: in the added part of a
+    // wider domain the density is small.
+    const double deviations = std::sqrt(2 * level_over_temperature);
+    const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
+    const auto widened = [&](int points) {
+      constexpr double kRounding = 1e-9;  // a width of 1 must not lose a point by rounding
+      return static_cast<int>(points * width * (1 + kRounding));
+    };
+    const int v = widened(32 + 2 * order);
+    return {widened(24 + 2 * order), v, v};
+  }
+
+ private:
+  // Candidates for the confinement level in deviations of v, for a density exp(-h/T) with
+  // T = E[v^2], in the order of the attempts.
+  static constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
+  static constexpr double kFarthestDeviations = 16;
+
+  LinearisedFormulation(const problem::Problem& problem, const Options& options,
+                        const problem::MotionScales& scales)
+      : MomentFormulation(problem, options, scales.velocity_deviation * scales.velocity_deviation),
+        scales_(scales) {}
+
+  std::vector<double> candidate_levels(const ClosureDensity& guess) const override {
+    std::vector<double> levels;
+    for (const double deviations : kLevelDeviations)
+      levels.push_back(guess.temperature * depth_of(deviations));
+    return levels;
+  }
+  std::pair<double, double> scan_range(double from, const ClosureDensity& guess) const override {
+    return {from, guess.temperature * depth_of(kFarthestDeviations)};
+  }
+
+  problem::MotionScales scales_;
+};
+
+// Search from the density of energy averaging: the first order starts from this density, and a
+// higher order starts from this density if the search from the next lower order finds no root.
+class EnergyAveragedFormulation final : public MomentFormulation {
+ public:
+  EnergyAveragedFormulation(const problem::Problem& problem, const Options& options)
+      : EnergyAveragedFormulation(problem, options, EnergyAveragedExponent(problem)) {}
+
+  // The initial density has no Q_n: exponent_of_guess() evaluates the averaged density instead.
+  ClosureDensity initial_density() const override {
+    return {.temperature = averaged_.temperature()};
+  }
+  // The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density, and few
+  // densities with several wells.
+  int first_order(int order) const override { return std::min(order, 4); }
+  bool can_start_at_any_order() const override { return true; }
+
+  QuadratureSize quadrature_size(int order, double level_over_temperature,
+                                 SearchStage stage) const override {
+    const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kDeviations[0]);
+    const int least = stage == SearchStage::rough ? 20 : 32;
+    const auto widened = [&](int points) { return static_cast<int>(points * std::sqrt(width)); };
+    return {widened(least + 8 + 2 * order), widened(least + 2 * order), widened(least + 2 * order)};
+  }
+
+  double exponent_of_guess(const ClosureDensity& guess, double y, double v) const override {
+    return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
+  }
+
+  // In a fit to the averaged density, the weights are a small power of this density. The fit then
+  // also covers large energies, where Q_n might rise.
+  Eigen::VectorXd fit_weights(const ClosureDensity& guess, double, const QuadraturePoints& points,
+                              const Eigen::VectorXd& exponent,
+                              const Eigen::VectorXd& mass) const override {
+    if (!guess.q.terms().empty()) return mass;
+    constexpr double kFlatter = 1.0 / 3;
+    const Eigen::VectorXd flat =
+        points.weight.array() * (kFlatter * (exponent.array() - exponent.maxCoeff())).exp();
+    return flat / flat.sum();
+  }
+
+  double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
+    const double ratio = MomentFormulation::decay_ratio(closure, stage);
+    if (stage == SearchStage::rough) return ratio;
+    return std::max(ratio, density_ratio_at_level(closure, problem_) *
+                               (kEdgeDensityLimit / kPreferredLevelDensity));
+  }
+
+ private:
+  // Candidates d for the confinement level, in the order of the attempts. The level is the energy
+  // with Phi = d^2/2, which is the exponent of a Gaussian at d standard deviations.
+  static constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
+  static constexpr double kLargestScanRatio = 8;  // largest energy of a scan, in first levels
+  // Lower limits of the confinement level, in units of bulk_energy(). With these limits the
+  // confinement term (energy / level)^16 is at most 5e-4 and 4e-8 at bulk_energy().
+  static constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
+  // Lower limit of the confinement level, in units of barrier_energy().
+  static constexpr double kAboveBarrier = 1.3;
+
+  EnergyAveragedFormulation(const problem::Problem& problem, const Options& options,
+                            EnergyAveragedExponent averaged)
+      : MomentFormulation(problem, options, averaged.temperature()),
+        averaged_(std::move(averaged)) {}
+
+  std::vector<double> candidate_levels(const ClosureDensity& guess) const override {
+    const double least =
+        std::max(kAboveBulk * averaged_.bulk_energy(), kAboveBarrier * averaged_.barrier_energy());
+    const double warmer = std::clamp(guess.temperature / averaged_.temperature(), 0.5, 2.0);
+    std::vector<double> levels;
+    for (const double deviations : kDeviations) {
+      levels.push_back(std::max(least, warmer * averaged_.energy_at_depth(depth_of(deviations))));
+    }
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    return levels;
+  }
+  std::pair<double, double> scan_range(double from, const ClosureDensity&) const override {
+    return {std::max(from, kFarAboveBulk * averaged_.bulk_energy()),
+            kLargestScanRatio * averaged_.energy_at_depth(depth_of(kDeviations[0]))};
+  }
+
+  EnergyAveragedExponent averaged_;
 };
 
 }  // namespace
 
 half_plane::RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  if (problem::has_equivalent_linearisation(problem)) {
-    return half_plane::find_root(LinearisedFormulation(problem, options), options);
-  }
-  return half_plane::find_root(
-      EnergyAveragedFormulation(problem, options, rate_moments(problem, options)), options);
+  return starts_from_linearisation(problem)
+             ? half_plane::find_root(LinearisedFormulation(problem, options), options)
+             : half_plane::find_root(EnergyAveragedFormulation(problem, options), options);
 }
 
 }  // namespace fpkcheck::epc::moment

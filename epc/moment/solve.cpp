@@ -1,19 +1,15 @@
-#include "epc/moment/solve.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 
-#include "epc/form/acceptance_limits.hpp"
 #include "epc/form/store_density.hpp"
+#include "epc/formulations.hpp"
 #include "epc/half_plane/result_from_root.hpp"
 #include "epc/half_plane/root_search.hpp"
-#include "epc/moment/contour_decay.hpp"
 #include "epc/moment/density.hpp"
-#include "epc/moment/density_at_level.hpp"
 #include "epc/moment/root_search.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "epc/summary.hpp"
 #include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc::moment {
@@ -32,20 +28,21 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                -closure.log_normalisation);
 }
 
-// Reason why the density of an oscillator other than the paper's is inadmissible: the density
+// Reason why a density is inadmissible: the density has not decayed on the edge of its support, or
 // decays by the confinement alone. The reason is empty for an admissible density.
-std::string level_inadmissible_reason(double density_ratio_at_level, const LeadingForm& form) {
-  if (density_ratio_at_level < kLevelDensityLimit) return "";
-  return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
-                     density_ratio_at_level, kLevelDensityLimit,
-                     leading_form_text(form, "(y, v) / deviations"));
-}
-
-std::string inadmissible_reason(double edge_density, const LeadingForm& form) {
-  if (edge_density < kEdgeDensityLimit) return "";
-  return fmt::format(
-      "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
-      edge_density, kEdgeDensityLimit, leading_form_text(form, "(y, v) / deviations"));
+std::string inadmissible_reason(double edge_density, double density_at_level,
+                                const LeadingForm& form) {
+  const std::string behaviour = leading_form_text(form, "(y, v) / deviations");
+  if (!(edge_density < kEdgeDensityLimit)) {
+    return fmt::format(
+        "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
+        edge_density, kEdgeDensityLimit, behaviour);
+  }
+  if (!(density_at_level < kLevelDensityLimit)) {
+    return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
+                       density_at_level, kLevelDensityLimit, behaviour);
+  }
+  return "";
 }
 
 }  // namespace
@@ -72,20 +69,16 @@ Result solve(const problem::Problem& problem, const Options& options) {
       half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::physical);
   summary.frame->coordinates = problem.frame;
   const double edge = density_ratio_at_edge(closure, problem, options.tail);
-  std::string reason = inadmissible_reason(edge, *summary.leading_form);
-  // For the paper's oscillator half_plane::set_status limits the probability beyond the level
-  // instead.
-  if (reason.empty() && !problem::has_equivalent_linearisation(problem)) {
-    reason =
-        level_inadmissible_reason(density_ratio_at_level(closure, problem), *summary.leading_form);
-  }
   half_plane::store_half_plane_summary(
       root, options.tail, density, sigma,
       {.support = edge_contour(EnergyDomain(problem, closure.support)),
        .level = edge_contour(EnergyDomain(problem, closure.level)),
        .density = edge},
       result);
-  half_plane::set_status(root, kQuadratureTolerance, reason, result);
+  half_plane::set_status(
+      root, kQuadratureTolerance,
+      inadmissible_reason(edge, density_ratio_at_level(closure, problem), *summary.leading_form),
+      result);
   return result;
 }
 

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "epc/amplitude/half_circle.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::polar {
-
-using half_plane::QuadraturePoints;
-using half_plane::QuadratureRule;
 
 namespace {
 
@@ -32,27 +27,6 @@ numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std
   }
   a[0] = constant;
   return numerics::Polynomial(a);
-}
-
-// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
-// a panel is proportional to the width of the panel, plus a constant.
-QuadratureRule legendre_panels(double end, const std::vector<double>& breaks, int points) {
-  if (breaks.empty()) return half_plane::gauss_legendre_rule(points, 0, end);
-  QuadratureRule all;
-  double from = 0;
-  const auto add = [&](double to) {
-    const int composite_gauss_points = static_cast<int>(points * (0.2 + (to - from) / end)) + 2;
-    const QuadratureRule panel = half_plane::gauss_legendre_rule(composite_gauss_points, from, to);
-    const Eigen::Index before = all.nodes.size();
-    for (auto [whole, part] : {std::pair{&all.nodes, &panel.nodes}, {&all.weight, &panel.weight}}) {
-      whole->conservativeResize(before + composite_gauss_points);
-      whole->tail(composite_gauss_points) = *part;
-    }
-    from = to;
-  };
-  for (const double at : breaks) add(at);
-  add(end);
-  return all;
 }
 
 }  // namespace
@@ -90,27 +64,26 @@ double Coordinates::displacement(double w) const {
                                                     iterations);
 }
 
-QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
-                                   const std::vector<double>& breaks,
-                                   const half_plane::QuadratureSize& size) {
-  const QuadratureRule rho = legendre_panels(rho_max, breaks, size.s);
-  const QuadratureRule theta =
-      half_plane::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  QuadraturePoints points = QuadraturePoints::zeros(rho.nodes.size() * theta.nodes.size());
-  Eigen::Index k = 0;
-  for (Eigen::Index i = 0; i < rho.nodes.size(); ++i) {
-    for (Eigen::Index j = 0; j < theta.nodes.size(); ++j, ++k) {
-      points.s[k] = rho.nodes[i];
-      points.t[k] = theta.nodes[j];
-      points.y[k] = coordinates.displacement(rho.nodes[i] * std::cos(theta.nodes[j]));
-      points.v[k] = rho.nodes[i] * std::sin(theta.nodes[j]);
-      points.energy[k] = amplitude::energy_of_amplitude(rho.nodes[i]);
-      // dy dv = dw dv / w'(y) = rho drho dtheta / w'(y)
-      points.weight[k] = rho.weight[i] * theta.weight[j] * rho.nodes[i] /
-                         coordinates.potential_speed_slope(points.y[k]);
-    }
+amplitude::FlowRates Coordinates::flow_rates(const problem::System& system, double y, double rho,
+                                             double theta) const {
+  const double sine = std::sin(theta), cosine = std::cos(theta), damping = system.damping();
+  const double slope = potential_speed_slope(y), force = force_over_potential_speed(y);
+  return {-damping * rho * sine * sine + rho * cosine * (slope - force) * sine,
+          -slope * sine * sine - force * cosine * cosine - damping * sine * cosine};
+}
+
+std::vector<double> Coordinates::amplitude_break_points(const problem::ImpulseLaw& law,
+                                                        double rho_max) {
+  std::vector<double> breaks;
+  for (const auto& atom : law.atoms()) {
+    const double at = std::abs(atom.amplitude);
+    if (at > 0 && at < rho_max) breaks.push_back(at);
   }
-  return points;
+  std::ranges::sort(breaks);
+  // The atoms at -a and a give the same amplitude, up to rounding.
+  const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
+  breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
+  return breaks;
 }
 
 }  // namespace fpkcheck::epc::polar

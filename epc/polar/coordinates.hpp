@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
-#include "epc/half_plane/quadrature_points.hpp"
+#include "epc/amplitude/coordinate_policy.hpp"
+#include "epc/form/closed_form.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-
-namespace fpkcheck::problem {
-struct Problem;
-}  // namespace fpkcheck::problem
+#include "problem/problem.hpp"
 
 namespace fpkcheck::epc::polar {
 
@@ -27,6 +26,8 @@ namespace fpkcheck::epc::polar {
 /// potential V does not include the mean of the impulses.
 class Coordinates {
  public:
+  static constexpr ExponentCoordinates kVariables = ExponentCoordinates::polar;
+
   explicit Coordinates(const problem::Problem& problem);
 
   /// Speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals the potential energy V(y).
@@ -37,14 +38,42 @@ class Coordinates {
   }
   /// Displacement y from w(y): the inverse function of w.
   double displacement(double w) const;
+  /// Derivative dy/dw at a displacement y.
+  double displacement_slope(double y) const { return 1 / potential_speed_slope(y); }
   /// Amplitude rho of a state.
   double amplitude_of(double y, double v) const { return std::hypot(potential_speed(y), v); }
   /// Phase theta of a state.
   double phase_of(double y, double v) const { return std::atan2(v, potential_speed(y)); }
+  /// Coordinates rho and theta of a state.
+  std::pair<double, double> coordinates_of_state(double y, double v) const {
+    return {amplitude_of(y, v), phase_of(y, v)};
+  }
+  /// Coordinates rho and theta of the velocity v after an impulse, at the speed w(y).
+  static std::pair<double, double> coordinates_after_impulse(double w, double v) {
+    return {std::sqrt(w * w + v * v), std::atan2(v, w)};
+  }
+  static double second_coordinate(double, double theta) { return theta; }
+  static double phase(double, double theta) { return theta; }
   /// Ratio g(y) / w(y), which equals dw/dy if K = k.
   double force_over_potential_speed(double y) const {
     return force_ratio_(y) / potential_speed_over_y(y);
   }
+
+  /// Rates of change between impulses,
+  ///
+  ///     rho'   = -c rho sin^2 + (w w' - g) sin,
+  ///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
+  amplitude::FlowRates flow_rates(const problem::System& system, double y, double rho,
+                                  double theta) const;
+  static double density_prefactor(double) { return 1; }
+  static double atom_weight() { return 0; }
+  /// Amplitudes below rho_max from which an impulse, an atom of the law, may stop the mass at the
+  /// wall. At these amplitudes the mean of phi over the impulses has the jump that phi has at the
+  /// origin. The list is empty for a law without atoms.
+  static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
+  /// The coefficient of the highest power of rho does not depend on theta: Q_n falls either at every
+  /// phase or at no phase.
+  static std::vector<double> leading_phases() { return {0}; }
 
  private:
   /// Ratio w(y) / y.
@@ -56,14 +85,5 @@ class Coordinates {
   numerics::Polynomial potential_slope_ratio_;  // V'(y) / y
   numerics::Polynomial force_ratio_;            // g(y) / y
 };
-
-/// Gauss-Legendre points in rho and theta, which are the coordinates s and t of the points. The
-/// jump of the density at the origin is a smooth function of these coordinates.
-/// @param breaks increasing amplitudes between 0 and rho_max at which the integrand may change
-///   abruptly on the wall; a panel in rho ends at each of these amplitudes
-/// @param size numbers of points: s in rho, with additional points near the breaks, t in theta
-half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, double rho_max,
-                                               const std::vector<double>& breaks,
-                                               const half_plane::QuadratureSize& size);
 
 }  // namespace fpkcheck::epc::polar

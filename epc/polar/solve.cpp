@@ -1,14 +1,13 @@
-#include "epc/polar/solve.hpp"
-
 #include <cmath>
 
 #include "epc/amplitude/closure_formulation.hpp"
 #include "epc/form/store_density.hpp"
+#include "epc/formulations.hpp"
+#include "epc/half_plane/newton.hpp"
 #include "epc/half_plane/result_from_root.hpp"
 #include "epc/half_plane/root_search.hpp"
-#include "epc/polar/contour.hpp"
-#include "epc/polar/density.hpp"
-#include "epc/polar/root_search.hpp"
+#include "epc/polar/coordinates.hpp"
+#include "problem/scales.hpp"
 #include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -32,7 +31,7 @@ transform::PanelMarginals previous_marginals(const Coordinates& coordinates,
                                              const ClosureDensity& previous,
                                              const transform::SmoothDensity& density,
                                              PanelSpacing panels) {
-  const amplitude::PolarExponent q = polar_exponent(previous.q);
+  const amplitude::PolarExponent q = amplitude::polar_exponent<Coordinates>(previous.q);
   const double near_peak = amplitude::exponent_with_gaussian_tail(q, previous, 0, 0);
   transform::PanelMarginals before = transform::panel_marginals(
       {.value =
@@ -54,37 +53,30 @@ transform::PanelMarginals previous_marginals(const Coordinates& coordinates,
 
 Result solve(const problem::Problem& problem, const Options& options) {
   const Coordinates coordinates(problem);
-  const RootSearchResult root = find_root(problem, coordinates, options);
+  // The mean square velocity, plus the potential energy of the static deflection, which equivalent
+  // linearisation does not include.
+  const problem::MotionScales scales = problem::scales(problem);
+  const double centre = coordinates.potential_speed(scales.centre);
+  const double temperature =
+      scales.velocity_deviation * scales.velocity_deviation + centre * centre / 2;
+  const RootSearchResult root = half_plane::find_root(
+      amplitude::FormulationIn(problem, coordinates, temperature,
+                               half_plane::rate_of_change_unit(problem, temperature), options.tail),
+      options);
   Result result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
-  auto& [solution, summary] = result;
   const ClosureDensity& closure = root.closure;
-  const auto confinement = half_plane::confinement_of(closure.level, options.tail);
-  const transform::SmoothDensity density = density_from_exponent(
-      closure.q, coordinates, closure.support, confinement, -closure.log_normalisation);
+  const transform::SmoothDensity density = amplitude::density_from_exponent(
+      closure.q, coordinates, closure.support,
+      half_plane::confinement_of(closure.level, options.tail), -closure.log_normalisation);
   const PanelSpacing panels = panels_for(density);
   const auto marginals = store_density(problem, Impact::map, density, result, panels);
   if (root.previous) {
-    summary.distance_to_previous =
+    result.summary.distance_to_previous =
         distance(marginals, previous_marginals(coordinates, *root.previous, density, panels));
   }
-  const double support = amplitude::amplitude_of_energy(closure.support);
-  const double edge = std::exp(amplitude::maximum_over_phase(polar_exponent(closure.q), support) +
-                               confinement(amplitude::energy_of_amplitude(support)) - closure.peak);
-  summary.leading_form =
-      leading_form_in_amplitude(closure.q, half_plane::root_mean_squares(solution.moments));
-  summary.frame =
-      half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::polar);
-  half_plane::store_half_plane_summary(
-      root, options.tail, density, half_plane::root_mean_squares(solution.moments),
-      {.support = contour_of_amplitude(coordinates, support),
-       .level = contour_of_amplitude(coordinates, amplitude::amplitude_of_energy(closure.level)),
-       .density = edge},
-      result);
-  half_plane::set_status(root, amplitude::kQuadratureTolerance,
-                         amplitude::inadmissible_reason("the density", root.decay_ratio, edge),
-                         result);
+  amplitude::assess_root(problem, coordinates, root, options.tail, density, "the density", result);
   return result;
 }
 

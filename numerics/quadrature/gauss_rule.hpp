@@ -12,6 +12,10 @@ namespace fpkcheck::numerics {
 struct QuadratureRule {
   std::vector<double> points;
   Eigen::VectorXd weights;
+
+  Eigen::Index size() const { return weights.size(); }
+  /// The points as a vector for matrix products, valid as long as the rule.
+  Eigen::Map<const Eigen::VectorXd> point_vector() const { return {points.data(), size()}; }
 };
 
 /// Composite Gauss-Legendre rule with N points on each panel. A panel is the interval between two
@@ -38,5 +42,25 @@ QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
   return rule;
 }
+
+/// Gauss-Legendre rule on [from, to] with increasing points.
+/// @pre point_count > 0
+QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
+
+/// Gauss-Hermite rule for E[g(u)] with a standard normal variable u. The rule is exact for
+/// polynomials g up to the given degree.
+QuadratureRule normal_quadrature_rule(int degree);
+
+/// Rule for E[|u| g(u)] with a standard normal variable u. The rule is exact for polynomials g up to
+/// the given degree.
+QuadratureRule absolute_weighted_normal_rule(int degree);
+
+/// Rule for E[sgn(u) g(u)] with a standard normal variable u. The rule is exact for polynomials g up
+/// to the given degree; some weights are negative.
+QuadratureRule sign_weighted_normal_rule(int degree);
+
+/// Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt. The rule is exact for polynomials g up to the
+/// given degree.
+QuadratureRule exponential_quadrature_rule(int degree);
 
 }  // namespace fpkcheck::numerics

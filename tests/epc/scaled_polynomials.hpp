@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "epc/form/polynomial.hpp"
-#include "epc/form/rays.hpp"
 
 /// Polynomial exponents for tests, in a plane with a different standard deviation for each axis.
 namespace fpkcheck::tests {

@@ -1,9 +1,9 @@
-#include "epc/solve.hpp"
-
 #include <gtest/gtest.h>
 
 #include "base/input_error.hpp"
 #include "closures.hpp"
+#include "epc/solve.hpp"
+#include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc {
@@ -45,6 +45,74 @@ TEST(Closure, EndsAtTheDeadline) {
 
 TEST(Closure, RefusesOptionsThatAreNotValid) {
   EXPECT_THROW(solve(tests::paper_case(1), {.order = 5}), InputError);
+}
+
+using problem::System;
+
+std::string unsupported_reason_of(Formulation formulation, const problem::Problem& problem) {
+  return unsupported_reason(tests::in_wall_coordinates(problem), tests::closure(formulation, 4));
+}
+
+TEST(Applicability, EveryFormulationTreatsThePapersClass) {
+  for (const auto& formulation : kFormulationNames) {
+    EXPECT_EQ(unsupported_reason_of(formulation.value, tests::paper_case(1)), "")
+        << formulation.name;
+  }
+}
+
+TEST(Applicability, MomentTreatsEveryDomainButAtomsAndCollapse) {
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.1});
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_EQ(unsupported_reason_of(Formulation::moment, tests::with_impulses(well, impulses)), "");
+  EXPECT_EQ(unsupported_reason_of(Formulation::moment, tests::with_impulses(gap, impulses)), "");
+  EXPECT_EQ(unsupported_reason_of(Formulation::moment, tests::with_noise(preload, 0.1)), "");
+  EXPECT_NE(unsupported_reason_of(Formulation::moment, tests::with_impulses(preload, impulses)),
+            "");
+  EXPECT_NE(unsupported_reason_of(Formulation::moment, tests::with_noise(gap, 0.1)), "");
+}
+
+TEST(Applicability, GaussianNeedsOneWallOrNone) {
+  const System well({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true});
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
+  EXPECT_EQ(unsupported_reason_of(Formulation::gaussian, tests::with_noise(well, 0.1)), "");
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  EXPECT_EQ(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(gap, impulses)), "");
+  // Unsupported: atoms, a second wall, and damping that changes under folding.
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_NE(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(preload, impulses)),
+            "");
+  const System two({.damping = 0.1, .stiffness = 1},
+                   {.left = -0.5, .left_restitution = 0.9, .right = 1, .right_restitution = 0.9});
+  EXPECT_NE(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(two, impulses)), "");
+  const System cycle({.damping = 0.1, .van_der_pol = 0.2, .stiffness = 1},
+                     {.left = -0.5, .left_restitution = 0.9});
+  EXPECT_NE(unsupported_reason_of(Formulation::gaussian, tests::with_impulses(cycle, impulses)),
+            "");
+  const auto with_jumps = tests::closure(Formulation::gaussian, 4, Equation::kf);
+  EXPECT_NE(unsupported_reason(tests::with_noise(well, 0.1), with_jumps), "");
+}
+
+TEST(Applicability, PolarNeedsAWallAtAnEquilibriumWithoutNoise) {
+  const System gap({.damping = 0.1, .stiffness = 1}, {.left = -0.5, .left_restitution = 0.9});
+  const System paper({.damping = 0.1, .stiffness = 1, .restitution = 0.9});
+  EXPECT_NE(unsupported_reason_of(Formulation::polar,
+                                  tests::with_impulses(gap, tests::gaussian_impulses(1, 0.1))),
+            "");
+  EXPECT_NE(unsupported_reason_of(Formulation::polar, tests::with_noise(paper, 0.1)), "");
+}
+
+TEST(Applicability, PolarTreatsRestInContactWithOneWall) {
+  const auto impulses = tests::gaussian_impulses(1, 0.1);
+  const System preload({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.7});
+  EXPECT_EQ(unsupported_reason_of(Formulation::polar, tests::with_impulses(preload, impulses)), "");
+  EXPECT_NE(unsupported_reason_of(Formulation::polar, tests::with_noise(preload, 0.1)), "");
+  const System stops({.damping = 0.1, .stiffness = -1, .cubic = 0.2},
+                     {.left = -1, .left_restitution = 0.7, .right = 1, .right_restitution = 0.7});
+  EXPECT_NE(unsupported_reason_of(Formulation::polar, tests::with_impulses(stops, impulses))
+                .find("presses everywhere"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -1,11 +1,9 @@
-#include "epc/contact/coordinates.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "epc/contact/contour.hpp"
-#include "epc/half_plane/contour.hpp"
+#include "epc/contact/coordinates.hpp"
+#include "epc/half_plane/closure_density.hpp"
 #include "general_oscillators.hpp"
 #include "problem/problem.hpp"
 
@@ -60,7 +58,7 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
   const auto p = pressed({.constant = g, .stiffness = 0, .restitution = r});
   const Coordinates coordinates(p);
-  const auto points = quadrature_points(coordinates, rho_max, {24, 24, 24});
+  const auto points = amplitude::quadrature_points(coordinates, rho_max, {}, {24, 24, 24});
   double area = 0, first_moment = 0;
   for (Eigen::Index i = 0; i + 1 < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i], rho = points.s[i];
@@ -88,23 +86,24 @@ TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const Polynomial q({{2, 0, -1 / (2 * temperature)}});
   const double h = rho * rho / 2;
   const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);
-  EXPECT_NEAR(half_plane::probability_beyond_contour(q, contour_of_amplitude(Coordinates(p), rho),
-                                                     temperature, 0),
+  EXPECT_NEAR(half_plane::probability_beyond_contour(
+                  q, amplitude::contour_of_amplitude(Coordinates(p), rho), temperature, 0),
               expected, 2e-3 * expected);
 }
 
 TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
   // -rho^2 + 0.5 v^2 falls at every phase, -rho^2 + 1.2 v^2 rises at the wall.
-  EXPECT_TRUE(leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
+  EXPECT_TRUE(amplitude::leading_form_in_amplitude<Coordinates>(
+                  Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
                   .negative);
-  const LeadingForm rising =
-      leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
+  const LeadingForm rising = amplitude::leading_form_in_amplitude<Coordinates>(
+      Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
   EXPECT_GT(rising.rising_fraction, 0);
   EXPECT_LT(rising.rising_fraction, 0.5);
-  const LeadingForm turning =
-      leading_form_in_amplitude_and_velocity(Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  const LeadingForm turning = amplitude::leading_form_in_amplitude<Coordinates>(
+      Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
 }
 

@@ -1,10 +1,9 @@
-#include "epc/contact/equations.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "epc/contact/coordinates.hpp"
 #include "general_oscillators.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "problem/problem.hpp"
@@ -37,10 +36,11 @@ problem::Problem pressed_mass(const char* law) {
 ClosureEquations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
                                       const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
-  const QuadraturePoints points = quadrature_points(
-      coordinates, kRhoMax, {points_each_way, points_each_way, kContactWallPoints});
+  const QuadraturePoints points = amplitude::quadrature_points(
+      coordinates, kRhoMax, {}, {points_each_way, points_each_way, kContactWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
-  return closure_equations(p, coordinates, kRhoMax, confinement, basis, points, kContactWallPoints);
+  return amplitude::closure_equations(p, coordinates, kRhoMax, confinement, basis, points,
+                                      kContactWallPoints);
 }
 
 // Coefficients with a perturbation so small that the atom at the corner keeps its probability.
@@ -85,11 +85,11 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
     expected +=
         2 * probability * density.mass[moving] * (at(here, freed) - at(here, here)).transpose();
   }
-  const half_plane::QuadratureRule wall =
-      half_plane::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
-  const VectorXd zero = VectorXd::Zero(wall.nodes.size());
-  const MatrixXd change = at(zero, kRestitution * wall.nodes) - at(zero, -wall.nodes);
-  expected += change.transpose() * wall.nodes.cwiseProduct(density.wall_mass);
+  const auto wall = numerics::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const VectorXd zero = VectorXd::Zero(wall.size());
+  const MatrixXd change =
+      at(zero, kRestitution * wall.point_vector()) - at(zero, -wall.point_vector());
+  expected += change.transpose() * wall.point_vector().cwiseProduct(density.wall_mass);
 
   const VectorXd residual = equations.residual(density);
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -106,8 +106,7 @@ TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
   const VectorXd a = perturbed_contact_coefficients(equations);
   const auto density = equations.evaluate_density(a);
   const double at_rest = density.mass[density.mass.size() - 1];
-  const half_plane::QuadratureRule wall =
-      half_plane::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
+  const auto wall = numerics::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
   const auto exponent = [&](double rho, double v) {
     return equations.basis()
         .basis_values(VectorXd::Constant(1, rho), VectorXd::Constant(1, v))
@@ -115,7 +114,7 @@ TEST(ContactEquations, HaveTheDensityOnTheWallThatBelongsToTheAtom) {
         .dot(a);
   };
   for (const int k : {0, 5, 20}) {
-    const double u = wall.nodes[k], p_of_u = density.wall_mass[k] / wall.weight[k];
+    const double u = wall.points[k], p_of_u = density.wall_mass[k] / wall.weights[k];
     // u^2 p -> lambda P0 / ln(1/r)
     EXPECT_NEAR(u * u * p_of_u * std::exp(exponent(0, 0) - exponent(u, -u)),
                 2 * at_rest / std::log(1 / kRestitution), 1e-10);

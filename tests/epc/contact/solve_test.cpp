@@ -1,5 +1,3 @@
-#include "epc/contact/solve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "closures.hpp"
 #include "epc/closed_form_density.hpp"
 #include "epc/form/closed_form.hpp"
+#include "epc/formulations.hpp"
 #include "epc/solve.hpp"
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/composite_gauss.hpp"

@@ -1,10 +1,10 @@
-#include "epc/gaussian/continuation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "epc/gaussian/continuation.hpp"
+#include "epc/selection_policy.hpp"
 #include "gaussian/projection_of.hpp"
 
 namespace fpkcheck::epc::gaussian {

@@ -1,11 +1,10 @@
-#include "epc/gaussian/density_support.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "epc/form/leading_form.hpp"
+#include "epc/form/polynomial.hpp"
+#include "epc/gaussian/density_support.hpp"
 #include "scaled_polynomials.hpp"
 #include "trapezoid.hpp"
 

@@ -1,7 +1,6 @@
-#include "epc/gaussian/newton.hpp"
-
 #include <gtest/gtest.h>
 
+#include "epc/gaussian/projected_equations.hpp"
 #include "epc/gaussian/residual.hpp"
 #include "gaussian/projection_of.hpp"
 

@@ -1,5 +1,3 @@
-#include "epc/gaussian/projected_equations.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "epc/gaussian/projected_equations.hpp"
+#include "epc/selection_policy.hpp"
 #include "numerics/quadrature/composite_gauss.hpp"
 #include "paper_cases.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "epc/gaussian/projected_equations.hpp"
+#include "epc/selection_policy.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {

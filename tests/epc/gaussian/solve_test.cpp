@@ -1,11 +1,11 @@
-#include "epc/solve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "closures.hpp"
 #include "epc/gaussian/projected_equations.hpp"
+#include "epc/selection_policy.hpp"
+#include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
 #include "problem/energy_balance.hpp"

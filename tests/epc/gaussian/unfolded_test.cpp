@@ -6,6 +6,7 @@
 #include "closures.hpp"
 #include "epc/closed_form_density.hpp"
 #include "epc/gaussian/projected_equations.hpp"
+#include "epc/selection_policy.hpp"
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"

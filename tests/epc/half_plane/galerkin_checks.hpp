@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "epc/half_plane/equations.hpp"
+#include "epc/half_plane/galerkin_system.hpp"
 #include "problem/problem.hpp"
 
 /// Helpers for the tests of Galerkin equations in any coordinates.

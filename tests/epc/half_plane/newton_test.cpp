@@ -1,10 +1,8 @@
-#include "epc/half_plane/newton.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "epc/half_plane/norms.hpp"
+#include "epc/half_plane/newton.hpp"
 #include "epc/moment/equations.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"

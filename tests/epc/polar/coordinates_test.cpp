@@ -1,10 +1,9 @@
-#include "epc/polar/coordinates.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "epc/polar/coordinates.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::polar {
@@ -40,7 +39,7 @@ TEST(PolarRule, HasTheAreaAndTheMomentsOfTheHalfDisc) {
   const auto p = make_problem({.cubic = 0});
   for (const std::vector<double>& breaks : {std::vector<double>{}, {0.4, 1.1}}) {
     const half_plane::QuadraturePoints points =
-        quadrature_points(Coordinates(p), 2, breaks, {24, 24, 24});
+        amplitude::quadrature_points(Coordinates(p), 2, breaks, {24, 24, 24});
     EXPECT_NEAR(points.weight.sum(), M_PI * 2, 1e-12);
     EXPECT_NEAR(points.weight.dot(points.y), 2.0 / 3 * 8, 1e-12);
     EXPECT_NEAR(points.weight.dot(points.v.cwiseAbs2()), M_PI * 16 / 8, 1e-12);
@@ -61,7 +60,7 @@ TEST(Coordinates, InvertTheEnergyOfACubicSpringAsItsClosedFormDoes) {
 TEST(PolarRule, PointsCarryTheirCoordinatesAndEnergies) {
   const auto p = make_problem({.cubic = 0.7});
   const Coordinates coordinates(p);
-  const auto points = quadrature_points(coordinates, 2, {}, {7, 9, 7});
+  const auto points = amplitude::quadrature_points(coordinates, 2, {}, {7, 9, 7});
   EXPECT_EQ(points.size(), 63);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const double y = points.y[i], v = points.v[i];
@@ -69,6 +68,38 @@ TEST(PolarRule, PointsCarryTheirCoordinatesAndEnergies) {
     EXPECT_NEAR(points.t[i], coordinates.phase_of(y, v), 1e-13);
     EXPECT_NEAR(points.energy[i], v * v / 2 + p.system.potential()(y), 1e-14);
   }
+}
+
+// For k = 1 and mu = 0 amplitudes are radii.
+const problem::Problem kLinear = make_problem({.cubic = 0});
+
+// The integral of exp(-rho^2 / 2T) over the half-plane is pi T; beyond an energy E: pi T exp(-E/T).
+TEST(PolarTail, ProbabilityBeyondIsThatOfAGaussian) {
+  const double temperature = 0.7, rho = 3;
+  const Polynomial q({{2, 0, -1 / (2 * temperature)}});
+  const double expected = std::exp(-rho * rho / 2 / temperature);
+  EXPECT_NEAR(half_plane::probability_beyond_contour(
+                  q, amplitude::contour_of_amplitude(Coordinates(kLinear), rho), temperature,
+                  std::log(M_PI * temperature)),
+              expected, 1e-12 * expected);
+}
+
+TEST(PolarTail, RadiiAreThoseOfTheScaledHalfCircle) {
+  const auto [least, greatest] = half_plane::radius_range(
+      amplitude::contour_of_amplitude(Coordinates(kLinear), 2), {.x1 = 0.5, .x2 = 1});
+  EXPECT_NEAR(least, 2, 1e-12);
+  EXPECT_NEAR(greatest, 4, 1e-12);
+}
+
+TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
+  EXPECT_TRUE(
+      amplitude::leading_form_in_amplitude<Coordinates>(Polynomial({{2, 0, -1}, {1, 1, 3}}), {1, 1})
+          .negative);
+  const LeadingForm rising = amplitude::leading_form_in_amplitude<Coordinates>(
+      Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  EXPECT_FALSE(rising.negative);
+  EXPECT_EQ(rising.rising_fraction, 1);
+  EXPECT_NEAR(rising.rises_from, 2.5, 0.06);  // in deviations of v
 }
 
 }  // namespace

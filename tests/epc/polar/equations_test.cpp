@@ -1,11 +1,10 @@
-#include "epc/polar/equations.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "epc/polar/coordinates.hpp"
 #include "half_plane/galerkin_checks.hpp"
 #include "paper_cases.hpp"
 
@@ -29,11 +28,12 @@ ClosureEquations equations_of(const problem::Problem& p, int order, int points_e
                               const half_plane::Confinement& confinement = {}) {
   const Coordinates coordinates(p);
   const double rho_max = rho_max_of(p);
-  const QuadraturePoints points =
-      quadrature_points(coordinates, rho_max, amplitude_break_points(p.impulses.law(), rho_max),
-                        {points_each_way, points_each_way, kWallPoints});
+  const QuadraturePoints points = amplitude::quadrature_points(
+      coordinates, rho_max, Coordinates::amplitude_break_points(p.impulses.law(), rho_max),
+      {points_each_way, points_each_way, kWallPoints});
   const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
-  return closure_equations(p, coordinates, rho_max, confinement, basis, points, kWallPoints);
+  return amplitude::closure_equations(p, coordinates, rho_max, confinement, basis, points,
+                                      kWallPoints);
 }
 
 VectorXd perturbed_coefficients(const problem::Problem& p, const ClosureEquations& equations) {
@@ -79,12 +79,12 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
       expected += 2 * probability * (at(points.y, kicked) - at(points.y, points.v)).transpose() *
                   density.mass;
     }
-    const half_plane::QuadratureRule wall =
-        half_plane::gauss_legendre_rule(kWallPoints, 0, rho_max_of(p));
-    const VectorXd zero = VectorXd::Zero(wall.nodes.size());
-    const VectorXd down = VectorXd::Constant(wall.nodes.size(), -M_PI / 2);
-    const MatrixXd change = at(zero, 0.6 * wall.nodes) - basis.basis_values(wall.nodes, down);
-    expected += change.transpose() * wall.nodes.cwiseProduct(density.wall_mass);
+    const auto wall = numerics::gauss_legendre_rule(kWallPoints, 0, rho_max_of(p));
+    const VectorXd zero = VectorXd::Zero(wall.size());
+    const VectorXd down = VectorXd::Constant(wall.size(), -M_PI / 2);
+    const MatrixXd change =
+        at(zero, 0.6 * wall.point_vector()) - basis.basis_values(wall.point_vector(), down);
+    expected += change.transpose() * wall.point_vector().cwiseProduct(density.wall_mass);
 
     const VectorXd residual = equations.residual(density);
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -105,14 +105,17 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
 // Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
   const auto law = problem::ImpulseLaw::from_name("two_point", 0.2, 0.5);
-  EXPECT_EQ(amplitude_break_points(law, 10).size(), 2u);
-  EXPECT_NEAR(amplitude_break_points(law, 10)[0], 0.3, 1e-15);
-  EXPECT_NEAR(amplitude_break_points(law, 10)[1], 0.7, 1e-15);
-  EXPECT_EQ(amplitude_break_points(law, 0.5).size(), 1u);
-  EXPECT_EQ(amplitude_break_points(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10).size(),
-            1u);
+  EXPECT_EQ(Coordinates::amplitude_break_points(law, 10).size(), 2u);
+  EXPECT_NEAR(Coordinates::amplitude_break_points(law, 10)[0], 0.3, 1e-15);
+  EXPECT_NEAR(Coordinates::amplitude_break_points(law, 10)[1], 0.7, 1e-15);
+  EXPECT_EQ(Coordinates::amplitude_break_points(law, 0.5).size(), 1u);
+  EXPECT_EQ(
+      Coordinates::amplitude_break_points(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10)
+          .size(),
+      1u);
   EXPECT_TRUE(
-      amplitude_break_points(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10).empty());
+      Coordinates::amplitude_break_points(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10)
+          .empty());
 }
 
 }  // namespace

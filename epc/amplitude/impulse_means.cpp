@@ -1,8 +1,9 @@
-#include "epc/amplitude/graded_impulse_quadrature.hpp"
+#include "epc/amplitude/impulse_means.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <tuple>
 
 namespace fpkcheck::epc::amplitude {
 namespace {
@@ -60,6 +61,31 @@ void GradedImpulseQuadrature::add_panel(double from, double to, double v) {
       after_.probability.push_back(probability);
     }
   }
+}
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::Basis& basis,
+                             const VectorXd& w, const VectorXd& v,
+                             const CoordinateMap& coordinates) {
+  GradedImpulseQuadrature rule(law);
+  MatrixXd result(v.size(), basis.size());
+  for (Index i = 0; i < v.size(); ++i) {
+    const PostImpulseVelocities& after = rule(v[i], w[i]);
+    const auto count = static_cast<Index>(after.v.size());
+    VectorXd s(count), t(count);
+    for (Index k = 0; k < count; ++k) std::tie(s[k], t[k]) = coordinates(w[i], after.v[k]);
+    const Eigen::Map<const VectorXd> probability(after.probability.data(), count);
+    const MatrixXd means = basis.polynomials_in_s().polynomial_values(s).transpose() *
+                           probability.asDiagonal() * basis.polynomials_in_t().polynomial_values(t);
+    for (Index k = 0; k < basis.size(); ++k) {
+      const auto& [p, q] = basis.members()[k];
+      result(i, k) = means(p, q);
+    }
+  }
+  return result;
 }
 
 }  // namespace fpkcheck::epc::amplitude

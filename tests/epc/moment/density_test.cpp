@@ -1,9 +1,8 @@
-#include "epc/moment/contour_decay.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "epc/moment/density.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::moment {

@@ -1,10 +1,9 @@
-#include "epc/amplitude/graded_impulse_quadrature.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "epc/amplitude/impulse_means.hpp"
 #include "trapezoid.hpp"
 
 namespace fpkcheck::epc::amplitude {

@@ -1,21 +1,22 @@
-#include "epc/gaussian/quadrature_rules.hpp"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-namespace fpkcheck::epc::gaussian {
+#include "numerics/quadrature/gauss_rule.hpp"
+
+namespace fpkcheck::numerics {
 namespace {
 
-// Highest degree of a term of (22) times a projection function, at the highest order.
+// Highest degree of the closures: degree of a term of (22) times a projection, at order 12.
 constexpr int kDegree = 5 * 12 - 4;
 constexpr double kRelative = 1e-12;
 
 double apply(const QuadratureRule& rule, const std::function<double(double)>& g) {
   double sum = 0;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * g(rule.nodes[i]);
+  for (std::size_t i = 0; i < rule.points.size(); ++i) sum += rule.weights[i] * g(rule.points[i]);
   return sum;
 }
 
@@ -32,7 +33,7 @@ void expect_relative(double value, double expected, int power) {
   EXPECT_NEAR(value / expected, 1.0, kRelative) << "power " << power;
 }
 
-TEST(GaussianRules, NormalRuleGivesEveryMomentUpToItsDegree) {
+TEST(GaussRules, NormalRuleGivesEveryMomentUpToItsDegree) {
   for (const int degree : {2, 6, 17, kDegree}) {
     const QuadratureRule rule = normal_quadrature_rule(degree);
     for (int power = 0; power <= degree; power += 2) {
@@ -43,7 +44,7 @@ TEST(GaussianRules, NormalRuleGivesEveryMomentUpToItsDegree) {
   }
 }
 
-TEST(GaussianRules, SignRuleGivesTheOddAbsoluteMoments) {
+TEST(GaussRules, SignRuleGivesTheOddAbsoluteMoments) {
   for (const int degree : {1, 5, 6, kDegree}) {
     const QuadratureRule rule = sign_weighted_normal_rule(degree);
     for (int power = 1; power <= degree; power += 2) {
@@ -54,7 +55,7 @@ TEST(GaussianRules, SignRuleGivesTheOddAbsoluteMoments) {
   }
 }
 
-TEST(GaussianRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
+TEST(GaussRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
   for (const int degree : {1, 4, 7, kDegree}) {
     const QuadratureRule rule = absolute_weighted_normal_rule(degree);
     for (int power = 0; power <= degree; power += 2) {
@@ -65,11 +66,35 @@ TEST(GaussianRules, AbsoluteRuleGivesTheEvenPowersTimesTheAbsoluteValue) {
   }
 }
 
-TEST(GaussianRules, TooLowADegreeIsNotExact) {
+TEST(GaussRules, LegendreRuleIntegratesPolynomialsUpToDegree2NMinus1) {
+  for (const int points : {1, 2, 9, 64}) {
+    const QuadratureRule rule = gauss_legendre_rule(points, -1, 3);
+    EXPECT_TRUE(std::ranges::is_sorted(rule.points));
+    for (const int power : {0, 1, 2 * points - 2, 2 * points - 1}) {
+      // int_{-1}^3 ((x - 1) / 2)^power dx, and with a factor that removes the symmetry
+      const double integral = apply(rule, [&](double x) { return std::pow((x - 1) / 2, power); });
+      EXPECT_NEAR(integral, power % 2 == 0 ? 4.0 / (power + 1) : 0, 1e-13)
+          << points << ' ' << power;
+    }
+  }
+  const double beyond =
+      apply(gauss_legendre_rule(3, -1, 1), [](double x) { return std::pow(x, 6); });
+  EXPECT_GT(std::abs(beyond - 2.0 / 7), 1e-2);
+}
+
+TEST(GaussRules, ExponentialRuleGivesTheFactorials) {
+  for (const int degree : {1, 6, 25}) {
+    const QuadratureRule rule = exponential_quadrature_rule(degree);
+    for (int power = 0; power <= degree; ++power)
+      expect_relative(power_average(rule, power), std::tgamma(power + 1.0), power);
+  }
+}
+
+TEST(GaussRules, TooLowADegreeIsNotExact) {
   EXPECT_GT(std::abs(power_average(normal_quadrature_rule(4), 6) - absolute_moment(6)), 1.0);
   EXPECT_GT(std::abs(power_average(sign_weighted_normal_rule(3), 5) - absolute_moment(5)), 1.0);
   EXPECT_GT(std::abs(power_average(absolute_weighted_normal_rule(2), 4) - absolute_moment(5)), 1.0);
 }
 
 }  // namespace
-}  // namespace fpkcheck::epc::gaussian
+}  // namespace fpkcheck::numerics

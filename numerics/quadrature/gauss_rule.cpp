@@ -1,10 +1,13 @@
-#include "epc/gaussian/quadrature_rules.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/math/special_functions/legendre.hpp>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
-namespace fpkcheck::epc::gaussian {
+namespace fpkcheck::numerics {
 namespace {
 
 // Three-term recurrence of orthonormal polynomials; entry i of each vector is for step i:
@@ -19,12 +22,12 @@ struct ThreeTermRecurrence {
 // The weights follow from the recurrence, w = 1 / sum_i h_i(t)^2, not from the eigenvectors.
 // Moments of degree 5n need the small weights of the outer nodes with full relative accuracy.
 // Eigenvectors do not give this accuracy.
-QuadratureRule composite_gauss_rule(const ThreeTermRecurrence& recurrence) {
+QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
   eigen.computeFromTridiagonal(diagonal, off_diagonal.head(count - 1), Eigen::EigenvaluesOnly);
-  QuadratureRule rule;
+  QuadratureRule rule{{}, Eigen::VectorXd(count)};
   for (const double t : eigen.eigenvalues()) {
     double before = 0, h = 1, sum = 1;
     for (Eigen::Index i = 0; i + 1 < count; ++i) {
@@ -34,8 +37,8 @@ QuadratureRule composite_gauss_rule(const ThreeTermRecurrence& recurrence) {
       h = next;
       sum += h * h;
     }
-    rule.nodes.push_back(t);
-    rule.weights.push_back(1 / sum);
+    rule.weights[std::ssize(rule.points)] = 1 / sum;
+    rule.points.push_back(t);
   }
   return rule;
 }
@@ -48,40 +51,50 @@ const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace
 
+QuadratureRule gauss_legendre_rule(int point_count, double from, double to) {
+  assert(point_count > 0);
+  QuadratureRule rule{{}, Eigen::VectorXd(point_count)};
+  for (const double zero : boost::math::legendre_p_zeros<double>(point_count)) {
+    if (zero > 0) rule.points.push_back(-zero);
+    rule.points.push_back(zero);
+  }
+  std::ranges::sort(rule.points);
+  for (int i = 0; i < point_count; ++i) {
+    double& x = rule.points[i];
+    const double slope = boost::math::legendre_p_prime(point_count, x);
+    rule.weights[i] = (to - from) / ((1 - x * x) * slope * slope);
+    x = (from + to) / 2 + (to - from) / 2 * x;
+  }
+  return rule;
+}
+
 QuadratureRule exponential_quadrature_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
-  return composite_gauss_rule({(2 * i).array() + 1, i.array() + 1});
-}
-
-QuadratureRule uniform_quadrature_rule(int degree) {
-  const int count = degree / 2 + 1;
-  const Eigen::ArrayXd i = Eigen::ArrayXd::LinSpaced(count, 1, count);
-  return composite_gauss_rule({Eigen::VectorXd::Zero(count), i / (4 * i * i - 1).sqrt()});
+  return golub_welsch_rule({(2 * i).array() + 1, i.array() + 1});
 }
 
 QuadratureRule normal_quadrature_rule(int degree) {
   const int count = degree / 2 + 1;
   const Eigen::VectorXd i = Eigen::VectorXd::LinSpaced(count, 0, count - 1);
-  return composite_gauss_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
+  return golub_welsch_rule({Eigen::VectorXd::Zero(count), (i.array() + 1).sqrt()});
 }
 
 QuadratureRule absolute_weighted_normal_rule(int degree) {
   const QuadratureRule half = exponential_quadrature_rule(degree / 2);
-  QuadratureRule rule;
-  for (std::size_t i = 0; i < half.nodes.size(); ++i) {
-    const double u = std::sqrt(2 * half.nodes[i]);
-    const double weight = half.weights[i] * kNormalDensityAtZero;
-    rule.nodes.insert(rule.nodes.end(), {u, -u});
-    rule.weights.insert(rule.weights.end(), {weight, weight});
+  QuadratureRule rule{{}, Eigen::VectorXd(2 * half.size())};
+  for (Eigen::Index i = 0; i < half.size(); ++i) {
+    const double u = std::sqrt(2 * half.points[i]);
+    rule.points.insert(rule.points.end(), {u, -u});
+    rule.weights.segment<2>(2 * i).setConstant(half.weights[i] * kNormalDensityAtZero);
   }
   return rule;
 }
 
 QuadratureRule sign_weighted_normal_rule(int degree) {
   QuadratureRule rule = absolute_weighted_normal_rule(degree);
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) rule.weights[i] /= rule.nodes[i];
+  for (Eigen::Index i = 0; i < rule.size(); ++i) rule.weights[i] /= rule.points[i];
   return rule;
 }
 
-}  // namespace fpkcheck::epc::gaussian
+}  // namespace fpkcheck::numerics

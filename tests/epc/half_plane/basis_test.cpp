@@ -1,8 +1,8 @@
-#include "epc/half_plane/orthonormal_polynomials.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "epc/half_plane/basis.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {

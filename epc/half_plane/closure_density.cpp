@@ -1,10 +1,18 @@
-#include "epc/half_plane/contour.hpp"
+#include "epc/half_plane/closure_density.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace fpkcheck::epc::half_plane {
+
+double support_energy(double level, TailTreatment tail) {
+  return tail == TailTreatment::confined ? level * Confinement::support_ratio() : level;
+}
+
+Confinement confinement_of(double level, TailTreatment tail) {
+  return tail == TailTreatment::confined ? Confinement{level} : Confinement{};
+}
 
 std::pair<double, double> radius_range(const Contour& contour, const StandardDeviations& sigma) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
