@@ -31,7 +31,6 @@ results::Run small_run() {
                        {},
                        {},
                        {},
-                       {},
                        {{"a", {{0, 1, 3}, {-2, 0, 1, 2}, {1, 2, 3, 4, 5, 6}}},
                         {"b", {{0, 1, 3}, {-2, 0, 1, 2}, {-1, 0, 0.5, 1e-30, 7, 8}}}}});
   run.cases.back().error_sources = {
@@ -40,7 +39,7 @@ results::Run small_run() {
   auto other = tests::make_problem({.restitution = 0.5});
   other.name = "case2";
   run.cases.push_back(
-      {other, {named("a")}, {}, {}, {}, {}, {{"a", {{0, 5}, {-1, 0, 1}, {0.25, 0.75}}}}});
+      {other, {named("a")}, {}, {}, {}, {{"a", {{0, 5}, {-1, 0, 1}, {0.25, 0.75}}}}});
   return run;
 }
 

@@ -19,7 +19,7 @@ std::vector<CaseResult> cases_with(std::vector<std::pair<std::string, std::vecto
   for (auto& [name, own] : curves) {
     auto problem = tests::paper_case(1);
     problem.name = name;
-    cases.push_back({problem, {}, {}, {}, {}, std::move(own), {}});
+    cases.push_back({problem, {}, {}, {}, std::move(own), {}});
   }
   return cases;
 }
