@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/verdict/agreement.hpp"
+#include "report/verdict/outcome.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {

@@ -10,7 +10,6 @@
 #include "report/page/html.hpp"
 #include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
-#include "report/verdict/marks.hpp"
 #include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {

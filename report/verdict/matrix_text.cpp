@@ -9,7 +9,6 @@
 
 #include "report/text/columns.hpp"
 #include "report/text/wrap_text.hpp"
-#include "report/verdict/marks.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -4,12 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace fpkcheck::report {
 namespace {
 
 using transform::Status;
+
+constexpr std::pair<Status, char> kStatusMarks[] = {
+    {Status::inaccurate, '~'}, {Status::inadmissible, '!'}, {Status::not_converged, 'x'},
+    {Status::ill_posed, 'i'},  {Status::failed, 'f'},       {Status::not_offered, '-'},
+};
+constexpr char kSame = '=', kNone = ' ';
 
 // The meaning of a status of solutions without a density.
 std::string_view status_meaning(Status status) {
@@ -56,15 +63,6 @@ std::vector<std::string> missing_density_texts(const AgreementRow& row, int case
 
 }  // namespace
 
-void MarginalDistances::take_larger_distances(const std::optional<double>& other_y,
-                                              const std::optional<double>& other_ydot) {
-  const auto larger = [](std::optional<double>& mine, const std::optional<double>& other) {
-    if (other) mine = std::max(mine.value_or(*other), *other);
-  };
-  larger(y, other_y);
-  larger(ydot, other_ydot);
-}
-
 std::string distances_text(const MarginalDistances& distances) {
   const auto& [y, ydot] = distances;
   if (!ydot) return fmt::format("{:.2g} in p(y)", y.value_or(0));
@@ -105,6 +103,32 @@ std::string outcome_text(const AgreementRow& row, const std::string& reference, 
 std::string outcome_text_without_distances(const AgreementRow& row, int cases) {
   const auto parts = missing_density_texts(row, cases);
   return parts.empty() ? "unknown" : parts.front();
+}
+
+char entry_mark(const AgreementEntry& entry) {
+  if (entry.solution == nullptr) return kNone;
+  const auto found =
+      std::ranges::find(kStatusMarks, entry.solution->status, &std::pair<Status, char>::first);
+  if (found != std::end(kStatusMarks)) return found->second;
+  return entry.agreement == Agreement::indistinguishable ? kSame : kNone;
+}
+
+std::vector<std::string> mark_meanings(const std::vector<AgreementRow>& agreement_rows) {
+  const auto occurs = [&](char mark) {
+    return std::ranges::any_of(agreement_rows, [&](const AgreementRow& row) {
+      return std::ranges::any_of(
+          row.entries, [&](const AgreementEntry& entry) { return entry_mark(entry) == mark; });
+    });
+  };
+  std::vector<std::string> meanings;
+  for (const auto& [status, mark] : kStatusMarks) {
+    if (occurs(mark)) meanings.push_back(fmt::format("{} {}", mark, name(status)));
+  }
+  if (occurs(kSame)) {
+    meanings.push_back(fmt::format(
+        "{} indistinguishable: distance within the error estimate of the reference", kSame));
+  }
+  return meanings;
 }
 
 }  // namespace fpkcheck::report

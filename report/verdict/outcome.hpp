@@ -1,23 +1,16 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
-#include "report/verdict/agreement.hpp"
+#include "results/run_assessment.hpp"
 
 namespace fpkcheck::report {
 
-/// L1 distances of the marginal densities p(y) and p(y') to the reference; an unknown distance is
-/// empty.
-struct MarginalDistances {
-  std::optional<double> y, ydot;
-
-  bool has_both_distances() const { return y && ydot; }
-  bool has_any_distance() const { return y || ydot; }
-  /// Replaces each distance by the maximum of the distance and the corresponding argument.
-  void take_larger_distances(const std::optional<double>& other_y,
-                             const std::optional<double>& other_ydot);
-};
+using compare::Agreement;
+using results::AgreementEntry;
+using results::AgreementRow;
+using results::MarginalDistances;
 
 /// The text of both distances: "0.0061 in p(y) and 0.0051 in p(y')".
 std::string distances_text(const MarginalDistances& distances);
@@ -34,5 +27,13 @@ std::string outcome_text(const AgreementRow& row, const std::string& reference, 
 
 /// The outcome of a solution without distances: "not_converged in all 4 cases: no solution found".
 std::string outcome_text_without_distances(const AgreementRow& row, int cases);
+
+/// The mark beside the distances of a solution in the matrix. The mark shows a status that is not
+/// ok, or that the solution is indistinguishable from the reference. Every other solution with
+/// status ok has a blank.
+char entry_mark(const AgreementEntry& entry);
+
+/// The meanings of those marks that occur in the matrix rows: "~ inaccurate".
+std::vector<std::string> mark_meanings(const std::vector<AgreementRow>& agreement_rows);
 
 }  // namespace fpkcheck::report

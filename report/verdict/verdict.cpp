@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "compare/assessment.hpp"
-#include "report/verdict/outcome.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
+using results::case_count;
+using results::CasesBySolution;
+using results::RunAssessment;
 using transform::SolutionRole;
 
 using Words = std::vector<std::string>;
@@ -21,68 +23,35 @@ std::string comma_separated(const Words& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// The names of the references: "mcs"; or "mcs (fd-kf in case2)" if the cases have different
-// references.
-std::string reference_names(const results::Run& run) {
-  std::map<std::string, Words> cases;
-  for (const auto& case_result : run.cases) {
-    const auto& reference = case_result.assessment.reference;
-    if (!reference.empty()) cases[reference].push_back(case_result.name());
-  }
-  const auto most =
-      std::ranges::max_element(cases, {}, [](const auto& entry) { return entry.second.size(); });
+// The ids of solutions: "mcs"; or "mcs (fd-kf in case2)" if the cases have different solutions.
+std::string ids_text(const CasesBySolution& solutions) {
+  const auto most = std::ranges::max_element(solutions, {},
+                                             [](const auto& entry) { return entry.second.size(); });
   std::string text = most->first;
-  for (const auto& [id, names] : cases) {
-    if (id != most->first) text += fmt::format(" ({} in {})", id, comma_separated(names));
+  for (const auto& [id, cases] : solutions) {
+    if (id != most->first) text += fmt::format(" ({} in {})", id, comma_separated(cases));
   }
   return text;
 }
 
-/// The accuracy of the references of a run. Each number is the maximum over the cases.
-struct ReferenceAccuracy {
-  int judged = 0;             ///< cases with a reference
-  double y = 0, ydot = 0;     ///< error estimates of the references
-  std::string second = {};    ///< id of a second solution of the full problem
-  int checked = 0;            ///< cases with this second solution
-  int contradicted = 0;       ///< cases in which the second solution and the reference disagree
-  MarginalDistances apart{};  ///< distances of the second solution to the reference
-};
-
-ReferenceAccuracy reference_accuracy(const results::Run& run) {
-  ReferenceAccuracy known;
-  for (const auto& case_result : run.cases) {
-    const auto& assessment = case_result.assessment;
-    if (assessment.reference.empty()) continue;
-    ++known.judged;
-    known.y = std::max(known.y, assessment.reference_y_l1);
-    known.ydot = std::max(known.ydot, assessment.reference_ydot_l1);
-    if (!assessment.confirmation) continue;
-    const auto& [second, has_agreement] = *assessment.confirmation;
-    if (known.second.empty()) known.second = second;
-    if (known.second != second) continue;
-    ++known.checked;
-    if (!has_agreement) ++known.contradicted;
-    const auto* assessed = assessment.find(second);
-    known.apart.take_larger_distances(assessed->y, assessed->ydot);
-  }
-  return known;
-}
-
-std::string reference_sentence(const results::Run& run, const ReferenceAccuracy& known) {
-  const int cases = static_cast<int>(run.cases.size());
-  if (known.judged == 0) {
+std::string reference_sentence(const RunAssessment& assessed, int cases) {
+  if (assessed.references.empty()) {
     return "There is no reference: no solution of the full problem has status ok. Only the error "
            "estimate of each solution is available.";
   }
   std::string text =
-      fmt::format("The reference{} is {}", cases_phrase(known.judged, cases), reference_names(run));
-  if (std::isfinite(known.y + known.ydot)) {
-    text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", known.y,
-                        known.ydot);
+      fmt::format("The reference{} is {}", cases_phrase(case_count(assessed.references), cases),
+                  ids_text(assessed.references));
+  const double y = assessed.reference_y_l1, ydot = assessed.reference_ydot_l1;
+  if (std::isfinite(y + ydot)) {
+    text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", y, ydot);
   }
-  if (known.checked > 0 && known.apart.has_any_distance()) {
+  if (assessed.confirmation_distances.has_any_distance()) {
+    CasesBySolution independent = assessed.confirming;
+    for (const auto& [id, names] : assessed.contradicting)
+      independent[id].insert(independent[id].end(), names.begin(), names.end());
     text += fmt::format(". The L1 distance of the independent solution {} to the reference is {}",
-                        known.second, distances_text(known.apart));
+                        ids_text(independent), distances_text(assessed.confirmation_distances));
   }
   return text + '.';
 }
@@ -149,7 +118,7 @@ std::string reproducing_orders_text(const std::vector<const AgreementRow*>& memb
                      bad.empty() ? "" : fmt::format(", not at n = {}", orders_text(bad)));
 }
 
-std::string reproduction_sentence(const results::Run& run, const std::vector<AgreementRow>& all) {
+std::string reproduction_sentence(const std::vector<AgreementRow>& all, int cases) {
   Words yes, no;
   for (const auto& row : all) {
     if (!is_single_external_density(row)) continue;
@@ -161,7 +130,6 @@ std::string reproduction_sentence(const results::Run& run, const std::vector<Agr
     (any ? yes : no).push_back(text);
   }
   if (yes.empty() && no.empty()) return "";
-  const int cases = static_cast<int>(run.cases.size());
   const std::string within =
       fmt::format("Within L1 {} of the reference{}", compare::kCloseL1, cases_phrase(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
@@ -193,10 +161,9 @@ VerdictLine verdict_line(const std::vector<const AgreementRow*>& members, int ca
       fmt::format("{}{}", all ? "reproduced: " : "reproduced in part: ", comma_separated(parts))};
 }
 
-std::vector<VerdictLine> verdict_lines(const results::Run& run,
-                                       const std::vector<AgreementRow>& all) {
-  const int cases = static_cast<int>(run.cases.size());
-  const std::string reference = reference_names(run);
+std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases) {
+  const auto& all = assessed.rows;
+  const std::string reference = ids_text(assessed.references);
   std::vector<VerdictLine> lines;
   for (const auto& row : all) {
     if (is_single_external_density(row)) lines.push_back(verdict_line(row, reference, cases));
@@ -219,52 +186,37 @@ std::vector<VerdictLine> verdict_lines(const results::Run& run,
   return lines;
 }
 
-// The fastest solution that has status ok and sufficient accuracy in every case. The accuracy is
-// sufficient if the distance to the reference plus the error estimate of the reference is within
-// the required accuracy.
-const AgreementRow* fastest_row(const std::vector<AgreementRow>& all, double accuracy,
-                                double known) {
-  const AgreementRow* best = nullptr;
-  for (const auto& row : all) {
-    const bool good = std::ranges::all_of(row.entries, [&](const AgreementEntry& entry) {
-      if (entry.agreement == Agreement::reference) return known <= accuracy;
-      return entry.solution != nullptr && entry.solution->is_ok() && entry.y && entry.ydot &&
-             *entry.largest_l1() + known <= accuracy;
-    });
-    if (!good || transform::is_external(*row.identity)) continue;
-    if (best == nullptr || row.longest_seconds() < best->longest_seconds()) best = &row;
+// Whether independent solutions confirm the references, and in which cases.
+std::string confirmation_text(const RunAssessment& assessed, int cases) {
+  const auto &confirming = assessed.confirming, &contradicting = assessed.contradicting;
+  if (!contradicting.empty()) {
+    return fmt::format("{} differs by more than the errors of both explain{}",
+                       ids_text(contradicting), cases_phrase(case_count(contradicting), cases));
   }
-  return best;
+  if (confirming.empty()) return "no independent solution in this run confirms these values";
+  std::string text = fmt::format("{} confirms these values", ids_text(confirming));
+  if (case_count(confirming) == cases) return text;
+  std::vector<std::string> names;
+  for (const auto& [id, of_this] : confirming)
+    names.insert(names.end(), of_this.begin(), of_this.end());
+  return text + fmt::format(" in {} only", comma_separated(names));
 }
 
-Words recommendation(const results::Run& run, const std::vector<AgreementRow>& all,
-                     const ReferenceAccuracy& known) {
-  const int cases = static_cast<int>(run.cases.size());
-  if (known.judged < cases) {
+Words recommendation(const RunAssessment& assessed, int cases) {
+  if (const int judged = case_count(assessed.references); judged < cases) {
     return {
         fmt::format("There is no reference{}: rely on the error estimate of each solution. Add "
                     "fd-kf and mcs to --methods, or raise their limits (--max-seconds, --time).",
-                    cases_phrase(cases - known.judged, cases))};
+                    cases_phrase(cases - judged, cases))};
   }
-  Words sentences;
-  std::string first = fmt::format(
+  Words sentences{fmt::format(
       "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
-      "with the smallest error estimate",
-      reference_names(run));
-  if (known.contradicted > 0) {
-    first += fmt::format("; {} differs by more than the errors of both explain{}", known.second,
-                         cases_phrase(known.contradicted, cases));
-  } else if (known.checked == cases) {
-    first += fmt::format("; {} confirms these values", known.second);
-  } else {
-    first += "; no independent solution in this run confirms these values";
-  }
-  sentences.push_back(first + '.');
-  const double error = std::max(known.y, known.ydot);
+      "with the smallest error estimate; {}.",
+      ids_text(assessed.references), confirmation_text(assessed, cases))};
   Words parts;
   const AgreementRow* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {
-    const AgreementRow* found = fastest_row(all, accuracy, std::isfinite(error) ? error : 0);
+    const AgreementRow* found = assessed.fastest_row(accuracy);
     if (found == nullptr || found == last) continue;
     parts.push_back(fmt::format("within L1 {}{}, {} ({:.2g} s)", accuracy,
                                 parts.empty() ? cases_phrase(cases, cases) : "",
@@ -281,11 +233,10 @@ Words recommendation(const results::Run& run, const std::vector<AgreementRow>& a
 }  // namespace
 
 Verdict make_verdict(const results::Run& run) {
-  Verdict run_verdict{
-      .agreement_rows = agreement_rows(run), .answer = {}, .lines = {}, .recommendation = {}};
-  if (run.cases.empty()) return run_verdict;
-  const auto& all = run_verdict.agreement_rows;
-  const ReferenceAccuracy known = reference_accuracy(run);
+  const int cases = static_cast<int>(run.cases.size());
+  RunAssessment assessed = results::assess_run(run);
+  Verdict run_verdict{.agreement_rows = {}, .answer = {}, .lines = {}, .recommendation = {}};
+  if (cases == 0) return run_verdict;
   for (const auto& case_result : run.cases) {
     if (!case_result.bounds) continue;
     for (const auto& outside :
@@ -295,13 +246,14 @@ Verdict make_verdict(const results::Run& run) {
                       case_result.name(), outside.solution->id(), outside.bound->functional));
     }
   }
-  run_verdict.answer.push_back(reference_sentence(run, known));
-  if (known.judged > 0) {
-    if (auto text = reproduction_sentence(run, all); !text.empty())
+  run_verdict.answer.push_back(reference_sentence(assessed, cases));
+  if (!assessed.references.empty()) {
+    if (auto text = reproduction_sentence(assessed.rows, cases); !text.empty())
       run_verdict.answer.push_back(text);
-    run_verdict.lines = verdict_lines(run, all);
+    run_verdict.lines = verdict_lines(assessed, cases);
   }
-  run_verdict.recommendation = recommendation(run, all, known);
+  run_verdict.recommendation = recommendation(assessed, cases);
+  run_verdict.agreement_rows = std::move(assessed.rows);
   return run_verdict;
 }
 

@@ -8,8 +8,8 @@
 #include "report/page/problem_statement.hpp"
 #include "report/status_reasons.hpp"
 #include "report/table.hpp"
-#include "report/verdict/agreement.hpp"
 #include "report/wall_atoms.hpp"
+#include "results/run_assessment.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::report {
@@ -69,13 +69,13 @@ TEST(Table, UnsupportedMethodsWithEqualReasonsShareALine) {
 }
 
 TEST(Verdict, OmitsMethodsThatApplyToNoCase) {
-  const auto offered = agreement_rows({results::this_program("fpkcheck run"), {made_up_case()}});
-  const auto fewer = agreement_rows({results::this_program("fpkcheck run"), {with_not_offered()}});
-  EXPECT_EQ(fewer.size() + 2, offered.size());
-  EXPECT_EQ(
-      agreement_rows({results::this_program("fpkcheck run"), {made_up_case(), with_not_offered()}})
-          .size(),
-      offered.size());
+  const auto row_count = [](const std::vector<results::CaseResult>& cases) {
+    const results::Run run{results::this_program("fpkcheck run"), cases};
+    return results::assess_run(run).rows.size();
+  };
+  const auto all = row_count({made_up_case()});
+  EXPECT_EQ(row_count({with_not_offered()}) + 2, all);
+  EXPECT_EQ(row_count({made_up_case(), with_not_offered()}), all);
 }
 
 TEST(Table, HasTheProbabilityOfRestAtEachWall) {

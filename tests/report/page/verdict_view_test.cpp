@@ -61,7 +61,7 @@ TEST(VerdictView, ExplainsTheColoursOfTheCells) {
 
 TEST(DistancePlot, HasAMarkForEachDistanceOrAText) {
   const auto run = two_cases();
-  const std::string svg = distance_plot(run, agreement_rows(run));
+  const std::string svg = distance_plot(run, results::assess_run(run).rows);
   // Circles in both cases: n = 2 and 6, white, km4, the simulation. Crosses: n = 4, inadmissible.
   EXPECT_EQ(occurrences(svg, "<circle"), 10u);
   EXPECT_EQ(occurrences(svg, "class=\"cross\""), 2u);
@@ -77,7 +77,7 @@ TEST(DistancePlot, PutsMarksWhereTheirDecadeIs) {
     set_l1(run.cases[0], id, "fd-kf", 0.1, 0.1);
   }
   set_l1(run.cases[0], "epc-gaussian-n6", "fd-kf", 1e-3, 1e-4);
-  const std::string svg = distance_plot(run, agreement_rows(run));
+  const std::string svg = distance_plot(run, results::assess_run(run).rows);
   const auto x_of = [&](const std::string& title) {
     const auto circle = svg.rfind("cx=\"", svg.find(title));
     return std::stod(svg.substr(circle + 4));
@@ -91,7 +91,7 @@ TEST(DistancePlot, PutsMarksWhereTheirDecadeIs) {
 
 TEST(DistancePlot, IsNothingWithoutDistances) {
   const results::Run run{{}, {tests::case_with_first(4)}};
-  EXPECT_EQ(distance_plot(run, agreement_rows(run)), "");
+  EXPECT_EQ(distance_plot(run, results::assess_run(run).rows), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -133,6 +134,10 @@ TEST(Verdict, NamesTheReferenceCaseByCaseWhereItDiffers) {
   const auto run_verdict = make_verdict(run_of({usual("a"), second, usual("c")}));
   EXPECT_TRUE(contains(run_verdict.answer[0], "is mcs (fd-kf in b), with"))
       << run_verdict.answer[0];
+  EXPECT_TRUE(contains(run_verdict.answer[0], "independent solution fd-kf (mcs in b) to the"))
+      << run_verdict.answer[0];
+  EXPECT_TRUE(contains(run_verdict.recommendation[0], "; fd-kf (mcs in b) confirms these values."))
+      << run_verdict.recommendation[0];
 }
 
 TEST(Verdict, RecommendsTheReferenceAndTheFastestSolution) {
@@ -174,6 +179,29 @@ TEST(Verdict, ConfirmsTheReferenceWhereTheFindingsExplainTheDifference) {
                                   [](const auto& s) { return contains(s, "the densities agree"); }),
               agree);
   }
+}
+
+TEST(Verdict, StatesTheCasesInWhichTheReferenceIsConfirmed) {
+  auto second = usual("b");
+  solution_of(second, "fd-kf").status = transform::Status::failed;
+  second.assess();
+  EXPECT_TRUE(make_verdict(run_of({usual("a"), second, usual("c")}))
+                  .recommendation[0]
+                  .ends_with("; fd-kf confirms these values in a, c only."));
+  EXPECT_TRUE(make_verdict(run_of({second}))
+                  .recommendation[0]
+                  .ends_with("; no independent solution in this run confirms these values."));
+}
+
+TEST(Verdict, StatesNoAccuracyWithoutAnErrorEstimateOfTheReference) {
+  auto case_result = usual("a");
+  solution_of(case_result, "fd-kf").status = transform::Status::failed;
+  solution_of(case_result, "mcs").sampling.reset();
+  solution_of(case_result, "mcs").error = {.y_l1 = std::nan(""), .ydot_l1 = std::nan("")};
+  case_result.assess();
+  const auto run_verdict = make_verdict(run_of({case_result}));
+  EXPECT_EQ(run_verdict.answer[0], "The reference is mcs.");
+  EXPECT_EQ(run_verdict.recommendation.size(), 1u);
 }
 
 TEST(Verdict, StatesThatThereIsNoReference) {

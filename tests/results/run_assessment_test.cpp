@@ -1,22 +1,17 @@
-#include "report/verdict/agreement.hpp"
+#include "results/run_assessment.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "../modified_case.hpp"
-#include "saved_run.hpp"
+#include "../report/modified_case.hpp"
 
-namespace fpkcheck::report {
+namespace fpkcheck::results {
 namespace {
 
 using tests::made_up_case;
 using tests::set_l1;
 using tests::solution_of;
-
-TEST(AgreementEntry, OfAMissingSolutionIsAbsent) {
-  EXPECT_EQ(agreement_entry(made_up_case(), "nobody").agreement, Agreement::absent);
-}
 
 TEST(AgreementRows, HaveEverySolutionOnceInTheOrderOfTrust) {
   auto first = made_up_case("a"), second = made_up_case("b");
@@ -26,15 +21,15 @@ TEST(AgreementRows, HaveEverySolutionOnceInTheOrderOfTrust) {
   second.assess();
   const results::Run run{{}, {first, second}};
   std::vector<std::string> ids;
-  for (const auto& row : agreement_rows(run)) ids.push_back(row.identity->id);
+  for (const auto& row : assess_run(run).rows) ids.push_back(row.identity->id);
   const auto at = [&](const char* id) { return std::ranges::find(ids, id) - ids.begin(); };
   EXPECT_EQ(ids.size(), 8u);
   EXPECT_LT(at("epc-gaussian-n8"), at("fd-km4"));
   EXPECT_LT(at("fd-km4"), at("fd-kf"));
   EXPECT_EQ(ids.back(), "mcs");
-  const auto white = agreement_rows(run)[static_cast<std::size_t>(at("fd-white"))];
+  const auto white = assess_run(run).rows[static_cast<std::size_t>(at("fd-white"))];
   EXPECT_EQ(white.case_count(), 1);
-  EXPECT_EQ(white.entries[1].agreement, Agreement::absent);
+  EXPECT_EQ(white.entries[1].agreement, compare::Agreement::absent);
 }
 
 TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
@@ -42,7 +37,7 @@ TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
   set_l1(first, "epc-gaussian-n6", "mcs", 0.003, 0.004);
   set_l1(second, "epc-gaussian-n6", "mcs", 0.005, 0.002);
   const results::Run run{{}, {first, second}};
-  for (const auto& row : agreement_rows(run)) {
+  for (const auto& row : assess_run(run).rows) {
     if (row.identity->id == "epc-gaussian-n6") {
       EXPECT_DOUBLE_EQ(*row.largest_l1_of(&AgreementEntry::y), 0.005);
       EXPECT_DOUBLE_EQ(*row.largest_l1_of(&AgreementEntry::ydot), 0.004);
@@ -55,4 +50,4 @@ TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
 }
 
 }  // namespace
-}  // namespace fpkcheck::report
+}  // namespace fpkcheck::results

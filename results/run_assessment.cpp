@@ -1,0 +1,131 @@
+#include "results/run_assessment.hpp"
+
+#include <algorithm>
+
+namespace fpkcheck::results {
+
+using compare::Agreement;
+
+namespace {
+
+std::optional<double> larger_of(std::optional<double> one, std::optional<double> other) {
+  if (one && other) return std::max(*one, *other);
+  return one ? one : other;
+}
+
+AgreementEntry agreement_entry(const results::CaseResult& one, std::string_view id) {
+  const auto* assessed = one.assessment.find(id);
+  return assessed == nullptr ? AgreementEntry{} : AgreementEntry{{*assessed}, one.find(id)};
+}
+
+std::vector<AgreementRow> agreement_rows(const results::Run& run) {
+  std::vector<AgreementRow> all;
+  for (std::size_t k = 0; k < run.cases.size(); ++k) {
+    auto place = all.begin();
+    for (const auto& solution : run.cases[k].solutions) {
+      const auto known = std::ranges::find(
+          all, solution.id(), [](const AgreementRow& row) { return row.identity->id; });
+      if (known != all.end()) {
+        place = known + 1;
+        continue;
+      }
+      // A new row is inserted behind the row of the preceding solution in the first case that has
+      // the new solution.
+      place = all.insert(place, AgreementRow{&solution.identity, {}}) + 1;
+    }
+  }
+  for (auto& row : all) {
+    for (const auto& one : run.cases) {
+      row.entries.push_back(agreement_entry(one, row.identity->id));
+    }
+  }
+  // A solution that is not applicable to any case has no row.
+  std::erase_if(all, [](const AgreementRow& row) {
+    return std::ranges::all_of(row.entries, [](const AgreementEntry& entry) {
+      return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;
+    });
+  });
+  return all;
+}
+
+}  // namespace
+
+int AgreementRow::case_count() const {
+  return static_cast<int>(entries.size()) - case_count_with(Agreement::absent);
+}
+
+int AgreementRow::reproduced_case_count() const {
+  return static_cast<int>(std::ranges::count_if(entries, &AgreementEntry::reproduces_reference));
+}
+
+int AgreementRow::case_count_with(Agreement agreement) const {
+  return static_cast<int>(std::ranges::count(entries, agreement, &AgreementEntry::agreement));
+}
+
+std::optional<double> AgreementRow::largest_l1_of(
+    std::optional<double> AgreementEntry::*marginal) const {
+  std::optional<double> most;
+  for (const auto& entry : entries) {
+    if (entry.agreement != Agreement::no_density) most = larger_of(most, entry.*marginal);
+  }
+  return most;
+}
+
+std::optional<double> AgreementRow::largest_l1() const {
+  return larger_of(largest_l1_of(&AgreementEntry::y), largest_l1_of(&AgreementEntry::ydot));
+}
+
+double AgreementRow::longest_seconds() const {
+  double longest = 0;
+  for (const auto& entry : entries) {
+    if (entry.solution != nullptr) longest = std::max(longest, entry.solution->seconds);
+  }
+  return longest;
+}
+
+void MarginalDistances::take_larger_distances(const std::optional<double>& other_y,
+                                              const std::optional<double>& other_ydot) {
+  y = larger_of(y, other_y);
+  ydot = larger_of(ydot, other_ydot);
+}
+
+int case_count(const CasesBySolution& cases) {
+  std::size_t count = 0;
+  for (const auto& [id, names] : cases) count += names.size();
+  return static_cast<int>(count);
+}
+
+const AgreementRow* RunAssessment::fastest_row(double accuracy) const {
+  const double error = std::max(reference_y_l1, reference_ydot_l1);
+  const AgreementRow* fastest = nullptr;
+  for (const auto& row : rows) {
+    const bool is_accurate = std::ranges::all_of(row.entries, [&](const AgreementEntry& entry) {
+      if (entry.agreement == Agreement::reference) return error <= accuracy;
+      return entry.solution != nullptr && entry.solution->is_ok() && entry.y && entry.ydot &&
+             *entry.largest_l1() + error <= accuracy;
+    });
+    if (!is_accurate || transform::is_external(*row.identity)) continue;
+    if (fastest == nullptr || row.longest_seconds() < fastest->longest_seconds()) fastest = &row;
+  }
+  return fastest;
+}
+
+RunAssessment assess_run(const Run& run) {
+  RunAssessment assessed{.rows = agreement_rows(run)};
+  for (const auto& case_result : run.cases) {
+    const auto& assessment = case_result.assessment;
+    if (assessment.reference.empty()) continue;
+    assessed.references[assessment.reference].push_back(case_result.name());
+    assessed.reference_y_l1 = std::max(assessed.reference_y_l1, assessment.reference_y_l1);
+    assessed.reference_ydot_l1 = std::max(assessed.reference_ydot_l1, assessment.reference_ydot_l1);
+    const auto& second = assessment.confirmation;
+    if (!second) continue;
+    (second->has_agreement ? assessed.confirming : assessed.contradicting)[second->id].push_back(
+        case_result.name());
+    const auto& distances = *assessment.find(second->id);
+    assessed.confirmation_distances.take_larger_distances(distances.y, distances.ydot);
+  }
+  return assessed;
+}
+
+}  // namespace fpkcheck::results
