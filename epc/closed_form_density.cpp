@@ -16,8 +16,7 @@
 #include "epc/polar/coordinates.hpp"
 #include "problem/frame.hpp"
 #include "transform/change_of_frame.hpp"
-#include "transform/panel_marginals.hpp"
-#include "transform/zhuravlev.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::epc {
 namespace {

@@ -6,7 +6,7 @@
 #include "epc/form/closed_form.hpp"
 #include "epc/form/polynomial.hpp"
 #include "epc/options.hpp"
-#include "transform/balance_residuals.hpp"
+#include "transform/metric.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::epc {

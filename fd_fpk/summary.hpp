@@ -6,7 +6,6 @@
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/wall_density.hpp"
 #include "fd_fpk/options.hpp"
-#include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
 #include "transform/metric.hpp"
 #include "transform/solution.hpp"

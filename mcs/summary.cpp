@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mcs/streams/stream.hpp"
+#include "numerics/statistics.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -45,7 +46,7 @@ void add_quantile_metrics(MetricBuilder& builder, const std::string& path,
         builder.add({.path = at + ".value", .value = q.value, .standard_error_path = error_path});
         builder.add_work(at + ".lower", q.lower);
         builder.add_work(at + ".upper", q.upper);
-        builder.add_error(error_path, (q.upper - q.lower) / (2 * kNormal95));
+        builder.add_error(error_path, (q.upper - q.lower) / (2 * numerics::kNormal95));
       });
 }
 

@@ -9,7 +9,6 @@
 #include "mcs/deposit/deposit.hpp"
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/streams/stream.hpp"
-#include "transform/balance_residuals.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::mcs {

@@ -1,9 +1,10 @@
 #include "problem/equivalent_linearisation.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::problem {
 
@@ -14,10 +15,7 @@ template <class Function>
 double positive_root(const Function& f) {
   double upper = 1;
   while (f(upper) <= 0) upper *= 2;
-  std::uintmax_t iterations = 200;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      f, 0.0, upper, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return (low + high) / 2;
+  return numerics::bracketed_root(f, 0, upper);
 }
 
 // E[g'(|x|)] of x ~ N(0, s^2): E|x|^m = s^m 2^(m/2) Gamma((m+1)/2) / sqrt(pi).

@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "numerics/polynomials/real_roots.hpp"
+#include "numerics/polynomials/polynomial.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
-// The root of a function between two points where the function has opposite signs.
-template <class Function>
-double sign_change(const Function& f, double from, double to) {
-  std::uintmax_t iterations = 200;
-  const auto [left, right] = boost::math::tools::toms748_solve(
-      f, from, to, boost::math::tools::eps_tolerance<double>(50), iterations);
-  return (left + right) / 2;
-}
+constexpr int kRootBits = 50;  // correct bits of turning points
 
 struct SearchInterval {
   double low, high;
@@ -89,7 +82,7 @@ double UndampedOrbits::half_cycle_end(double knot, double outwards, double energ
   const auto above = [&](double distance) {
     return potential_(knot + outwards * distance) - energy;
   };
-  return knot + outwards * sign_change(above, 0, step);
+  return knot + outwards * numerics::bracketed_root(above, 0, step, kRootBits);
 }
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
@@ -109,7 +102,7 @@ std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
     const bool next = below(knots[n + 1]);
     if (inside == next) continue;
-    const double at = sign_change(above, knots[n], knots[n + 1]);
+    const double at = numerics::bracketed_root(above, knots[n], knots[n + 1], kRootBits);
     if (inside) {
       open.right = at;
       open.at_right = false;

@@ -8,7 +8,7 @@
 #include "compare/comparison_axes.hpp"
 #include "paper_cases.hpp"
 #include "results/run.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 #include "trapezoid.hpp"
 
 /// Synthetic solutions for tests. Shapes and sizes of the differences are similar to those of a

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "numerics/interpolation.hpp"
+
 namespace fpkcheck::transform {
 namespace {
 
@@ -34,14 +36,8 @@ ConservativeRemap::EdgeStencil ConservativeRemap::edge_stencil(std::span<const d
   const auto points = std::min(kInterpolationPoints, end - begin);
   const auto first = std::clamp(k - points / 2, begin, end - points);
 
-  std::vector<double> lagrange;
-  for (auto a = first; a < first + points; ++a) {
-    double weight = 1;
-    for (auto b = first; b < first + points; ++b) {
-      if (b != a) weight *= (x - edges[b]) / (edges[a] - edges[b]);
-    }
-    lagrange.push_back(weight);
-  }
+  const std::vector<double> lagrange = numerics::lagrange_weights(
+      edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(points)), x);
   // The cumulative distribution at edge a contains all bins before a; the bins before k are
   // subtracted.
   EdgeStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),

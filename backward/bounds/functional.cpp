@@ -6,7 +6,6 @@
 
 #include "backward/generator/impulse_table.hpp"
 #include "base/input_error.hpp"
-#include "numerics/splines/bezier_extraction.hpp"
 #include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::backward {

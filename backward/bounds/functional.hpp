@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "numerics/interval/bernstein.hpp"
+#include "numerics/interval/interval.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {

@@ -4,7 +4,7 @@
 
 #include "backward/control/generator_factors.hpp"
 #include "backward/generator/normal_equations.hpp"
-#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::backward {

@@ -5,7 +5,7 @@
 #include <cfenv>
 
 #include "backward/generator/impact_basis.hpp"
-#include "numerics/splines/bezier_extraction.hpp"
+#include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::backward {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "backward/generator/impulse_table.hpp"
-#include "numerics/interval/bernstein.hpp"
+#include "numerics/interval/interval.hpp"
 #include "numerics/splines/spline_basis.hpp"
 #include "problem/problem.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numerics/splines/bezier_extraction.hpp"
+#include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::backward {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "numerics/interval/bernstein.hpp"
+#include "numerics/interval/interval.hpp"
 #include "numerics/splines/spline_basis.hpp"
 
 namespace fpkcheck::backward {

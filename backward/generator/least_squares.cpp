@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "backward/generator/normal_equations.hpp"
-#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 namespace fpkcheck::backward {
 namespace {

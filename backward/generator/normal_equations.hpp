@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 namespace fpkcheck::backward {
 

@@ -9,6 +9,7 @@
 
 #include "backward/control/generator_factors.hpp"
 #include "base/input_error.hpp"
+#include "numerics/interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::backward {
@@ -104,17 +105,11 @@ Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double
     const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
     const auto first = static_cast<std::size_t>(after - breaks.begin() - 1) * kNodesPerCell;
     const std::span<const double, kNodesPerCell> nodes(nodes_.data() + first, kNodesPerCell);
-    Eigen::RowVectorXd lagrange(static_cast<Eigen::Index>(kNodesPerCell));
-    for (std::size_t a = 0; a < kNodesPerCell; ++a) {
-      double product = 1;
-      for (std::size_t b = 0; b < kNodesPerCell; ++b) {
-        if (b != a) product *= (x - nodes[b]) / (nodes[a] - nodes[b]);
-      }
-      lagrange(static_cast<Eigen::Index>(a)) = product;
-    }
+    const std::vector<double> lagrange = numerics::lagrange_weights(nodes, x);
     result.row(static_cast<Eigen::Index>(n)).noalias() =
-        lagrange * means_.middleRows(static_cast<Eigen::Index>(first),
-                                     static_cast<Eigen::Index>(kNodesPerCell));
+        Eigen::Map<const Eigen::RowVectorXd>(lagrange.data(), kNodesPerCell) *
+        means_.middleRows(static_cast<Eigen::Index>(first),
+                          static_cast<Eigen::Index>(kNodesPerCell));
   }
   return result;
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/motion_balances.hpp"
 
 namespace fpkcheck::epc {

@@ -3,7 +3,7 @@
 #include "epc/summary.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/problem.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::epc {
 

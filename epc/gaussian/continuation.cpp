@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "epc/form/polynomial.hpp"
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/roots/continuation.hpp"
 
 namespace fpkcheck::epc::gaussian {

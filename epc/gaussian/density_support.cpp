@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "epc/summary.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
-#include "transform/zhuravlev.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <variant>
 
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/impulse_law.hpp"
 #include "problem/impulse_train.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::epc::gaussian {

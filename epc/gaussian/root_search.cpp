@@ -10,7 +10,7 @@
 #include "epc/gaussian/projected_equations.hpp"
 #include "epc/selection_policy.hpp"
 #include "epc/summary.hpp"
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::gaussian {

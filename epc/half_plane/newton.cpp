@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::epc::half_plane {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "epc/half_plane/newton.hpp"
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 namespace fpkcheck::epc::half_plane {
 namespace {

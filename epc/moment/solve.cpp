@@ -10,7 +10,7 @@
 #include "epc/moment/density.hpp"
 #include "epc/moment/root_search.hpp"
 #include "epc/summary.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {

@@ -8,7 +8,7 @@
 #include "epc/half_plane/root_search.hpp"
 #include "epc/polar/coordinates.hpp"
 #include "problem/scales.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::epc::polar {
 namespace {

@@ -6,8 +6,8 @@
 #include "fd_fpk/operator/operator.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/scales.hpp"
-#include "transform/balance_residuals.hpp"
 #include "transform/density.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::fd_fpk {
 

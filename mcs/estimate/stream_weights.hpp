@@ -5,9 +5,6 @@
 
 namespace fpkcheck::mcs {
 
-/// Half-width of the 95 % interval of a normal variable, in standard errors.
-inline constexpr double kNormal95 = 1.959964;
-
 /// A mean and its standard error.
 struct Estimate {
   double mean = 0;

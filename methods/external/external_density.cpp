@@ -11,7 +11,7 @@
 #include "problem/energy_balance.hpp"
 #include "problem/features.hpp"
 #include "problem/motion_balances.hpp"
-#include "transform/balance_residuals.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::methods {
 namespace {

@@ -11,6 +11,7 @@
 #include "base/text/sanitise.hpp"
 #include "methods/external/bin_average_errors.hpp"
 #include "methods/external/column_meaning.hpp"
+#include "numerics/statistics.hpp"
 
 // This include follows fpclassify: pchip of Boost 1.74 calls isnan, but does not declare isnan.
 #include <boost/math/interpolators/makima.hpp>
@@ -207,10 +208,9 @@ transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> 
     below = upper;
   }
   if (!has_standard_errors()) return result;
-  constexpr double kTwoSided95 = 1.959964;
   const auto errors = bin_average_errors(knots_, errors_, edges, extrapolation_);
   for (std::size_t b = 0; b < result.size(); ++b) {
-    const double half = kTwoSided95 * scale_ * errors[b].standard_error();
+    const double half = numerics::kNormal95 * scale_ * errors[b].standard_error();
     result.lower.push_back(std::max(result.density[b] - half, 0.0));
     result.upper.push_back(result.density[b] + half);
   }

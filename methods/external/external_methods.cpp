@@ -21,7 +21,7 @@
 #include "methods/external/joint_table.hpp"
 #include "methods/external/label_requirements.hpp"
 #include "problem/motion_balances.hpp"
-#include "transform/balance_residuals.hpp"
+#include "transform/metric.hpp"
 
 namespace fpkcheck::methods {
 namespace {

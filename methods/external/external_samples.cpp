@@ -11,6 +11,7 @@
 #include "base/input_error.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/bin_average_errors.hpp"
+#include "numerics/statistics.hpp"
 #include "problem/features.hpp"
 
 namespace fpkcheck::methods {
@@ -63,8 +64,8 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
     const double width = edges[b + 1] - edges[b], density = fractions[b] / width;
     const double error = std::sqrt(fractions[b] * (1 - fractions[b]) / independent) / width;
     marginal.density.push_back(density);
-    marginal.lower.push_back(std::max(0.0, density - 1.96 * error));
-    marginal.upper.push_back(density + 1.96 * error);
+    marginal.lower.push_back(std::max(0.0, density - numerics::kNormal95 * error));
+    marginal.upper.push_back(density + numerics::kNormal95 * error);
     errors.push_back({width, b, {error}});
   }
   const auto [expected, quantile_99] = l1_sampling_error(errors);

@@ -1,6 +1,13 @@
-#include "numerics/linear_algebra/subtract_product.hpp"
+#include "numerics/linear_algebra/subtract_product_kernel.hpp"
 
 namespace fpkcheck::numerics {
+
+void baseline::subtract_product(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
+                                const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,
+                                std::ptrdiff_t inner) {
+  subtract_product_blocked<2, 2, 4>(c, leading_dimension, a, b, rows, columns, inner);
+}
+
 namespace {
 
 SubtractProduct* fastest_kernel() {

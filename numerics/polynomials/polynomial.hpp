@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
+#include <vector>
 
 namespace fpkcheck::numerics {
 
@@ -53,12 +55,14 @@ class Polynomial {
   }
   /// The product of y and this polynomial. @pre degree() < kDegree
   constexpr Polynomial multiplied_by_argument() const {
+    assert(degree() < kDegree);
     Coefficients p{};
     for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
     return Polynomial(p);
   }
   /// The antiderivative that is 0 at y = 0. @pre degree() < kDegree
   constexpr Polynomial antiderivative() const {
+    assert(degree() < kDegree);
     Coefficients i{};
     for (std::size_t n = 0; n < kDegree; ++n) i[n + 1] = a_[n] / static_cast<double>(n + 1);
     return Polynomial(i);
@@ -67,5 +71,14 @@ class Polynomial {
  private:
   Coefficients a_;
 };
+
+/// The points in (low, high) where the polynomial changes its sign, increasing: its real roots of
+/// odd multiplicity. The roots are searched between neighbouring sign changes of the derivative,
+/// where the polynomial is monotone.
+std::vector<double> sign_changes(const Polynomial& polynomial, double low, double high);
+
+/// Cauchy's bound of the roots, 1 + max |a_n / a_degree|: every root of the polynomial has a
+/// modulus below this bound. The bound is 0 for a constant polynomial.
+double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

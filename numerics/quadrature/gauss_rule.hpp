@@ -2,11 +2,42 @@
 
 #include <Eigen/Core>
 #include <boost/math/quadrature/gauss.hpp>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace fpkcheck::numerics {
+
+/// A point of a quadrature rule, with its weight.
+struct QuadraturePoint {
+  double at;
+  double weight;
+};
+
+/// Points and weights of the composite Gauss-Legendre rule on [a, b], with N points on each of
+/// `panels` panels of equal width. The rule is exact for functions that are polynomials of degree
+/// 2 N - 1 on each panel. The points of a panel are ordered in pairs symmetric about its middle.
+/// @pre panels > 0
+template <unsigned N = 10>
+std::vector<QuadraturePoint> composite_gauss_points(double a, double b, int panels) {
+  assert(panels > 0);
+  using Rule = boost::math::quadrature::gauss<double, N>;  // Boost stores the abscissas >= 0
+  const double half_width = (b - a) / panels / 2;
+  std::vector<QuadraturePoint> points;
+  points.reserve(N * static_cast<std::size_t>(panels));
+  for (int k = 0; k < panels; ++k) {
+    const double centre = a + (2 * k + 1) * half_width;
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      const double offset = half_width * Rule::abscissa()[i];
+      const double weight = half_width * Rule::weights()[i];
+      if (offset != 0) points.push_back({centre - offset, weight});
+      points.push_back({centre + offset, weight});
+    }
+  }
+  return points;
+}
 
 /// Points and weights of a quadrature rule; both lists have the same length.
 struct QuadratureRule {
@@ -18,28 +49,20 @@ struct QuadratureRule {
   Eigen::Map<const Eigen::VectorXd> point_vector() const { return {points.data(), size()}; }
 };
 
-/// Composite Gauss-Legendre rule with N points on each panel. A panel is the interval between two
-/// neighbouring ends. The rule is exact for functions that are polynomials of degree 2 N - 1 on
-/// each panel. The points of a panel are ordered in pairs symmetric about the middle of the panel.
-/// @param panel_ends increasing ends of the panels
+/// The composite Gauss-Legendre rule with N points on each panel, for panels of different widths. A
+/// panel is the interval between two neighbouring ends.
+/// @param panel_ends increasing ends of the panels, at least two
 template <unsigned N>
 QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
-  using Gauss = boost::math::quadrature::gauss<double, N>;
   QuadratureRule rule;
-  std::vector<double> weights;
+  rule.weights.resize(static_cast<Eigen::Index>(N * (panel_ends.size() - 1)));
   for (std::size_t panel = 0; panel + 1 < panel_ends.size(); ++panel) {
-    const double centre = (panel_ends[panel] + panel_ends[panel + 1]) / 2;
-    const double half = (panel_ends[panel + 1] - panel_ends[panel]) / 2;
-    for (std::size_t n = 0; n < Gauss::abscissa().size(); ++n) {
-      for (const double sign : {-1.0, 1.0}) {
-        if (sign < 0 && Gauss::abscissa()[n] == 0) continue;  // the middle point has no partner
-        rule.points.push_back(centre + sign * half * Gauss::abscissa()[n]);
-        weights.push_back(half * Gauss::weights()[n]);
-      }
+    for (const auto& [at, weight] :
+         composite_gauss_points<N>(panel_ends[panel], panel_ends[panel + 1], 1)) {
+      rule.weights(static_cast<Eigen::Index>(rule.points.size())) = weight;
+      rule.points.push_back(at);
     }
   }
-  rule.weights =
-      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
   return rule;
 }
 
@@ -62,5 +85,22 @@ QuadratureRule sign_weighted_normal_rule(int degree);
 /// Gauss-Laguerre rule for int_0^inf g(t) exp(-t) dt. The rule is exact for polynomials g up to the
 /// given degree.
 QuadratureRule exponential_quadrature_rule(int degree);
+
+/// The integral of f over [a, b], computed with the quadrature rule of composite_gauss_points().
+template <class Function>
+double integrate_by_composite_gauss(const Function& f, double a, double b, int panels) {
+  double sum = 0;
+  for (const auto& [at, weight] : composite_gauss_points(a, b, panels)) sum += weight * f(at);
+  return sum;
+}
+
+/// The average of f over [a, b], computed with the three-point Gauss-Legendre rule. The rule is
+/// exact for polynomials up to degree 5.
+template <class Function>
+auto gauss_average(const Function& f, double a, double b) {
+  const double centre = (a + b) / 2;
+  const double offset = (b - a) / 2 * std::sqrt(0.6);
+  return (5 * f(centre - offset) + 8 * f(centre) + 5 * f(centre + offset)) / 18;
+}
 
 }  // namespace fpkcheck::numerics

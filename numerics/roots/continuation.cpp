@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 namespace fpkcheck::numerics {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -110,7 +111,10 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
 }
 
 /// Truncates each number of a vector to an integer. @pre the numbers are in 0 .. 2^31 - 1
-FPKCHECK_INLINE std::int32_t truncate_to_index(double x) { return static_cast<std::int32_t>(x); }
+FPKCHECK_INLINE std::int32_t truncate_to_index(double x) {
+  assert(x >= 0 && x < 0x1p31);
+  return static_cast<std::int32_t>(x);
+}
 template <class Real>
 FPKCHECK_INLINE typename VectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {
   return __builtin_convertvector(x, typename VectorTypes<kWidth<Real>>::Index);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "numerics/roots/bracketed_root.hpp"
+
 namespace fpkcheck::numerics {
 
 QuinticBSplines::QuinticBSplines(std::vector<double> knots)
@@ -116,10 +118,10 @@ std::vector<double> graded_knots(double begin, double end, double uniform_from, 
     for (int k = 0; k < outer; ++k) at += step *= factor;
     return at;
   };
-  double low = 0, high = 1;
-  while (end_position(high) < end) high *= 2;
-  for (int k = 0; k < 60; ++k)
-    (end_position((low + high) / 2) < end ? low : high) = (low + high) / 2;
+  double highest = 1;
+  while (end_position(highest) < end) highest *= 2;
+  const double factor =
+      bracketed_root([&](double trial) { return end_position(trial) - end; }, 0.0, highest);
   std::vector<double> side;  // positive breaks
   for (int k = shrinking_cells; k > 0; --k) {
     side.push_back((side.empty() ? 0 : side.back()) + width * std::pow(kShrink, -k));
@@ -127,7 +129,7 @@ std::vector<double> graded_knots(double begin, double end, double uniform_from, 
   const double uniform_begin = side.empty() ? 0 : side.back();
   for (int k = 1; k <= inner; ++k) side.push_back(uniform_begin + k * width);
   double step = width;
-  for (int k = 1; k < outer; ++k) side.push_back(side.back() + (step *= high));
+  for (int k = 1; k < outer; ++k) side.push_back(side.back() + (step *= factor));
   side.push_back(end);
   return mirrored_knots(side, begin < 0, multiplicity);
 }

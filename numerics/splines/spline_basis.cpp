@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numerics/splines/bezier_extraction.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::numerics {
 
@@ -47,12 +47,7 @@ std::vector<double> graded_breaks(double end, int cells, double finest, double u
   std::vector<double> breaks(cells + 1);
   for (int i = 1; i < cells; ++i) {
     const double wanted = count(end) * i / cells;
-    double low = breaks[i - 1], high = end;
-    for (int step = 0; step < 60; ++step) {
-      const double x = (low + high) / 2;
-      (count(x) < wanted ? low : high) = x;
-    }
-    breaks[i] = (low + high) / 2;
+    breaks[i] = bracketed_root([&](double x) { return count(x) - wanted; }, breaks[i - 1], end);
   }
   breaks[cells] = end;
   return breaks;

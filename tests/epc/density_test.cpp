@@ -10,7 +10,7 @@
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::epc {
 namespace {

@@ -8,7 +8,7 @@
 #include "exact/energy_law.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/case_file.hpp"
 
 // Each shipped system (docs/systems.md): finite volumes against the exact law where one is known,

@@ -14,7 +14,7 @@
 #include "results/limiting_errors_text.hpp"
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/check.hpp"
 #include "workflows/study/closure_order.hpp"

@@ -1,11 +1,11 @@
-#include "transform/balance_residuals.hpp"
+#include "transform/metric.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "transform/panel_marginals.hpp"
+#include "transform/marginal.hpp"
 
 namespace fpkcheck::transform {
 namespace {

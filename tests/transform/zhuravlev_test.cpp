@@ -1,4 +1,4 @@
-#include "transform/zhuravlev.hpp"
+#include "transform/change_of_frame.hpp"
 
 #include "transform/marginal.hpp"
 
@@ -6,8 +6,6 @@
 
 #include <cmath>
 #include <numbers>
-
-#include "transform/panel_marginals.hpp"
 
 namespace fpkcheck::transform {
 namespace {

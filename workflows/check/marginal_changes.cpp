@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "numerics/statistics.hpp"
 #include "workflows/check/quantities.hpp"
 #include "workflows/check/sampling_tolerance.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 using results::Curve;
 using transform::Solution;
 
-constexpr double kNormal95 = 1.96;  // half-width of a 95 % interval in standard errors
 // Largest half-width of a bin's 95 % interval relative to the density. A bin with a wider interval
 // has few events, and contributes only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
@@ -41,7 +41,7 @@ bool has_narrow_confidence_interval(const Curve& curve, std::size_t k) {
 }
 
 double standard_error(const Curve& curve, std::size_t k) {
-  return (curve.upper[k] - curve.density[k]) / kNormal95;
+  return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
 // The bin of a marginal density with the largest change. For simulations the change is in standard

@@ -10,7 +10,7 @@
 #include "base/input_error.hpp"
 #include "exact/linear_density.hpp"
 #include "exact/linear_problem.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::backward {

@@ -9,7 +9,7 @@
 #include "epc/formulations.hpp"
 #include "epc/solve.hpp"
 #include "general_oscillators.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/case_file.hpp"
 #include "transform/change_of_frame.hpp"
 

@@ -8,7 +8,7 @@
 #include "epc/gaussian/projected_equations.hpp"
 #include "epc/selection_policy.hpp"
 #include "laws.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
 #include "problem/impulse_law.hpp"
 

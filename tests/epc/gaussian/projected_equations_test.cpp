@@ -7,7 +7,7 @@
 
 #include "epc/gaussian/projected_equations.hpp"
 #include "epc/selection_policy.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::epc::gaussian {

@@ -10,7 +10,7 @@
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
-#include "numerics/quadrature/composite_gauss.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"
 

@@ -4,7 +4,7 @@
 #include <fpkcheck/cli/program.hpp>
 #include <fpkcheck/methods/builtin.hpp>
 #include <fpkcheck/problem/equivalent_linearisation.hpp>
-#include <fpkcheck/transform/panel_marginals.hpp>
+#include <fpkcheck/transform/marginal.hpp>
 #include <numbers>
 #include <optional>
 #include <string>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics/linear_algebra/dense_decompositions.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 namespace fpkcheck::numerics {
 namespace {

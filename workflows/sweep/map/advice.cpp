@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "numerics/statistics.hpp"
+
 namespace fpkcheck::sweep {
 namespace {
 
@@ -40,12 +42,6 @@ void move_most_accurate_first(std::vector<NearbyMethodResults>& methods) {
   std::rotate(methods.begin(), best, best + 1);
 }
 
-double median(std::vector<double> numbers) {
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::ranges::nth_element(numbers, middle);
-  return *middle;
-}
-
 // An upper bound of the L1 error of a result: the L1 distance to the reference plus the error
 // estimate of the reference. For the reference itself the bound is the error estimate alone.
 double error_bound(const MappedResult& answer, const MappedResult& reference) {
@@ -74,7 +70,7 @@ NearbyMethodResults nearby(const std::string& id, std::size_t m,
     }
     if (answer->underestimated && *answer->l1 > accuracy) ++found.underestimated;
   }
-  if (!seconds.empty()) found.seconds = median(seconds);
+  if (!seconds.empty()) found.seconds = numerics::median(seconds);
   found.promised =
       all_hold && found.points >= kMinNearbyPoints && nearest_distance <= kNearbyDistance;
   return found;

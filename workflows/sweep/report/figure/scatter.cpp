@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "numerics/statistics.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
@@ -19,12 +20,6 @@ using report::FigureSeries;
 constexpr std::size_t kMaxBins = 8;
 constexpr std::size_t kMinPointsForMedian = 3;  // for the median in a section of a range
 constexpr double kWordSpread = 0.6;             // width of the spread of methods, 1 being a word's
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 /// A varied key with the bins over which medians are taken: single values if the key has few
 /// values, else sections of the range.
@@ -95,7 +90,7 @@ std::vector<FigureSeries> method_series(const SweepView& view, const BinnedKey& 
   }
   for (const auto& [bin, values] : ok) {
     if (!key.is_enough(values.size())) continue;
-    medians.points.push_back({key.centre(bin) + offset, median_of(values)});
+    medians.points.push_back({key.centre(bin) + offset, numerics::median(values)});
   }
   return {points, medians};
 }

@@ -1,4 +1,4 @@
-#include "numerics/polynomials/real_roots.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "numerics/polynomials/real_roots.hpp"
+#include "numerics/polynomials/polynomial.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+
+#include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::numerics {
 
@@ -16,11 +17,7 @@ std::vector<double> sign_changes(const Polynomial& polynomial, double low, doubl
     const double from = polynomial(ends[n]), to = polynomial(ends[n + 1]);
     if (from == 0 && n > 0 && (polynomial(ends[n - 1]) < 0) != (to < 0)) roots.push_back(ends[n]);
     if (from == 0 || to == 0 || (from < 0) == (to < 0)) continue;
-    std::uintmax_t iterations = 200;
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        polynomial, ends[n], ends[n + 1], from, to, boost::math::tools::eps_tolerance<double>(52),
-        iterations);
-    roots.push_back((left + right) / 2);
+    roots.push_back(bracketed_root(polynomial, ends[n], ends[n + 1]));
   }
   return roots;
 }

@@ -1,4 +1,4 @@
-#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 #include <gtest/gtest.h>
 

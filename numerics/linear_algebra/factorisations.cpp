@@ -1,11 +1,35 @@
-#include "numerics/linear_algebra/block_banded_cholesky.hpp"
+#include "numerics/linear_algebra/factorisations.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
+#include <cassert>
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
 namespace fpkcheck::numerics {
+
+LuFactors::LuFactors(const Eigen::MatrixXd& matrix)
+    : lu_(std::make_unique<Eigen::PartialPivLU<Eigen::MatrixXd>>(matrix)) {}
+LuFactors::LuFactors(LuFactors&&) noexcept = default;
+LuFactors& LuFactors::operator=(LuFactors&&) noexcept = default;
+LuFactors::~LuFactors() = default;
+
+Eigen::VectorXd LuFactors::solve(const Eigen::VectorXd& right) const { return lu_->solve(right); }
+double LuFactors::determinant() const { return lu_->determinant(); }
+
+Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
+  return matrix.jacobiSvd().singularValues();
+}
+
+SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix) {
+  const double determinant = LuFactors(matrix).determinant();
+  return {.smallest_singular_value = singular_values(matrix).minCoeff(),
+          .determinant_sign = determinant > 0   ? 1
+                              : determinant < 0 ? -1
+                                                : 0};
+}
 
 BlockBandedMatrix::BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth)
     : offsets_{0}, bandwidth_(bandwidth) {
@@ -57,10 +81,12 @@ bool BlockBandedMatrix::factorise() {
                        {&panel(start, 0), panel.rows(), 1}, rows, target.cols(), n);
     }
   }
+  is_factorised_ = true;
   return true;
 }
 
 void BlockBandedMatrix::solve(Eigen::MatrixXd& b) const {
+  assert(is_factorised_);
   for (int c = 0; c < block_count(); ++c) {
     const Eigen::MatrixXd& panel = columns_[c];
     const Eigen::Index n = panel.cols(), below = panel.rows() - n;
