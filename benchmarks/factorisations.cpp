@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "case_on_grid.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/linear/klu.hpp"
-#include "fd_fpk/linear/null_vector.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 /// Fill-reducing orderings and sparse LU libraries on the matrix of the preconditioner.
@@ -211,7 +211,8 @@ const bool kRegistered = [] {
 void null_vector_by_gmres(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
-  const Eigen::VectorXd start = initial_gaussian(problem_on_grid.grid(), problem_on_grid.problem);
+  const Eigen::VectorXd start =
+      initial_gaussian(problem_on_grid.grid(), problem::scales(problem_on_grid.problem));
   for (auto _ : state) {
     Preconditioner preconditioner = problem_on_grid.preconditioner();
     const NullVector null = null_vector(op, preconditioner, start);
@@ -226,7 +227,8 @@ BENCHMARK(null_vector_by_gmres)->Arg(1000)->Arg(2000)->Arg(4000)->Unit(benchmark
 void null_vector_by_whole_factors(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
-  const Eigen::VectorXd start = initial_gaussian(problem_on_grid.grid(), problem_on_grid.problem);
+  const Eigen::VectorXd start =
+      initial_gaussian(problem_on_grid.grid(), problem::scales(problem_on_grid.problem));
   const double frequency =
       std::sqrt(problem::equivalent_linearisation(problem_on_grid.problem).stiffness);
   for (auto _ : state) {

@@ -35,7 +35,8 @@ BENCHMARK(preconditioner_assembly)
 void operator_product(benchmark::State& state) {
   const CaseOnGrid problem_on_grid(state.range(0));
   const FokkerPlanckOperator op = problem_on_grid.op();
-  const Eigen::VectorXd p = initial_gaussian(problem_on_grid.grid(), problem_on_grid.problem);
+  const Eigen::VectorXd p =
+      initial_gaussian(problem_on_grid.grid(), problem::scales(problem_on_grid.problem));
   for (auto _ : state) benchmark::DoNotOptimize((op * p).eval());
 }
 BENCHMARK(operator_product)->Arg(4000)->Arg(16000)->Arg(64000)->Unit(benchmark::kMillisecond);

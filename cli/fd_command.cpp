@@ -17,7 +17,6 @@
 #include "cli/standard_streams.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/transient.hpp"
-#include "fd_fpk/transient_options.hpp"
 #include "workflows/study/transient/report.hpp"
 
 namespace fpkcheck::cli {

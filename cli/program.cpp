@@ -24,7 +24,7 @@
 #include "cli/shutdown.hpp"
 #include "cli/standard_streams.hpp"
 #include "cli/study_subjects.hpp"
-#include "fd_fpk/library_versions.hpp"
+#include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/out_of_memory.hpp"
 #include "problem/unsupported_features.hpp"

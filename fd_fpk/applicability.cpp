@@ -1,7 +1,7 @@
 #include "fd_fpk/applicability.hpp"
 
 #include "fd_fpk/characteristics/rest_points.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "problem/features.hpp"
 #include "problem/inelastic_collapse.hpp"
 
@@ -22,7 +22,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   // The approximations km4 and delta act like white noise at the wall. For the paper's oscillator
   // their equations are solved nevertheless, since the paper does so; under `white` with the exact
   // impact the discretisation reports the collapse.
-  if (noise && !problem::has_equivalent_linearisation(problem)) {
+  if (noise && !has_linearised_scales(problem)) {
     std::string collapse = problem::inelastic_collapse_reason(problem, Equation::white);
     if (!collapse.empty()) return collapse;
   }

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "fd_fpk/linear/null_vector.hpp"
-#include "fd_fpk/linear/rightmost_eigenvalue.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -64,7 +63,7 @@ void append_remark(std::string& remark, const std::string& more) {
 NullVector solve_null_vector(const problem::Problem& problem, const Options& options,
                              const Discretisation& on, const FokkerPlanckOperator& op) {
   Preconditioner preconditioner(problem, on.excitation, options.impact, on.grid);
-  return null_vector(op, preconditioner, initial_gaussian(on.grid, problem));
+  return null_vector(op, preconditioner, initial_gaussian(on.grid, problem::scales(problem)));
 }
 
 // The density of the jump equation (kf) on a grid, or the reason why there is no density.
@@ -94,10 +93,11 @@ void compare_null_vector_with_kf(const problem::Problem& problem, const Options&
                                  const Discretisation& on, const FokkerPlanckOperator& op,
                                  bool symbol_grows, const NullVector& kf, RegularisationRow& row) {
   // The preconditioner of GMRES approximates only stable operators.
-  const NullVector found =
-      symbol_grows ? null_vector_by_inverse_iteration(op, initial_gaussian(on.grid, problem),
-                                                      linearised_frequency(problem))
-                   : solve_null_vector(problem, options, on, op);
+  const NullVector found = symbol_grows
+                               ? null_vector_by_inverse_iteration(
+                                     op, initial_gaussian(on.grid, problem::scales(problem)),
+                                     linearised_frequency(problem))
+                               : solve_null_vector(problem, options, on, op);
   if (!found.averages) return append_remark(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
   if (!kf.averages) return append_remark(row.remark, "no reference density of kf: " + kf.failure);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fd_fpk/axis/growth_rate.hpp"
+#include "fd_fpk/axis/excitation.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {

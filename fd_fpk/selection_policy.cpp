@@ -67,7 +67,7 @@ double diffusion_coefficient(const problem::Problem& problem, Equation equation)
 // cells are graded to this singularity: under white noise, or under impulses that act as white
 // noise. Outside the class of equivalent linearisation also under the truncated series km4.
 bool has_wall_singularity(const problem::Problem& problem, const Options& options) {
-  if (!problem::has_equivalent_linearisation(problem)) {
+  if (!has_linearised_scales(problem)) {
     return diffusion_coefficient(problem, options.equation) > 0;
   }
   return options.impact == Impact::map && problem.system.restitution() < 1 &&
@@ -81,12 +81,19 @@ double automatic_origin_refinement(const problem::Problem& problem, const Option
   // Schemes of high order oscillate on narrow cells at the spike that rare impulses cause; a wide
   // cell represents the spike as a mass. Under white noise the density has no spike.
   if (!singular && is_unbounded_at_origin(problem)) return 1;
-  if (problem::has_equivalent_linearisation(problem) && has_rare_impacts_by_mean_impulse(problem))
-    return 1;
+  if (has_linearised_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
 }
 
 }  // namespace
+
+bool has_linearised_scales(const problem::Problem& problem) {
+  return problem::has_equivalent_linearisation(problem);
+}
+
+bool must_satisfy_balances(const problem::Problem& problem) {
+  return !has_linearised_scales(problem);
+}
 
 // The thresholds are empirical, from random problems (docs/limits.md).
 bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time) {
@@ -94,7 +101,7 @@ bool are_characteristics_preferred(const problem::Problem& problem, double per_d
   constexpr double kStrongLosses = 0.4;
   constexpr double kMaxDeflection = 2;  // static deflection, in standard deviations
   if (per_decay_time < kRare) return true;
-  if (!problem::has_equivalent_linearisation(problem)) return false;
+  if (!has_linearised_scales(problem)) return false;
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
       problem.system.restitution() < kStrongLosses &&
@@ -104,15 +111,14 @@ bool are_characteristics_preferred(const problem::Problem& problem, double per_d
 
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
-  if (!problem::has_equivalent_linearisation(problem)) return false;
+  if (!has_linearised_scales(problem)) return false;
   return is_unbounded_at_origin(problem) ||
          (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
 int automatic_order(const problem::Problem& problem) {
-  return has_dissipative_wall(problem.system) || problem::has_equivalent_linearisation(problem)
-             ? kDefaultOrder
-             : kHighOrder;
+  return has_dissipative_wall(problem.system) || has_linearised_scales(problem) ? kDefaultOrder
+                                                                                : kHighOrder;
 }
 
 // A box with the default wall density truncates the tails due to impulses. The truncated tails
@@ -121,7 +127,6 @@ int automatic_order(const problem::Problem& problem) {
 // outside the box is estimated by an enlarged box instead.
 double wall_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
-  if (problem::has_equivalent_linearisation(problem)) return 1;
   return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
 }
 
@@ -132,8 +137,7 @@ bool has_automatic_grid(const Options& options) {
 }
 
 bool is_unbounded_at_origin(const problem::Problem& problem) {
-  return problem::has_equivalent_linearisation(problem) &&
-         problem::impulses_per_decay_time(problem) <= 2;
+  return has_linearised_scales(problem) && problem::impulses_per_decay_time(problem) <= 2;
 }
 
 bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
@@ -160,7 +164,7 @@ Gradings gradings(const problem::Problem& problem, const Options& options,
   constexpr double kLongReach = 2, kReach = 0.75;
   const double factor = origin_refinement(problem, options);
   if (factor == 1) return {};
-  const bool linearised = problem::has_equivalent_linearisation(problem);
+  const bool linearised = has_linearised_scales(problem);
   const double diffusion = diffusion_coefficient(problem, options.equation);
   const bool cubic = has_wall_singularity(problem, options) && can_grade_cubically(options);
   const auto grading = [factor](double reach) {

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
-#include "fd_fpk/axis/axis.hpp"
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/options.hpp"
 #include "problem/problem.hpp"
 #include "problem/scales.hpp"
@@ -10,11 +11,13 @@
 /// The selection policy of the solver: all choices of algorithm, order, grid and box that depend on
 /// the problem. Each choice has its thresholds, and the reason or experiment for each threshold, in
 /// selection_policy.cpp. The options may override each choice.
-///
-/// Many choices depend on problem::has_equivalent_linearisation(). If it holds, the density has one
-/// peak and one length scale for each axis, and box, grid and transport are chosen by these scales.
-/// For all other problems they are chosen by the density on a coarse grid.
 namespace fpkcheck::fd_fpk {
+
+/// Whether the density has one peak and one length scale for each axis, those of equivalent
+/// linearisation. Box, grid and transport are then chosen by these scales, for all other problems by
+/// the density on a coarse grid. Reason: the density on the coarse grid would take most of the time
+/// (`fpkcheck fd`: 0.32 s for 0.22 s in case 1, 3.1 s for 0.34 s in case 4).
+bool has_linearised_scales(const problem::Problem& problem);
 
 // Transport.
 
@@ -40,10 +43,36 @@ int automatic_order(const problem::Problem& problem);
 
 // Box.
 
-/// Factor of Options::wall_density for the stationary density on upwind grids.
+/// Factor of Options::wall_density for the stationary density on upwind grids, without
+/// has_linearised_scales().
 double wall_density_factor(const problem::Problem& problem);
 
 // Grid.
+
+/// Limits that a density must satisfy to count as resolved by its grid.
+struct ResolutionLimits {
+  double min_density;  ///< smallest accepted density relative to the peak, <= 0
+  double power;        ///< largest accepted |residual| of the power balance, relative to the input
+
+  /// Both of the following functions return false for NaN.
+  bool is_density_accepted(double relative_min_density) const {
+    return relative_min_density >= min_density;
+  }
+  bool is_power_residual_accepted(double residual) const { return std::abs(residual) <= power; }
+};
+
+/// An automatic grid that violates these limits is refined. These limits are stricter than
+/// kStationaryLimits (stationary/status_checks.hpp), so that the density on an automatic grid
+/// satisfies kStationaryLimits with a margin.
+inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
+
+/// Target for the estimated L1 error on an automatic grid, if the time limit permits.
+inline constexpr double kTargetAccuracy = 1e-4;
+
+/// Whether a solution is `ok` only with small residuals of its balances (kMaxBalanceResidual). An
+/// automatic grid is then refined until the solution is `ok`. Reason: for these problems no closure
+/// and no independent discretisation may be available that would reveal a wrong density.
+bool must_satisfy_balances(const problem::Problem& problem);
 
 /// Whether the options permit the solver to choose finer grids.
 bool has_automatic_grid(const Options& options);

@@ -1,18 +1,36 @@
 #include "fd_fpk/solve.hpp"
 
+#include <Spectra/Util/Version.h>
 #include <fmt/format.h>
+#include <klu.h>
+#include <sundials/sundials_version.h>
+
+#include <Eigen/Core>
 
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/selection_policy.hpp"
-#include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
+
+std::vector<std::pair<std::string, std::string>> library_versions() {
+  char sundials[32] = "unknown";
+  SUNDIALSGetVersion(sundials, sizeof sundials);
+  int suitesparse[3] = {};
+  SuiteSparse_version(suitesparse);
+  return {{"SUNDIALS", sundials},
+          {"SuiteSparse", fmt::format("{}.{}.{}", suitesparse[0], suitesparse[1], suitesparse[2])},
+          {"KLU", fmt::format("{}.{}.{}", KLU_MAIN_VERSION, KLU_SUB_VERSION, KLU_SUBSUB_VERSION)},
+          {"Eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"Spectra", fmt::format("{}.{}.{}", SPECTRA_MAJOR_VERSION, SPECTRA_MINOR_VERSION,
+                                  SPECTRA_PATCH_VERSION)}};
+}
+
 namespace {
 
 class Solver {
@@ -76,7 +94,7 @@ class Solver {
     }
     ScalesAndBox scales_and_box{.scales = scales_};
     // All grids share one box and the length scales that set the cell widths.
-    if (!problem::has_equivalent_linearisation(problem_) && transport == TransportScheme::upwind) {
+    if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
       options.wall_density *= wall_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
     }
@@ -88,7 +106,7 @@ class Solver {
     if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
     if (has_automatic_grid(options)) {
       return refine_until_deadline(on_one_grid, options, deadline,
-                                   {.until_ok = !problem::has_equivalent_linearisation(problem_)});
+                                   {.until_ok = must_satisfy_balances(problem_)});
     }
     if (options.error_estimate) return solve_with_error_estimate(on_one_grid, options);
     return on_one_grid(options);

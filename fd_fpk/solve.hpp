@@ -1,10 +1,19 @@
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/summary.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::fd_fpk {
+
+/// Name and version of each library that solves linear systems or steps in time. A version is that
+/// of the loaded shared library if the library has a function that returns its version, else that
+/// of the headers.
+std::vector<std::pair<std::string, std::string>> library_versions();
 
 /// The stationary density of the (generalised) Fokker-Planck-Kolmogorov equation, paper (15), by
 /// finite volumes on the point-symmetric half of the (z, z') plane. There are two discretisations

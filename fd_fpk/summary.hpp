@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/wall_density.hpp"
 #include "fd_fpk/options.hpp"
 #include "transform/density.hpp"
 #include "transform/metric.hpp"

@@ -12,12 +12,11 @@
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 #include "problem/undamped_orbits.hpp"
 #include "transform/change_of_frame.hpp"
@@ -40,7 +39,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
       .displacement_deviation =
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
-      .mean_displacement = problem::has_equivalent_linearisation(problem) ? 0 : scales.centre};
+      .mean_displacement = has_linearised_scales(problem) ? 0 : scales.centre};
   // In a symmetric well the mean is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
@@ -140,7 +139,7 @@ Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
                                           change, transport_order(options));
   s.mass = op.total_mass(averages);
   s.min_density = averages.minCoeff() / averages.maxCoeff();
-  s.wall = relative_wall_density(problem, grid, averages);
+  s.wall = relative_wall_density(problem::scales(problem), grid, averages);
   const auto [y, ydot] = marginals(grid, averages);
   s.y.assign(y.begin(), y.end());
   s.v.assign(ydot.begin(), ydot.end());

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fd_fpk/operator/wall_density.hpp"
-#include "fd_fpk/transient_options.hpp"
+#include "fd_fpk/axis/grid.hpp"
+#include "fd_fpk/options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 

@@ -1,11 +1,10 @@
 #include "fd_fpk/axis/axis_operators.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
-
-#include "fd_fpk/axis/dense_solve.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -29,7 +28,7 @@ Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, dou
     for (int a = 0; a < stencil_size; ++a) averages(a, c) = monomial_average(left, right, a);
   }
   for (int a = 0; a < stencil_size; ++a) wanted(a) = functional(a);
-  return dense_solve(averages, wanted);
+  return averages.partialPivLu().solve(wanted);
 }
 
 AxisOperator assemble(int rows, int columns, const Triplets& entries) {
@@ -104,21 +103,14 @@ AxisOperator face_derivative_operator(const Axis& axis, int stencil_size) {
   return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, slope_at_zero);
 }
 
-AxisOperator first_face_value_operator(const Axis& axis, int stencil_size) {
+AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size) {
   Triplets entries;
-  append_stencil(entries, axis, 0, 0,
-                 exact_weights(axis, 0, stencil_size, axis.face_position(0), axis.cell_width(0),
-                               value_at_zero));
-  return assemble(1, axis.cell_count(), entries);
-}
-
-AxisOperator last_face_value_operator(const Axis& axis, int stencil_size) {
-  Triplets entries;
-  const int last = axis.cell_count();
-  append_stencil(entries, axis, 0, last - stencil_size,
-                 exact_weights(axis, last - stencil_size, stencil_size, axis.face_position(last),
-                               axis.cell_width(last - 1), value_at_zero));
-  return assemble(1, axis.cell_count(), entries);
+  const bool left = end == AxisEnd::left;
+  const int last = axis.cell_count(), first_cell = left ? 0 : last - stencil_size;
+  append_stencil(entries, axis, 0, first_cell,
+                 exact_weights(axis, first_cell, stencil_size, axis.face_position(left ? 0 : last),
+                               axis.cell_width(left ? 0 : last - 1), value_at_zero));
+  return assemble(1, last, entries);
 }
 
 AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,

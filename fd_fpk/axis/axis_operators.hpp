@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "fd_fpk/axis/axis.hpp"
+#include "fd_fpk/axis/grid.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 
 /// One-dimensional operators on cell averages of an axis. The operator of the phase plane is a sum
@@ -28,13 +28,9 @@ AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSid
 /// face_value_operator. Stencils are centred, `stencil_size` is even.
 AxisOperator face_derivative_operator(const Axis& axis, int stencil_size);
 
-/// The row that maps cell averages to the value at face 0, by extrapolation from the first
-/// `stencil_size` cells, shape (1, cells).
-AxisOperator first_face_value_operator(const Axis& axis, int stencil_size);
-
-/// The row that maps cell averages to the value at the last face, by extrapolation from the last
-/// `stencil_size` cells, shape (1, cells).
-AxisOperator last_face_value_operator(const Axis& axis, int stencil_size);
+/// The row that maps cell averages to the value at the first or the last face, by extrapolation from
+/// the nearest `stencil_size` cells, shape (1, cells).
+AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size);
 
 /// The matrix that maps averages of p to averages of weight(x) p over each cell, shape (cells,
 /// cells). Stencils of `stencil_size` cells (odd) do not cross the inner face `barrier`, if given.

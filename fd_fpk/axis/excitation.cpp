@@ -1,9 +1,11 @@
 #include "fd_fpk/axis/excitation.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
-#include "fd_fpk/axis/dense_solve.hpp"
 #include "fd_fpk/axis/jump_matrix.hpp"
 #include "problem/impulse_train.hpp"
 
@@ -60,7 +62,7 @@ Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, 
   const Eigen::MatrixXd numerator = d2 * curvature;
   return {.drift = impulses.rate_times_moment(1),
           .diffusion = 0,
-          .exchange = dense_solve(denominator, numerator),
+          .exchange = denominator.partialPivLu().solve(numerator),
           .exchange_diffusion = d2,
           .exchange_rate = d2 / b};
 }
@@ -79,6 +81,104 @@ AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, in
       excitation.diffusion * face_derivative_operator(axis, scheme_order) -
       excitation.drift * face_value_operator(axis, scheme_order, UpstreamSide::left);
   return divergence_operator(axis) * flux;
+}
+
+namespace {
+
+// The fastest growing wave of kramers_moyal_excitation on cells of this width.
+FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impulses,
+                                              double cell_width, int stencil_size,
+                                              double regularisation_length) {
+  const int reach = stencil_half_width_in_cells(regularisation_length, cell_width, stencil_size);
+  const Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
+  return fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, regularisation_length),
+                              stencil_size);
+}
+
+}  // namespace
+
+FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
+                                        int stencil_size) {
+  const int middle = axis.cell_count() / 2;
+  Eigen::RowVectorXd row = local_excitation(axis, excitation, stencil_size).row(middle);
+  if (excitation.exchange.size() > 0) row += excitation.exchange.row(middle);
+
+  constexpr int kWaves = 2000;
+  const Eigen::ArrayXd phases =
+      Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);  // q step
+  // Sums row(middle + j) cos(j phase) over j, with the cosines by their three-term recurrence.
+  const Eigen::ArrayXd twice = 2 * phases.cos();
+  Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
+  Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
+  for (int j = 1; j <= middle; ++j) {
+    const double after = middle + j < axis.cell_count() ? row(middle + j) : 0;
+    rates += (row(middle - j) + after) * cosines;
+    before = twice * cosines - before;
+    before.swap(cosines);
+  }
+  Eigen::Index fastest = 0;
+  const double rate = rates.maxCoeff(&fastest);
+  return {rate, phases(fastest) / axis.cell_width(middle)};
+}
+
+int stencil_half_width_in_cells(double regularisation_length, double cell_width, int stencil_size) {
+  return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
+}
+
+bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& impulses) {
+  constexpr double kRounding = 1e-9;
+  return growth.rate > kRounding * impulses.arrival_rate();
+}
+
+double shortest_regularisation_length(const problem::ImpulseLaw& law) {
+  constexpr double kLargestSine =
+      0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
+  return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
+}
+
+std::vector<double> critical_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+                                         double regularisation_length) {
+  constexpr double kSame = 1.05, kNarrow = 0.5;
+  const bool narrow_ones_decay = regularisation_length >= default_regularisation_length(law);
+  const Eigen::VectorXd all = axis.cell_widths();
+  std::vector<double> sorted(all.begin(), all.end()), critical;
+  std::ranges::sort(sorted);
+  for (const double cell_width : sorted) {
+    if (narrow_ones_decay && cell_width <= kNarrow * regularisation_length) continue;
+    if (critical.empty() || cell_width > kSame * critical.back()) critical.push_back(cell_width);
+  }
+  return critical;
+}
+
+double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
+                                      std::span<const double> widths, int stencil_size,
+                                      double min_length) {
+  constexpr double kStep = 1.1, kClose = 1.001;
+  const auto too_short = [&](double regularisation_length) {
+    return std::ranges::any_of(widths, [&](double cell_width) {
+      return is_unstable(
+          fastest_kramers_moyal_wave(impulses, cell_width, stencil_size, regularisation_length),
+          impulses);
+    });
+  };
+  if (!too_short(min_length)) return min_length;
+  // The loop terminates, because the fourth difference over a length of many cells is negligible
+  // compared with the second difference.
+  double shorter = min_length, longer = kStep * min_length;
+  for (; too_short(longer); longer *= kStep) shorter = longer;
+  while (longer > kClose * shorter) {
+    const double middle = std::sqrt(shorter * longer);
+    (too_short(middle) ? shorter : longer) = middle;
+  }
+  return longer;
+}
+
+double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
+                                     int stencil_size) {
+  const double regularisation_length = default_regularisation_length(impulses.law());
+  return shortest_regularisation_length(
+      impulses, critical_cell_widths(axis, impulses.law(), regularisation_length), stencil_size,
+      regularisation_length);
 }
 
 }  // namespace fpkcheck::fd_fpk

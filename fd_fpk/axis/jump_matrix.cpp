@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
-#include "fd_fpk/axis/cumulative_interpolation.hpp"
+#include "fd_fpk/axis/impact_map.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -16,19 +17,10 @@ constexpr int kFaces = 8;  // number of faces in an interpolation stencil, for d
 
 constexpr int kMoments = 8;  // degree of the polynomial through a face and its neighbours
 
-// Calls visit(y, weight) for a composite rule on [a, b] with panels not longer than `longest`.
-template <class Visitor>
-void for_each_gauss_legendre_node(double a, double b, double longest, const Visitor& visit) {
-  using Rule = boost::math::quadrature::gauss<double, 8>;
-  const int panels = std::max(1, static_cast<int>(std::ceil((b - a) / longest)));
-  const double half = (b - a) / (2 * panels);
-  for (int k = 0; k < panels; ++k) {
-    const double middle = a + (2 * k + 1) * half;
-    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {
-      visit(middle - half * Rule::abscissa()[n], half * Rule::weights()[n]);
-      visit(middle + half * Rule::abscissa()[n], half * Rule::weights()[n]);
-    }
-  }
+// Points of a composite rule on [a, b] with panels not longer than `longest`.
+std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double longest) {
+  return numerics::composite_gauss_points<8>(
+      a, b, std::max(1, static_cast<int>(std::ceil((b - a) / longest))));
 }
 
 // The generator matrix, from the change of the cumulative distribution C. Column f of `change`
@@ -95,22 +87,21 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
   // As a function of u = face - y, the interpolating polynomial changes at the faces of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
-  const auto visit = [&](double u, double weight) {
-    cumulative.add_weights_at(u, weight * law.density(face - u), weights);
-  };
   const auto& faces = axis.faces();
   auto next = std::upper_bound(faces.begin(), faces.end(), left);
   for (double u = left; u < right; ++next) {
     const double end = std::min(*next, right);
-    for_each_gauss_legendre_node(u, end, longest, visit);
+    for (const auto& [at, weight] : gauss_points(u, end, longest)) {
+      cumulative.add_weights_at(at, weight * law.density(face - at), weights);
+    }
     u = end;
   }
   // Right of the axis the cumulative distribution is constant.
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
-    for_each_gauss_legendre_node(
-        from, std::min(to, farthest), longest,
-        [&](double y, double weight) { weights(axis.cell_count()) += weight * law.density(y); });
+    for (const auto& [y, weight] : gauss_points(from, std::min(to, farthest), longest)) {
+      weights(axis.cell_count()) += weight * law.density(y);
+    }
   }
 }
 
@@ -146,6 +137,63 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
     change(f, f) -= 1;
   }
   return generator_matrix(axis, cumulative, change);
+}
+
+namespace {
+
+// The upper end of a cell; infinity for the last cell, which receives all mass above the axis.
+double upper_end(const Axis& axis, int cell) {
+  return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
+                                      : std::numeric_limits<double>::infinity();
+}
+
+// Adds the jumps by a law with a density, by quadrature over four points of the source cell.
+void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int from,
+                       CellJumpMatrices& jumps) {
+  for (const auto& [at, weight] : numerics::composite_gauss_points<4>(-0.5, 0.5, 1)) {
+    const double offset = at * axis.cell_width(from);
+    const double v = axis.cell_centre(from) + offset;
+    double below = 0;
+    for (int to = 0; to < axis.cell_count(); ++to) {
+      const double end = upper_end(axis, to);
+      const double until = std::isinf(end) ? 1 : law.cumulative_probability(end - v);
+      jumps.uniform(to, from) += weight * (until - below);
+      jumps.slope(to, from) += weight * offset * (until - below);
+      below = until;
+    }
+  }
+}
+
+// Adds the jumps by an atom of the law. The atom shifts the mass of the whole source cell; each
+// target cell receives the fraction that overlaps with the target cell.
+void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int from,
+                    CellJumpMatrices& jumps) {
+  const double left = axis.face_position(from) + atom.amplitude;
+  const double right = axis.face_position(from + 1) + atom.amplitude;
+  const double centre = axis.cell_centre(from) + atom.amplitude;
+  for (int to = 0; to < axis.cell_count(); ++to) {
+    const double begin =
+        std::max(left, to == 0 ? -std::numeric_limits<double>::infinity() : axis.face_position(to));
+    const double end = std::min(right, upper_end(axis, to));
+    if (!(end > begin)) continue;
+    const double share = atom.probability * (end - begin) / (right - left);
+    jumps.uniform(to, from) += share;
+    jumps.slope(to, from) += share * ((begin + end) / 2 - centre);
+  }
+}
+
+}  // namespace
+
+CellJumpMatrices cell_jump_matrices(const Axis& axis, const problem::ImpulseLaw& law) {
+  const int cells = axis.cell_count();
+  CellJumpMatrices jumps{.uniform = Eigen::MatrixXd::Zero(cells, cells),
+                         .slope = Eigen::MatrixXd::Zero(cells, cells)};
+  const auto atoms = law.atoms();
+  for (int from = 0; from < cells; ++from) {
+    if (atoms.empty()) add_density_jumps(axis, law, from, jumps);
+    for (const auto& atom : atoms) add_atom_jumps(axis, atom, from, jumps);
+  }
+  return jumps;
 }
 
 }  // namespace fpkcheck::fd_fpk

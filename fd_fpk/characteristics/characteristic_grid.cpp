@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/flow.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
 #include "fd_fpk/selection_policy.hpp"
@@ -12,7 +14,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr double kWidth = 0.2;  // cell width far from the origin, in typical amplitudes
+constexpr double kCellWidth = 0.2;  // cell width far from rest points, in typical amplitudes
 // Parameters of the grading towards singularities other than the origin: over shorter distances
 // than towards the origin.
 constexpr double kSpikeReach = 0.25;
@@ -35,8 +37,9 @@ double speed_deviation(const problem::Problem& problem) {
   return std::min(linear, bouncing);
 }
 
-double typical_speed(const problem::Problem& problem) {
-  return std::max(speed_deviation(problem), 0.5 * std::sqrt(problem.impulses.law().moment(2)));
+// The typical speed, which is at least the speed due to half an impulse, even if impulses are rare.
+double typical_speed(const problem::Problem& problem, double deviation) {
+  return std::max(deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
 
 double typical_height(const problem::Problem& problem, const Flow& flow, double speed) {
@@ -108,13 +111,12 @@ std::vector<RefinementPoint> refinement_points(double typical, double core,
   return refinement_points;
 }
 
-}  // namespace
-
-Grid characteristic_grid(const problem::Problem& problem, const Options& options, const Box& box) {
+Grid linearised_grid(const problem::Problem& problem, const Options& options, const Box& box) {
   const Flow flow(problem.system);
-  const double v = typical_speed(problem), y = typical_height(problem, flow, v);
-  const double width = kWidth / options.refinement;
-  const double core = relative_core_width(speed_deviation(problem), v);
+  const double deviation = speed_deviation(problem), v = typical_speed(problem, deviation);
+  const double y = typical_height(problem, flow, v);
+  const double width = kCellWidth / options.refinement;
+  const double core = relative_core_width(deviation, v);
   // An impulse displaces the spike of mass at rest without making it wider.
   const Singularities singular =
       is_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
@@ -123,14 +125,15 @@ Grid characteristic_grid(const problem::Problem& problem, const Options& options
       faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
 }
 
-Box initial_characteristic_box(const problem::Problem& problem, const Options& options) {
+Box initial_linearised_box(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
   // With a constant force the height of the box, and so the number of cells, is proportional to the
   // square of the speed.
   constexpr double kTimesPressed = 5;
   const double times = mean_acceleration_to_wall(problem) > 0 ? kTimesPressed : kTimes;
-  const double v_max = options.x2_max.value_or(
-      times * typical_speed(problem) + kImpulses * impulse_quantile(problem.impulses.law(), kRare));
+  const double v_max =
+      options.x2_max.value_or(times * typical_speed(problem, speed_deviation(problem)) +
+                              kImpulses * impulse_quantile(problem.impulses.law(), kRare));
   double y_max = kHigher * typical_height(problem, Flow(problem.system), v_max);
   if (mean_acceleration_to_wall(problem) == 0) {
     const auto linear = problem::equivalent_linearisation(problem);
@@ -138,6 +141,141 @@ Box initial_characteristic_box(const problem::Problem& problem, const Options& o
                      problem::static_deflection(problem) + kTimes * linear.displacement_deviation);
   }
   return {.x1_max = options.x1_max.value_or(y_max), .x2_max = v_max};
+}
+
+// Speed, in units of the typical speed, below which the impacts at a contact are treated as a
+// cascade.
+constexpr double kContactCore = 0.02;
+// Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
+// constant width: for rare impulses, and for frequent impulses, under which the motion hardly ever
+// has smaller amplitudes. Around an equilibrium between walls the errors of the cells on both sides
+// cancel in the mean. Towards an equilibrium at a wall the cell widths decrease further, to
+// relative_core_width().
+constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
+
+// Typical distance to an equilibrium to which the motion decays between two impulses.
+double equilibrium_core_distance(const problem::Problem& problem,
+                                 const problem::MotionScales& scales, bool is_at_wall) {
+  const double impulses = problem::impulses_per_decay_time(problem, scales);
+  const double least = is_at_wall
+                           ? relative_core_width(scales.velocity_deviation,
+                                                 typical_speed(problem, scales.velocity_deviation))
+                           : kLeastCore;
+  return std::clamp(std::exp(-kNothingLeft / impulses), least, kMostCore);
+}
+
+bool is_at_wall(const Flow& flow, const RestPoint& point) {
+  const auto is_at = [&](WallSide side) {
+    return flow.wall(side) && flow.wall(side)->position == point.y;
+  };
+  return is_at(WallSide::left) || is_at(WallSide::right);
+}
+
+struct TypicalScales {
+  double speed, core_v;
+  std::vector<RestPoint> points;
+  std::vector<double> core_y = {};  // core of the grading in y, for each rest point
+  // largest distance from a rest point that motion with the typical speed attains
+  double widest = 0;
+};
+
+TypicalScales typical_scales(const problem::Problem& problem, const problem::MotionScales& scales,
+                             const Flow& flow) {
+  TypicalScales found{.speed = typical_speed(problem, scales.velocity_deviation),
+                      .core_v = kContactCore,
+                      .points = rest_points(flow)};
+  for (const RestPoint& point : found.points) {
+    const AccessibleInterval accessible_interval = flow.accessible_interval({point.y, found.speed});
+    const double length =
+        std::max(point.y - accessible_interval.low, accessible_interval.high - point.y);
+    found.widest = std::max(found.widest, length);
+    if (point.contact) {
+      // The first cell in y has the height of a flight whose speed is the width of the first cell
+      // in v.
+      const double slow = kCellWidth * kContactCore * found.speed;
+      const double height = slow * slow / (2 * std::abs(flow.force(point.y)));
+      found.core_y.push_back(height / kCellWidth);
+    } else {
+      const double core = equilibrium_core_distance(problem, scales, is_at_wall(flow, point));
+      found.core_y.push_back(core * length);
+      found.core_v = std::min(found.core_v, core);
+    }
+  }
+  return found;
+}
+
+Grid contact_grid(const problem::Problem& problem, const problem::MotionScales& scales,
+                  const Options& options, const Box& box) {
+  const Flow flow(problem.system);
+  const TypicalScales scale = typical_scales(problem, scales, flow);
+  const double part = kCellWidth / options.refinement;
+  double least = flow.potential(scale.points.front().y);
+  for (const RestPoint& point : scale.points) least = std::min(least, flow.potential(point.y));
+  std::vector<double> anchors{box.x1_min};
+  for (const RestPoint& point : scale.points) {
+    if (point.y > anchors.back() && point.y < box.x1_max) anchors.push_back(point.y);
+  }
+  anchors.push_back(box.x1_max);
+  const auto width_in_y = [&](double y) {
+    const double speed = std::sqrt(2 * std::max(0.0, flow.potential(y) - least));
+    // Near a saddle the force does not determine the length scale of the density.
+    double nearest = scale.widest;
+    for (const RestPoint& point : scale.points) {
+      nearest = std::max(nearest, std::abs(y - point.y) / 4);
+    }
+    double inverse = std::max(
+        1 / nearest, std::abs(flow.force(y)) / (std::max(speed, scale.speed) * scale.speed));
+    for (std::size_t k = 0; k < scale.points.size(); ++k) {
+      inverse += 1 / (scale.core_y[k] + std::abs(y - scale.points[k].y));
+    }
+    return part / inverse;
+  };
+  const std::vector<double> speeds{0, box.x2_max};
+  const auto width_in_v = [&](double v) {
+    return part / (1 / scale.speed + 1 / (scale.core_v * scale.speed + v));
+  };
+  const auto beyond = [&](WallSide side) {
+    return flow.wall(side) ? EndCondition::boundary : EndCondition::vacuum;
+  };
+  return symmetric_grid(faces_with_local_width(anchors, width_in_y),
+                        faces_with_local_width(speeds, width_in_v), beyond(WallSide::left),
+                        beyond(WallSide::right));
+}
+
+Box initial_contact_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                        const Options& options) {
+  constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
+  const Flow flow(problem.system);
+  const auto& law = problem.impulses.law();
+  Box box{
+      .x1_max = 0,
+      .x2_max = options.x2_max.value_or(kTimes * typical_speed(problem, scales.velocity_deviation) +
+                                        std::abs(law.mean()) + kDeviations * law.deviation())};
+  double lowest = 0, highest = 0;
+  for (const RestPoint& point : rest_points(flow)) {
+    const AccessibleInterval accessible_interval = flow.accessible_interval({point.y, box.x2_max});
+    lowest = std::min(lowest, accessible_interval.low);
+    highest = std::max(highest, accessible_interval.high);
+  }
+  const auto& left = flow.wall(WallSide::left);
+  const auto& right = flow.wall(WallSide::right);
+  box.x1_min = left ? left->position : kHigher * lowest;
+  box.x1_max = right ? right->position : options.x1_max.value_or(kHigher * highest);
+  return box;
+}
+
+}  // namespace
+
+Grid characteristic_grid(const problem::Problem& problem, const problem::MotionScales& scales,
+                         const Options& options, const Box& box) {
+  return has_linearised_scales(problem) ? linearised_grid(problem, options, box)
+                                        : contact_grid(problem, scales, options, box);
+}
+
+Box initial_characteristic_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                               const Options& options) {
+  return has_linearised_scales(problem) ? initial_linearised_box(problem, options)
+                                        : initial_contact_box(problem, scales, options);
 }
 
 }  // namespace fpkcheck::fd_fpk

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/flow.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
-#include "fd_fpk/operator/grid.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "problem/impulse_law.hpp"
 

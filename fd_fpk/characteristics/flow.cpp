@@ -1,6 +1,7 @@
 #include "fd_fpk/characteristics/flow.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -31,9 +32,12 @@ Flow::Flow(const problem::System& system)
       damping_slope_(system.damping_polynomial().derivative()),
       rayleigh_(system.rayleigh_coefficient()),
       potential_extrema_(problem::sign_changes_between_walls(force_, system)),
-      stiffness_extrema_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {}
+      stiffness_extrema_(problem::sign_changes_between_walls(tangent_.derivative(), system)) {
+  assert(damping_.coefficient(0) >= 0 && damping_.coefficient(2) >= 0 && rayleigh_ >= 0);
+}
 
 double Flow::distance(double y, WallSide side) const {
+  assert(wall(side));
   return inward_sign(side) * (y - wall(side)->position);
 }
 
@@ -205,6 +209,7 @@ HalfCycle Flow::half_cycle(double speed) const {
 }
 
 double Flow::impact_time(const State& from, double time, WallSide side) const {
+  assert(distance(advance(from, time).y, side) <= 0);
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
   // Initial guess: the time at which the chord of the path meets the wall; half of the time step

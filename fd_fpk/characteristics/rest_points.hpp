@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/characteristics/flow.hpp"
-#include "fd_fpk/operator/grid.hpp"
 
 namespace fpkcheck::fd_fpk {
 

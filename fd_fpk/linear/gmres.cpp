@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fd_fpk/linear/callback_exception.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -1,12 +1,109 @@
 #include "fd_fpk/linear/klu.hpp"
 
+#include <cholmod.h>
 #include <klu.h>
 
+#include <algorithm>
+#include <boost/container_hash/hash.hpp>
+#include <cstddef>
+#include <list>
+#include <mutex>
 #include <stdexcept>
-
-#include "fd_fpk/linear/fill_reducing_ordering.hpp"
+#include <utility>
 
 namespace fpkcheck::fd_fpk {
+namespace {
+
+// METIS uses the random numbers of the C library, one sequence for the whole process. METIS seeds
+// the sequence for each dissection, but concurrent dissections would share the sequence. Then the
+// orderings, and with these the last digits of all solutions, would depend on the timing of the
+// threads.
+std::mutex dissection_mutex;
+
+std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
+  const SparseColumnMatrix symmetric = SparseColumnMatrix(matrix.transpose()) + matrix;
+  const auto n = static_cast<std::size_t>(matrix.cols());
+  cholmod_sparse graph{};
+  graph.nrow = graph.ncol = n;
+  graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
+  // CHOLMOD does not modify these arrays.
+  graph.p = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.outerIndexPtr());
+  graph.i = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.innerIndexPtr());
+  graph.stype = 1;  // a symmetric matrix, of which CHOLMOD reads the upper triangle
+  graph.itype = CHOLMOD_LONG;
+  graph.xtype = CHOLMOD_PATTERN;
+  graph.sorted = graph.packed = 1;
+  cholmod_common common;
+  cholmod_l_start(&common);
+  common.print = 0;
+  // METIS aborts the program when memory is exhausted: CHOLMOD first checks for twice the memory
+  // that METIS needs.
+  common.metis_memory = 2;
+  std::vector<std::int64_t> order(n), parents(n), components(n);
+  const std::lock_guard alone(dissection_mutex);
+  const std::int64_t found = cholmod_l_nested_dissection(
+      &graph, nullptr, 0, order.data(), parents.data(), components.data(), &common);
+  cholmod_l_finish(&common);
+  if (found < 0) order.clear();
+  return order;
+}
+
+/// Key of a sparsity pattern. If two patterns of equal size had the same hash, one of them would
+/// get a less efficient but still valid ordering.
+struct SparsityPattern {
+  std::int64_t unknowns, entries;
+  std::size_t hash;
+
+  explicit SparsityPattern(const SparseColumnMatrix& matrix)
+      : unknowns(matrix.cols()), entries(matrix.nonZeros()), hash(0) {
+    boost::hash_range(hash, matrix.outerIndexPtr(), matrix.outerIndexPtr() + unknowns + 1);
+    boost::hash_range(hash, matrix.innerIndexPtr(), matrix.innerIndexPtr() + entries);
+  }
+  bool operator==(const SparsityPattern&) const = default;
+};
+
+/// Thread-safe cache of the most recently used orderings.
+class OrderingCache {
+ public:
+  std::vector<std::int64_t> find(const SparsityPattern& pattern) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::ranges::find(orders_, pattern, &Entry::first);
+    if (found == orders_.end()) return {};
+    orders_.splice(orders_.begin(), orders_, found);
+    return found->second;
+  }
+  void put(const SparsityPattern& pattern, const std::vector<std::int64_t>& order) {
+    const std::lock_guard lock(mutex_);
+    orders_.emplace_front(pattern, order);
+    unknowns_ += order.size();
+    while (unknowns_ > kMostUnknowns && orders_.size() > 1) {
+      unknowns_ -= orders_.back().second.size();
+      orders_.pop_back();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB
+
+  using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
+  std::mutex mutex_;
+  std::list<Entry> orders_;  // most recent first
+  std::size_t unknowns_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
+  static OrderingCache& cache =
+      *new OrderingCache;  // never destroyed, since threads may still use the cache at exit
+  const SparsityPattern pattern(matrix);
+  auto order = cache.find(pattern);
+  if (!order.empty()) return order;
+  order = nested_dissection(matrix);
+  if (!order.empty()) cache.put(pattern, order);
+  return order;
+}
+
 namespace {
 
 // The three arrays of a sparse matrix, as arguments for KLU. The interface of KLU is not

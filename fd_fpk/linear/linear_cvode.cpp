@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fd_fpk/linear/callback_exception.hpp"
+#include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/sundials.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fd_fpk/linear/linear_map.hpp"
+#include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
 #include "fd_fpk/operator/operator.hpp"
 #include "fd_fpk/stopwatch.hpp"

@@ -7,8 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "fd_fpk/axis/growth_rate.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "fd_fpk/axis/excitation.hpp"
+#include "fd_fpk/selection_policy.hpp"
+#include "numerics/roots/bracketed_root.hpp"
 #include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -127,13 +128,12 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
 // The upper end of an axis with `more` additional cells; without these the axis has `cells` cells
 // and ends at `length`.
 double extended_axis_end(int more, int cells, double length, const Grading& grading) {
-  const double wanted = graded_cell_count(length, 1, grading) * (cells + more) / cells;
-  double end = length;
-  for (int n = 0; n < 20; ++n) {  // Newton's method: the function is convex and nearly linear
-    end -=
-        (graded_cell_count(end, 1, grading) - wanted) / (1 + grading.reach / (grading.core + end));
-  }
-  return end;
+  const double present = graded_cell_count(length, 1, grading), added = present * more / cells;
+  if (more == 0) return length;
+  // The number of cells increases at least as fast as the length.
+  return numerics::bracketed_root(
+      [&](double end) { return graded_cell_count(end, 1, grading) - present - added; }, length,
+      length + 2 * added);
 }
 int additional_cells(int cells, double length, double factor, const Grading& grading) {
   const double quotient =
@@ -196,8 +196,8 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
                 const Options& options) {
   const problem::System& system = problem.system;
   const auto& law = problem.impulses.law();
-  // Outside the class of equivalent linearisation the scales contain the limits of the box.
-  const bool linearised = problem::has_equivalent_linearisation(problem);
+  // Without the scales of equivalent linearisation, the scales contain the limits of the box.
+  const bool linearised = has_linearised_scales(problem);
   const double y_high =
       linearised ? scales.centre + kX1BoxDeviations * scales.displacement_deviation : scales.y_high;
   const double of_impulse = problem.impulses.is_present()

@@ -69,7 +69,7 @@ ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
 /// The box before any widening. Ends that the options set are kept. The automatic box extends over
 /// 6 standard deviations of equivalent linearisation in x1, from the static deflection, and over 7
 /// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Without
-/// problem::has_equivalent_linearisation() the box has the limits of problem::MotionScales, or ends
+/// has_linearised_scales() the box has the limits of problem::MotionScales, or ends
 /// at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,

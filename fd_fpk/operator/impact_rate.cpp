@@ -108,8 +108,7 @@ class TestFunctionBalance {
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;
-    const AxisOperator to_wall = end == AxisEnd::left ? first_face_value_operator(grid_.x1, order_)
-                                                      : last_face_value_operator(grid_.x1, order_);
+    const AxisOperator to_wall = end_value_operator(grid_.x1, end, order_);
     const Eigen::VectorXd p =
         point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
         (columns(averages) * to_wall.transpose());

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "fd_fpk/axis/excitation.hpp"
-#include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/axis/grid.hpp"
 #include "problem/model.hpp"
 #include "problem/system.hpp"
 

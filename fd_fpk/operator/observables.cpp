@@ -182,20 +182,15 @@ double mean_energy(const problem::System& system, const Grid& grid, const Eigen:
 double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                    int speed_exponent, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-  if (end == AxisEnd::right) {
-    const Eigen::VectorXd wall = p * last_face_value_operator(grid.x1, scheme_order).transpose();
-    const int outgoing = grid.nv() / 2;
-    const AxisOperator weighted = weighted_average_operator(
-        grid.x2, averaging_stencil_size(scheme_order), monomial(speed_exponent), outgoing);
-    return grid.x2.cell_widths().tail(outgoing).dot((weighted * wall).tail(outgoing));
-  }
-  const Eigen::VectorXd wall = p * first_face_value_operator(grid.x1, scheme_order).transpose();
-  // the polynomial that equals |v|^speed_exponent for v < 0
-  const auto speed = monomial(speed_exponent, speed_exponent % 2 == 0 ? 1 : -1);
+  const bool left = end == AxisEnd::left;
   const int half = grid.nv() / 2;
+  const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
+  // the polynomial that equals |v|^speed_exponent for velocities into the wall
+  const auto speed = monomial(speed_exponent, left && speed_exponent % 2 == 1 ? -1 : 1);
   const AxisOperator weighted =
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), speed, half);
-  return grid.x2.cell_widths().head(half).dot((weighted * wall).head(half));
+  const int first = left ? 0 : half;
+  return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
@@ -267,11 +262,6 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
   return walls;
 }
 
-WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
-                                  const Eigen::VectorXd& averages) {
-  return relative_wall_density(problem::scales(problem), grid, averages);
-}
-
 WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages) {
   // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
@@ -288,10 +278,6 @@ Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid) {
   Eigen::VectorXd averages(grid.size());
   Eigen::Map<Eigen::MatrixXd>(averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
   return averages / grid.cell_areas().dot(averages);
-}
-
-Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem) {
-  return initial_gaussian(grid, problem::scales(problem));
 }
 
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/operator/operator.hpp"
 #include "problem/energy_balance.hpp"
 #include "problem/scales.hpp"
@@ -95,8 +95,6 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
 /// Density on the walls of the box, relative to the smaller of two peaks: that of the density, and
 /// that of equivalent linearisation. The second peak is needed because a spike at the rest point
 /// would make a significant density on the walls appear negligible.
-WallDensity relative_wall_density(const problem::Problem& problem, const Grid& grid,
-                                  const Eigen::VectorXd& averages);
 WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 
@@ -110,7 +108,6 @@ Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
 
 /// Cell averages, normalised to mass 1, of the Gaussian of problem::MotionScales, truncated at the
 /// walls. This density is the initial density of time steps and of iterations.
-Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::Problem& problem);
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

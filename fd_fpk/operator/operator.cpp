@@ -108,28 +108,21 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const
   const Axis& x2 = grid.x2;
   const AxisOperator values =
       face_value_operator(x2, centred_stencil_size(scheme_order), UpstreamSide::left);
-  if (!system.has_constant_damping()) {
-    const AxisOperator force =
-        weighted_average_operator(grid.x1, weight_points, system.restoring_force());
-    const AxisOperator damping =
-        weighted_average_operator(grid.x1, weight_points, system.damping_polynomial());
-    SparseColumnMatrix sum = kronecker_product(damping, power_divergence_matrix(x2, 1, values)) +
-                             kronecker_product(force, divergence_operator(x2) * values);
-    if (system.rayleigh_coefficient() != 0) {
-      sum +=
-          kronecker_product(identity_matrix(grid.nx()),
-                            system.rayleigh_coefficient() * power_divergence_matrix(x2, 3, values));
-    }
-    return sum;
-  }
-  AxisOperator velocity(grid.nv() + 1, grid.nv() + 1);
-  for (int f = 0; f <= grid.nv(); ++f)
-    velocity.insert(f, f) = system.damping() * x2.face_position(f);
   const AxisOperator force =
       weighted_average_operator(grid.x1, weight_points, system.restoring_force());
-  const AxisOperator damping = divergence_operator(x2) * AxisOperator(velocity * values);
-  return kronecker_product(identity_matrix(grid.nx()), damping) +
-         kronecker_product(force, divergence_operator(x2) * values);
+  // Constant damping does not couple the cells of x1, so that the matrix remains sparse.
+  const AxisOperator damping =
+      system.has_constant_damping()
+          ? AxisOperator(system.damping() * identity_matrix(grid.nx()))
+          : weighted_average_operator(grid.x1, weight_points, system.damping_polynomial());
+  SparseColumnMatrix sum = kronecker_product(damping, power_divergence_matrix(x2, 1, values)) +
+                           kronecker_product(force, divergence_operator(x2) * values);
+  if (system.rayleigh_coefficient() != 0) {
+    sum +=
+        kronecker_product(identity_matrix(grid.nx()),
+                          system.rayleigh_coefficient() * power_divergence_matrix(x2, 3, values));
+  }
+  return sum;
 }
 
 // The matrix of the difference between the upwind-biased and the centred transport terms in x2, for
@@ -145,16 +138,14 @@ SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const
                             face_value_operator(x2, scheme_order, UpstreamSide::right);
   SparseColumnMatrix flux = kronecker_product(columns, jump);
   const int faces = grid.nv() + 1;
-  const bool constant = system.has_constant_damping();
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
     for (SparseColumnMatrix::InnerIterator e(flux, column); e; ++e) {
       const double x1_at = x1.cell_centre(static_cast<int>(e.row()) / faces);
       const double x2_at = x2.face_position(static_cast<int>(e.row()) % faces);
-      const double linear = constant ? system.damping() * x2_at
-                                     : (system.damping_polynomial()(x1_at) +
-                                        system.rayleigh_coefficient() * x2_at * x2_at) *
-                                           x2_at;
-      e.valueRef() *= -0.5 * std::abs(linear + system.restoring_force()(x1_at));
+      const double damping =
+          (system.damping_polynomial()(x1_at) + system.rayleigh_coefficient() * x2_at * x2_at) *
+          x2_at;
+      e.valueRef() *= -0.5 * std::abs(damping + system.restoring_force()(x1_at));
     }
   }
   return kronecker_product(columns, divergence_operator(x2)) * flux;
@@ -177,8 +168,7 @@ SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd 
                                 numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
   AxisOperator in_order(half, grid.nv());
   for (int b = 0; b < half; ++b) in_order.insert(b, outgoing_cell(grid, end, b)) = 1.0;
-  return kronecker_product(left ? first_face_value_operator(grid.x1, scheme_order)
-                                : last_face_value_operator(grid.x1, scheme_order),
+  return kronecker_product(end_value_operator(grid.x1, end, scheme_order),
                            AxisOperator(in_order * speed));
 }
 

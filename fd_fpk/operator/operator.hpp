@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "fd_fpk/axis/excitation.hpp"
-#include "fd_fpk/operator/grid.hpp"
+#include "fd_fpk/axis/grid.hpp"
 #include "problem/model.hpp"
 
 namespace fpkcheck::problem {
@@ -60,9 +60,6 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Excitation& excitation, problem::Impact impact,
                                             const Grid& grid, int scheme_order,
                                             ProductAveraging averaging = ProductAveraging::full);
-
-/// The left or the right end of the x1 axis.
-enum class AxisEnd { left, right };
 
 /// The flux of probability into a wall as a matrix on P, shape (nv/2, nx nv). Row i of the product
 /// is the average of u p(0+, -u), or of u p(b-, u) at the end b, over cell i of the axis of the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -147,6 +148,7 @@ WallTestFunction::WallTestFunction(double diffusion, double force, double restit
 double WallTestFunction::velocity_scale(double y) const { return std::cbrt(diffusion_ * y); }
 
 double WallTestFunction::operator()(double y, double v) const {
+  assert(y > 0);
   const auto& table = ProfileTable::table();
   const double l = velocity_scale(y), s = v / l;
   const double chi = table.theta(s) + s * (table.chi_slope(s) + v_coefficient_);

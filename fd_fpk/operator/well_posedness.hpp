@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fd_fpk/axis/growth_rate.hpp"
+#include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 
 namespace fpkcheck::fd_fpk {

@@ -1,4 +1,4 @@
-#include "fd_fpk/stationary/along_characteristics.hpp"
+#include "fd_fpk/stationary/solve_on_one_grid.hpp"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,11 @@
 #include <limits>
 
 #include "fd_fpk/characteristics/characteristic_grid.hpp"
-#include "fd_fpk/characteristics/contact_grid.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution_limits.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "fd_fpk/stopwatch.hpp"
-#include "problem/equivalent_linearisation.hpp"
 #include "problem/scales.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -33,9 +31,7 @@ struct GridSolution {
 
 GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& options, const Box& box, const Deadline& deadline) {
-  Grid grid = problem::has_equivalent_linearisation(problem)
-                  ? characteristic_grid(problem, options, box)
-                  : contact_grid(problem, scales, options, box);
+  Grid grid = characteristic_grid(problem, scales, options, box);
   StationaryMasses found =
       stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
   return {.grid = std::move(grid), .found = std::move(found)};
@@ -88,9 +84,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   // approximate ratio of the times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
-  Box box = problem::has_equivalent_linearisation(problem)
-                ? initial_characteristic_box(problem, options)
-                : initial_contact_box(problem, scales, options);
+  Box box = initial_characteristic_box(problem, scales, options);
   const bool given_y = options.x1_max || problem.system.right_wall(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
@@ -214,7 +208,7 @@ Result solve_along_characteristics(const problem::Problem& problem,
     return result;
   }
   check_resolution(options, result);
-  if (!problem::has_equivalent_linearisation(problem)) check_balances(result);
+  if (must_satisfy_balances(problem)) check_balances(result);
   return result;
 }
 

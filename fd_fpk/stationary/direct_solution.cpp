@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/operator/observables.hpp"
-#include "fd_fpk/operator/resolution_limits.hpp"
 #include "fd_fpk/selection_policy.hpp"
-#include "problem/equivalent_linearisation.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -120,16 +119,11 @@ bool is_resolved(const problem::Problem& problem, const Options& options,
 
 }  // namespace
 
-Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline) {
-  return stationary_box(problem, problem::scales(problem), options, deadline);
-}
-
 Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
                    const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.5;
   Box box = initial_box(problem, scales, options);
-  const bool are_lengths_needed = !problem::has_equivalent_linearisation(problem);
+  const bool are_lengths_needed = !has_linearised_scales(problem);
   if (!options.x1_max || !options.x2_max || are_lengths_needed) {
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;

@@ -38,10 +38,8 @@ struct ScalesAndBox {
 /// The box for the stationary density. From initial_box, the ends that the options leave free move
 /// outwards until the stationary density at these ends is negligible; the densities are computed on
 /// coarse grids. After the deadline, an end moves only if the density there exceeds
-/// kMaxWallDensity. For oscillators other than the paper's, the box contains the length scales of
-/// the density.
-Box stationary_box(const problem::Problem& problem, const Options& options,
-                   const Deadline& deadline);
+/// kMaxWallDensity. Without has_linearised_scales(), the box contains the length scales of the
+/// density.
 Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
                    const Options& options, const Deadline& deadline);
 

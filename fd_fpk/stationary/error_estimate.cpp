@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -235,6 +236,7 @@ bool is_better(const Result& first, const Result& second) {
 
 ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
                              int order) {
+  assert(coarse.solution.density && middle.solution.density && fine.solution.density);
   const transform::LevelDifference last = level_difference(middle, fine);
   const auto known = transform::richardson_estimate(level_difference(coarse, middle), last,
                                                     kRefinementRatio, order);

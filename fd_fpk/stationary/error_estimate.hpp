@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "fd_fpk/options.hpp"
+#include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stopwatch.hpp"
 #include "fd_fpk/summary.hpp"
 
@@ -26,9 +27,6 @@ using SolveOnOneGrid = std::function<Result(const Options&)>;
 /// square. The solution includes the extrapolated moments if transform::has_richardson_limit
 /// accepts the observed order of convergence.
 Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options);
-
-/// Target for the estimated L1 error on an automatic grid, if the time limit permits.
-inline constexpr double kTargetAccuracy = 1e-4;
 
 /// Goal of refine_until_deadline().
 struct RefinementGoal {

@@ -9,8 +9,8 @@
 #include "distances.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/linear/gmres.hpp"
-#include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
@@ -66,7 +66,7 @@ Solved stationary(const problem::Problem& p, Equation equation, int order, int n
                                                          : white_noise_excitation(p.impulses);
   const auto op = fokker_planck_operator(p.system, excitation, Impact::map, grid, order);
   Preconditioner preconditioner(p, excitation, Impact::map, grid);
-  auto solution = null_vector(op, preconditioner, initial_gaussian(grid, p));
+  auto solution = null_vector(op, preconditioner, initial_gaussian(grid, problem::scales(p)));
   EXPECT_TRUE(solution.averages.has_value()) << solution.failure;
   return {std::move(grid), *solution.averages};
 }

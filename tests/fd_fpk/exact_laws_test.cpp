@@ -45,7 +45,7 @@ void expect_law(const Problem& given, const Options& options, const Law& law) {
   expect("E[v^4]", law.v4, found.v4, stated.v4);
 }
 
-Options quick(double refinement = 1) {
+Options direct_options(double refinement = 1) {
   return {.stepper = StationarySolver::direct, .refinement = refinement};
 }
 
@@ -53,7 +53,7 @@ void expect_ball(double restitution, double refinement) {
   SCOPED_TRACE(restitution);
   const exact::InelasticBall ball(restitution);
   const System system({.damping = 0, .constant = 1, .restitution = restitution});
-  Options options = quick(refinement);
+  Options options = direct_options(refinement);
   // No finer grids for any status.
   options.refine_unresolved = false;
   expect_law(tests::with_noise(system, 1), options,
@@ -92,7 +92,7 @@ TEST(ExactLaws, OfTheElasticBoxUnderImpulses) {
                                                          .intensity = rate * 2 * kScale * kScale,
                                                          .mean = 0}));
     const auto power = [](double x, int n) { return std::pow(x, n); };
-    expect_law(p, quick(),
+    expect_law(p, direct_options(),
                {.impact_rate = mean_speed * kScale / length,
                 .y2 = (power(kRight, 3) - power(kLeft, 3)) / (3 * length),
                 .y4 = (power(kRight, 5) - power(kLeft, 5)) / (5 * length),
@@ -117,7 +117,7 @@ TEST(ExactLaws, OfTheElasticBoxWithCubicDampingUnderNoise) {
       law.impact_rate =
           std::sqrt(2 * std::numbers::pi) / std::tgamma(0.25) * std::pow(d / rayleigh, 0.25) / 1.5;
     }
-    expect_law(p, quick(), law);
+    expect_law(p, direct_options(), law);
   }
 }
 
@@ -130,7 +130,7 @@ TEST(ExactLaws, OfTheLinearOscillatorWithoutWalls) {
         System({.damping = damping, .stiffness = 1}, {.none = true}),
         problem::ImpulseTrain({.arrival_rate = 6, .law = "laplace", .intensity = 0.5, .mean = 0}));
     const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
-    expect_law(p, quick(0.8),
+    expect_law(p, direct_options(0.8),
                {.y2 = y2,
                 .y4 = exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2,
                 .v2 = v2,
@@ -143,7 +143,7 @@ TEST(ExactLaws, OfTheRateOfImpactsOfTheLinearOscillatorAtItsEquilibrium) {
   const double k = 2.3;
   const auto p =
       tests::make_problem({.damping = 0.3, .stiffness = k, .cubic = 0, .restitution = 1});
-  Options options = quick();
+  Options options = direct_options();
   options.equation = Equation::white;
   const double y2 = 0.1 / (2 * 0.3 * k);
   expect_law(p, options,

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "backward/bounds/options.hpp"
-#include "fd_fpk/transient_options.hpp"
+#include "fd_fpk/options.hpp"
 #include "fuzz_helpers.hpp"
 #include "methods/builtin.hpp"
 

@@ -43,7 +43,7 @@ TEST(AxisOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary)
                       power == 0 ? 0 : power * std::pow(kLine.face_position(f), power - 1), 1e-9);
         }
       }
-      EXPECT_NEAR((first_face_value_operator(kLine, points) * averages)(0),
+      EXPECT_NEAR((end_value_operator(kLine, AxisEnd::left, points) * averages)(0),
                   std::pow(kLine.face_position(0), power), 1e-11);
     }
   }
@@ -128,7 +128,8 @@ TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
                   EndCondition::boundary);
   const int cells = axis.cell_count(), degree = 4;
   const Eigen::VectorXd p = monomial_averages(axis, degree);
-  EXPECT_NEAR((last_face_value_operator(axis, degree + 1) * p)(0), std::pow(3.2, degree), 1e-10);
+  EXPECT_NEAR((end_value_operator(axis, AxisEnd::right, degree + 1) * p)(0), std::pow(3.2, degree),
+              1e-10);
   const Eigen::VectorXd times_x =
       weighted_average_operator(axis, degree + 1, numerics::Polynomial({0, 1})) * p;
   const Eigen::VectorXd exact = monomial_averages(axis, degree + 1);

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
 
+#include "laws.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -86,6 +90,129 @@ TEST(Excitation, ConservesMassOnAShortAxisWithUnequalCells) {
         kramers_moyal_pade_excitation(p.impulses, axis, 4), jump_excitation(p.impulses, axis)}) {
     const Eigen::RowVectorXd leak = axis.cell_widths().transpose() * matrix_of(axis, e);
     EXPECT_LT(leak.cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+// The largest growth rate of an excitation on a long axis with this step.
+template <class MakeExcitation>
+FastestGrowingWave growth(double step, int cells, const MakeExcitation& make) {
+  const Axis axis = Axis::with_uniform_cells(0, step, 2 * cells + 1);
+  return fastest_growing_wave(axis, make(axis), 6);
+}
+
+TEST(GrowthRate, LiteralTruncationGrowsWithTheFourthPowerOfTheResolution) {
+  const auto impulses = tests::make_problem().impulses;
+  const double s = std::sqrt(0.1);
+  const auto literal = [&](double step) {
+    return growth(step, 20,
+                  [&](const Axis& axis) { return kramers_moyal_excitation(impulses, axis, step); });
+  };
+  EXPECT_GT(literal(s / 2).rate, 0);
+  EXPECT_NEAR(literal(s / 64).rate / literal(s / 32).rate, 16.0, 0.5);
+  // The shortest wave of the grid.
+  EXPECT_NEAR(literal(s / 8).wavenumber, std::numbers::pi / (s / 8), 1e-9);
+}
+
+TEST(GrowthRate, RegularisedTruncationDecaysOnEveryGrid) {
+  const auto impulses = tests::make_problem({.mean = 0.1}).impulses;
+  const double l = default_regularisation_length(impulses.law());
+  for (const double cells : {1.0, 1.4, 2.0, 5.3, 20.0}) {
+    const auto g = growth(l / cells, static_cast<int>(2 * cells) + 20, [&](const Axis& axis) {
+      return kramers_moyal_excitation(impulses, axis, l);
+    });
+    EXPECT_LT(g.rate, 0.0) << cells;
+  }
+}
+
+TEST(GrowthRate, ShortestLengthIsTheThreshold) {
+  const auto impulses = tests::make_problem().impulses;
+  const double shortest = shortest_regularisation_length(impulses.law());
+  EXPECT_NEAR(shortest, std::sqrt(2.1002465 * 0.25 * 0.1), 1e-6);  // D4/D2 = s^2/4
+  const auto rate = [&](double l) {
+    return growth(l / 40, 100,
+                  [&](const Axis& axis) { return kramers_moyal_excitation(impulses, axis, l); })
+        .rate;
+  };
+  EXPECT_GT(rate(0.99 * shortest), 0.0);
+  EXPECT_LT(rate(1.01 * shortest), 0.0);
+}
+
+// On cells as wide as the length the fourth difference is unstable, first for flat laws: 5/12 is
+// the largest D4 / (D2 l^2).
+TEST(GrowthRate, DefaultLengthIsLongEnoughOnCellsOfAnyWidthForEveryLawAndOrder) {
+  bool longer = false;
+  for (const std::string law : {"two_point", "uniform", "gaussian"}) {
+    const auto impulses = tests::make_problem({.mean = 0.01, .law = law}).impulses;
+    const double of_law = default_regularisation_length(impulses.law());
+    for (const int points : {2, 6}) {
+      for (const double width : {0.5, 1.05, 1.3, 6.0, 30.0}) {  // in units of the length
+        const Axis axis = Axis::with_uniform_cells(0, width * of_law, 81);
+        const double length = default_regularisation_length(impulses, axis, points);
+        const auto g =
+            fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, length), points);
+        EXPECT_FALSE(is_unstable(g, impulses)) << law << points << ' ' << width;
+        EXPECT_GE(length, of_law);
+        EXPECT_LT(length, 2.3 * of_law) << law << points << ' ' << width;
+        longer |= length > of_law;
+        EXPECT_TRUE(width > 0.5 || length == of_law) << law << points;
+      }
+    }
+  }
+  EXPECT_TRUE(longer);
+}
+
+TEST(GrowthRate, DefaultLengthFollowsTheWidestCellsOfAGradedAxis) {
+  const auto impulses = tests::make_problem({.law = "two_point"}).impulses;
+  const double l = default_regularisation_length(impulses.law());
+  const Axis narrow = Axis::with_uniform_cells(0, l / 4, 40);
+  std::vector<double> faces = narrow.faces();
+  for (int k = 0; k < 10; ++k) faces.push_back(faces.back() + 1.2 * l);
+  EXPECT_EQ(default_regularisation_length(impulses, narrow, 6), l);
+  EXPECT_EQ(default_regularisation_length(impulses, Axis(faces), 6),
+            default_regularisation_length(impulses, Axis::with_uniform_cells(0, 1.2 * l, 10), 6));
+}
+
+TEST(GrowthRate, CriticalWidthsOmitSimilarAndNarrowCells) {
+  const auto law = tests::make_problem().impulses.law();
+  const double l = default_regularisation_length(law);
+  const Axis axis({0, l, 1.4 * l, 2.41 * l, 4.4 * l, 5.42 * l});
+  EXPECT_EQ(critical_cell_widths(axis, law, l).size(), 2u);
+  const auto all = critical_cell_widths(axis, law, 0.9 * l);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_DOUBLE_EQ(all[0], 1.4 * l - l);
+}
+
+TEST(GrowthRate, JumpsPadeAndWhiteNoiseNeverGrow) {
+  const auto impulses = tests::make_problem({.mean = 0.1}).impulses;
+  EXPECT_LE(growth(0.1, 60, [&](const Axis& axis) { return jump_excitation(impulses, axis); }).rate,
+            1e-12);
+  EXPECT_LT(
+      growth(0.1, 60,
+             [&](const Axis& axis) { return kramers_moyal_pade_excitation(impulses, axis, 6); })
+          .rate,
+      0.0);
+  EXPECT_LT(growth(0.05, 20, [&](const Axis&) { return white_noise_excitation(impulses); }).rate,
+            0.0);
+}
+
+// For any law and length, also at the transition to the moment formulas.
+TEST(GrowthRate, JumpsOfAnyLengthNeverGrow) {
+  for (const auto& name : tests::law_names_without_table()) {
+    for (const double skewness : {0.0, 0.3, 2.0}) {
+      if (skewness > 0 && name != "gamma") continue;
+      problem::ImpulseParameters parameters{
+          .arrival_rate = 1, .law = name, .intensity = 1, .mean = 0};
+      if (skewness > 0) parameters.skewness = skewness;
+      const problem::ImpulseTrain impulses(parameters);
+      const double length = std::pow(impulses.law().moment(8), 1.0 / 8);
+      for (const double cells : {0.999, 0.5, 0.1, 1e-3}) {
+        const double width = length / cells;
+        const FastestGrowingWave found = fastest_growing_wave(
+            Axis::with_uniform_cells(-20 * width, width, 41),
+            jump_excitation(impulses, Axis::with_uniform_cells(-20 * width, width, 41)), 6);
+        EXPECT_LE(found.rate, 1e-9) << name << " " << skewness << " " << cells;
+      }
+    }
   }
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "fd_fpk/applicability.hpp"
-#include "fd_fpk/characteristics/contact_grid.hpp"
+#include "fd_fpk/characteristics/characteristic_grid.hpp"
 #include "fd_fpk/characteristics/transport_operator.hpp"
 #include "fd_fpk/solve.hpp"
 #include "general_oscillators.hpp"
@@ -157,7 +157,7 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
 // both walls (docs/characteristics.md).
 TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
-  const Grid grid = contact_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
+  const Grid grid = characteristic_grid(p, problem::scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
   ASSERT_EQ(characteristics.contact_indices().size(), 2u);
   const SlopeReconstruction slopes(grid, characteristics.rest_points());

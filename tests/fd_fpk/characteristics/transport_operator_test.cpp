@@ -21,7 +21,8 @@ struct TransportSetup {
 
   explicit TransportSetup(const problem::Problem& p, double refinement = 0.5)
       : problem(p),
-        grid(characteristic_grid(p, {.refinement = refinement}, {.x1_max = 4, .x2_max = 4})),
+        grid(characteristic_grid(p, problem::scales(p), {.refinement = refinement},
+                                 {.x1_max = 4, .x2_max = 4})),
         characteristics(p.system, grid, p.impulses.arrival_rate(), 8),
         slopes(grid, characteristics.rest_points()) {}
 

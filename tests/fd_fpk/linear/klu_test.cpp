@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <thread>
 #include <vector>
 
@@ -59,6 +61,49 @@ TEST(Klu, GivesTheSameBitsInParallelAsAlone) {
       EXPECT_TRUE(beside[t].x == alone.x);
     }
   }
+}
+
+// The five-point operator on n x n cells, times a factor.
+SparseColumnMatrix five_points(int n, double factor = 1, bool with_corner = false) {
+  std::vector<Eigen::Triplet<double, std::int64_t>> entries;
+  const auto cell = [n](int i, int j) { return i * n + j; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      entries.emplace_back(cell(i, j), cell(i, j), 4 * factor);
+      if (i > 0) entries.emplace_back(cell(i, j), cell(i - 1, j), -factor);
+      if (i + 1 < n) entries.emplace_back(cell(i, j), cell(i + 1, j), -factor);
+      if (j > 0) entries.emplace_back(cell(i, j), cell(i, j - 1), -factor);
+      if (j + 1 < n) entries.emplace_back(cell(i, j), cell(i, j + 1), -factor);
+    }
+  }
+  if (with_corner) entries.emplace_back(0, n * n - 1, factor);
+  SparseColumnMatrix matrix(n * n, n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+TEST(Ordering, IsAPermutation) {
+  auto order = fill_reducing_ordering(five_points(31));
+  ASSERT_EQ(order.size(), 31 * 31);
+  std::ranges::sort(order);
+  std::vector<std::int64_t> all(order.size());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(order, all);
+}
+
+// The ordering depends on the pattern alone, for repeated calls and for several threads.
+TEST(Ordering, DependsOnThePatternAlone) {
+  const auto order = fill_reducing_ordering(five_points(30));
+  EXPECT_EQ(fill_reducing_ordering(five_points(30, 7)), order);
+  EXPECT_NE(fill_reducing_ordering(five_points(30, 1, true)), order);
+  EXPECT_NE(fill_reducing_ordering(five_points(29)).size(), order.size());
+  std::vector<std::vector<std::int64_t>> found(4);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& one : found)
+      threads.emplace_back([&one] { one = fill_reducing_ordering(five_points(30, 2)); });
+  }
+  for (const auto& one : found) EXPECT_EQ(one, order);
 }
 
 }  // namespace

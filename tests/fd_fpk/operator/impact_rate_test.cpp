@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fd_fpk/linear/null_vector.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "general_oscillators.hpp"

@@ -4,9 +4,7 @@
 
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/solve.hpp"
-#include "fd_fpk/stationary/along_characteristics.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
-#include "fd_fpk/stationary/pseudo_transient.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
 #include "paper_cases.hpp"
 
@@ -16,10 +14,10 @@ namespace {
 TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
   const auto p = tests::make_problem({.rate = 0.3, .law = "laplace"});
   const Box first = initial_box(p, {});
-  const Box late = stationary_box(p, {}, Deadline(0));
+  const Box late = stationary_box(p, problem::scales(p), {}, Deadline(0));
   EXPECT_EQ(late.x1_max, first.x1_max);
   EXPECT_EQ(late.x2_max, first.x2_max);
-  EXPECT_GT(stationary_box(p, {}, Deadline(HUGE_VAL)).x2_max, first.x2_max);
+  EXPECT_GT(stationary_box(p, problem::scales(p), {}, Deadline(HUGE_VAL)).x2_max, first.x2_max);
 }
 
 TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
@@ -43,8 +41,8 @@ TEST(SolveDeadline, AStepIsAborted) {
   const auto op = fokker_planck_operator(p, options, on);
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);
-    return march_to_stationarity(op, preconditioner, initial_gaussian(on.grid, p), 1e-10, 20,
-                                 Deadline(seconds));
+    return march_to_stationarity(op, preconditioner, initial_gaussian(on.grid, problem::scales(p)),
+                                 1e-10, 20, Deadline(seconds));
   };
   const PseudoTransientResult late = march(0);
   EXPECT_TRUE(late.out_of_time);

@@ -1,4 +1,4 @@
-#include "fd_fpk/operator/resolution_limits.hpp"
+#include "fd_fpk/stationary/status_checks.hpp"
 
 #include <gtest/gtest.h>
 

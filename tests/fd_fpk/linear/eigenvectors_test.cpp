@@ -1,11 +1,10 @@
-#include "fd_fpk/linear/rightmost_eigenvalue.hpp"
+#include "fd_fpk/linear/eigenvectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "dense_eigenvalues.hpp"
-#include "fd_fpk/linear/null_vector.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/observables.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
@@ -95,8 +94,9 @@ TEST(RightmostEigenvalue, OfAWellPosedOperatorIsZeroAndItsVectorTheStationaryDen
   const auto found = rightmost_eigenvalues(d.op, 0, d.frequency, 2);
   ASSERT_EQ(found.values.size(), 2u) << found.failure;
   EXPECT_LT(std::abs(found.values[0]), 1e-11);
-  const auto stationary =
-      null_vector_by_inverse_iteration(d.op, initial_gaussian(d.grid, p), d.frequency).averages;
+  const auto stationary = null_vector_by_inverse_iteration(
+                              d.op, initial_gaussian(d.grid, problem::scales(p)), d.frequency)
+                              .averages;
   ASSERT_TRUE(stationary);
   Eigen::VectorXd real = found.vector.real();
   real /= d.op.total_mass(real);

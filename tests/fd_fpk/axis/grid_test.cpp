@@ -1,4 +1,4 @@
-#include "fd_fpk/axis/faces_by_width.hpp"
+#include "fd_fpk/axis/grid.hpp"
 
 #include <gtest/gtest.h>
 

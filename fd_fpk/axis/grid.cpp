@@ -1,0 +1,162 @@
+#include "fd_fpk/axis/grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace fpkcheck::fd_fpk {
+
+Axis::Axis(std::vector<double> faces, EndCondition left, EndCondition right)
+    : faces_(std::move(faces)), left_(left), right_(right) {}
+
+Axis Axis::with_uniform_cells(double origin, double step, int cells, EndCondition left) {
+  std::vector<double> faces(cells + 1);
+  for (int f = 0; f <= cells; ++f) faces[f] = origin + f * step;
+  return Axis(std::move(faces), left);
+}
+
+double Axis::face_position(int f) const {
+  const int last = cell_count();
+  if (f < 0) return faces_.front() + f * (faces_[1] - faces_[0]);
+  if (f > last) return faces_.back() + (f - last) * (faces_[last] - faces_[last - 1]);
+  return faces_[f];
+}
+
+double Axis::smallest_cell_width() const { return cell_widths().minCoeff(); }
+
+Eigen::VectorXd Axis::cell_widths() const {
+  Eigen::VectorXd widths(cell_count());
+  for (int i = 0; i < cell_count(); ++i) widths(i) = cell_width(i);
+  return widths;
+}
+
+Axis Axis::part_from_face(int first_face) const {
+  return Axis(std::vector<double>(faces_.begin() + first_face, faces_.end()));
+}
+
+double graded_cell_count(double length, double step, const Grading& grading) {
+  return (length + grading.reach * std::log1p(length / grading.core)) / step;
+}
+
+std::vector<double> graded_faces(double length, int cells, const Grading& grading) {
+  // Faces of equal cells are exact, so that vanishing weights of stencils are exactly 0 and the
+  // operator is sparse.
+  std::vector<double> uniform(cells + 1);
+  for (int f = 0; f <= cells; ++f) uniform[f] = length * f / cells;
+  if (grading.reach == 0) return uniform;
+  const std::array origin{RefinementPoint{0, grading}};
+  // The margin prevents an additional cell due to rounding errors.
+  const double step = graded_cell_count(length, 1, grading) / cells * (1 + 1e-12);
+  return faces_graded_to_points(0, length, step, origin);
+}
+
+std::vector<double> faces_graded_to_points(double from, double to, double step,
+                                           std::span<const RefinementPoint> refinement_points) {
+  // The number of cells up to x, apart from an additive constant.
+  const auto cells_to = [&](double x) {
+    double cells = x;
+    for (const auto& [centre, grading] : refinement_points) {
+      cells += std::copysign(grading.reach * std::log1p(std::abs(x - centre) / grading.core),
+                             x - centre);
+    }
+    return cells / step;
+  };
+  std::vector<double> ends{from};
+  for (const RefinementPoint& centre : refinement_points) {
+    if (centre.x > ends.back() && centre.x < to) ends.push_back(centre.x);
+  }
+  if (to > ends.back()) ends.push_back(to);
+  std::vector<double> faces{from};
+  for (std::size_t n = 0; n + 1 < ends.size(); ++n) {
+    const double first = cells_to(ends[n]), last = cells_to(ends[n + 1]);
+    const int count = std::max(1, static_cast<int>(std::ceil(last - first - 1e-9)));
+    for (int k = 1; k < count; ++k) {
+      const double wanted = first + (last - first) * k / count;
+      // By bisection, which finds a face at 0 exactly if the axis is symmetric: ConservativeRemap
+      // treats an edge at 0 differently.
+      double below = faces.back(), above = ends[n + 1];
+      for (int bisection = 0; bisection < 60; ++bisection) {
+        const double middle = (below + above) / 2;
+        (cells_to(middle) < wanted ? below : above) = middle;
+      }
+      faces.push_back((below + above) / 2);
+    }
+    faces.push_back(ends[n + 1]);
+  }
+  return faces;
+}
+
+std::vector<double> faces_with_local_width(std::span<const double> anchors,
+                                           const std::function<double(double)>& width) {
+  constexpr double kStepFraction =
+      0.05;  // fraction of a cell over which the width is nearly constant
+  std::vector<double> faces{anchors.front()};
+  std::vector<double> x, cells;  // cells[k]: number of cells up to x[k]
+  for (std::size_t n = 0; n + 1 < anchors.size(); ++n) {
+    const double from = anchors[n], to = anchors[n + 1];
+    x.assign(1, from);
+    cells.assign(1, 0);
+    while (x.back() < to) {
+      // Next to an anchor with narrow cells the cell width decreases over the step. The step then
+      // uses the smaller width.
+      double step = kStepFraction * width(x.back());
+      step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
+      const double next = x.back() + step < to ? x.back() + step : to;
+      cells.push_back(cells.back() + (next - x.back()) / width((x.back() + next) / 2));
+      x.push_back(next);
+    }
+    const int count = std::max(1, static_cast<int>(std::ceil(cells.back() - 1e-9)));
+    std::size_t k = 0;
+    for (int f = 1; f < count; ++f) {
+      const double wanted = cells.back() * f / count;
+      while (cells[k + 1] < wanted) ++k;
+      const double part = (wanted - cells[k]) / (cells[k + 1] - cells[k]);
+      faces.push_back(x[k] + part * (x[k + 1] - x[k]));
+    }
+    faces.push_back(to);
+  }
+  return faces;
+}
+
+Eigen::VectorXd Grid::cell_areas() const {
+  Eigen::VectorXd areas(size());
+  Eigen::Map<Eigen::MatrixXd>(areas.data(), nv(), nx()) =
+      x2.cell_widths() * x1.cell_widths().transpose();
+  return areas;
+}
+
+Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
+                    EndCondition left, EndCondition right) {
+  std::vector<double> x2;  // the face 0 occurs once, as +0
+  for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
+  x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
+  return {Axis(std::move(x1), left, right), Axis(std::move(x2))};
+}
+
+Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading,
+               const Grading& x2_grading) {
+  return symmetric_grid(graded_faces(x1_max, nx, x1_grading),
+                        graded_faces(x2_max, nv / 2, x2_grading));
+}
+
+transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages) {
+  return {grid.x1.faces(), grid.x2.faces(), {averages.begin(), averages.end()}};
+}
+
+WallDensity wall_density(const Grid& grid, const Eigen::VectorXd& averages, double reference) {
+  WallDensity wall{0, 0};
+  const Eigen::Index nx = grid.nx(), nv = grid.nv();
+  const bool open_left = grid.x1.left_end_condition() == EndCondition::vacuum;
+  const bool open_right = grid.x1.right_end_condition() == EndCondition::vacuum;
+  for (Eigen::Index j = 0; j < nv; ++j) {
+    if (open_right) wall.x1 = std::max(wall.x1, std::abs(averages((nx - 1) * nv + j)));
+    if (open_left) wall.x1_low = std::max(wall.x1_low, std::abs(averages(j)));
+  }
+  for (Eigen::Index i = 0; i < nx; ++i) {
+    wall.x2 = std::max({wall.x2, std::abs(averages(i * nv)), std::abs(averages((i + 1) * nv - 1))});
+  }
+  return {wall.x1 / reference, wall.x2 / reference, wall.x1_low / reference};
+}
+
+}  // namespace fpkcheck::fd_fpk
