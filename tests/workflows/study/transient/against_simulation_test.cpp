@@ -79,7 +79,7 @@ double l1_in_units_of_chance(const std::vector<double>& density, const std::vect
 // known. The finite volumes and the simulation share the problem and the start alone.
 TEST(TransientAgainstSimulation, MomentsAndMarginalsAgreeWithinStandardErrorsAtAllTimes) {
   const auto problem = tests::make_problem({.cubic = 0.3, .restitution = 0.9, .mean = 0.1});
-  const auto fd = fd_fpk::solve_transient(problem, {},
+  const auto fd = fd_fpk::solve_transient(problem, {.max_seconds = 120},
                                           {.until = 3,
                                            .snapshots = 4,
                                            .start_displacement = kStartDisplacement,
