@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "base/input_error.hpp"
+#include "mcs/deposit/deposit_simd.hpp"
 #include "mcs/motion/advance.hpp"
 #include "mcs/solve.hpp"
 #include "mcs/trajectory.hpp"
@@ -245,6 +247,20 @@ TEST(DepositedSums, RefusesGridsThatItCannotUse) {
   refused([](Options& o) { o.deposit->v_knots[10] -= 1; });
   refused([](Options& o) { o.deposit->lattice_points = 7; });
   refused([](Options& o) { o.deposit->y_bins.spacing = 0; });
+}
+
+// States with NaN or infinity make a simulation fail, but cause no undefined behaviour.
+TEST(DepositLanes, AcceptsNonfiniteAndDistantStates) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                   kInfinity = std::numeric_limits<double>::infinity();
+  const DepositPlan plan(grid(), kRate, kInterval);
+  DepositedSums deposit(plan.grid);
+  for (const double x : {kNan, -kNan, kInfinity, -kInfinity, 1e300, -1e300}) {
+    EXPECT_EQ(evaluate_splines(plan.y, x).first, x > 0 ? 15 : 0) << x;
+    deposit_sample(plan, deposit, 1, x, 1, 1);
+    deposit_sample(plan, deposit, x, 1, 1, 1);
+    deposit_impact(plan, deposit, 0, x, -x, 1);
+  }
 }
 
 }  // namespace

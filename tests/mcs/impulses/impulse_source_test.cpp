@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "laws.hpp"
+#include "numerics/simd/instruction_set.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::mcs {
@@ -213,6 +215,50 @@ TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity
               "Var Y");
   expect_mean([&] { return std::pow(source.next_impulse().amplitude - mean, 4); }, 3 * 0.09 * h * h,
               "fourth");
+}
+
+// Known-answer tests of Philox4x32-10 from Random123.
+TEST(RandomBits, AreThoseOfPhilox) {
+  const auto bits =
+      random_bits(0xffffffffffffffffull, 0xffffffffu, static_cast<RandomNumberPurpose>(0xffffffffu),
+                  0xffffffffffffffffull);
+  EXPECT_EQ(bits, (std::array<std::uint32_t, 4>{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(random_bits(0, 0, RandomNumberPurpose::impulses, 0),
+            (std::array<std::uint32_t, 4>{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+}
+
+TEST(UniformNumbers, LieWithinZeroAndOneAndGoOnFromAnyNumber) {
+  const UniformNumbers all = uniform_numbers(3, 7, RandomNumberPurpose::start, 0),
+                       later = uniform_numbers(3, 7, RandomNumberPurpose::start, 4);
+  for (std::size_t k = 0; k < kBlockSize; ++k) {
+    for (const double u : {all.first[k], all.second[k], all.third[k]}) {
+      EXPECT_GT(u, 0);
+      EXPECT_LT(u, 1);
+    }
+    if (k < 4) continue;
+    EXPECT_EQ(all.first[k], later.first[k - 4]);
+    EXPECT_EQ(all.second[k], later.second[k - 4]);
+    EXPECT_EQ(all.third[k], later.third[k - 4]);
+  }
+}
+
+TEST(ImpulseBlock, HasTheSameBitsForAnyInstructions) {
+  for (const std::string& law : tests::law_names_without_table()) {
+    const auto problem = tests::make_problem({.mean = 0.1, .law = law});
+    for (const auto& excitation :
+         {poisson_excitation(problem.impulses), white_noise_excitation(problem.impulses, 0.05)}) {
+      const UniformNumbers u = uniform_numbers(1, 2, RandomNumberPurpose::impulses, 32);
+      const ImpulseBlock expected = baseline::make_impulse_block(excitation, u);
+      for (const simd::CodeVariant& lanes : simd::available_code_variants()) {
+        const auto make =
+            simd::select_variant(lanes.instructions, baseline::make_impulse_block,
+                                 avx2::make_impulse_block, avx512::make_impulse_block);
+        const ImpulseBlock block = make(excitation, u);
+        EXPECT_EQ(block.waiting, expected.waiting) << law;
+        EXPECT_EQ(block.amplitude, expected.amplitude) << law;
+      }
+    }
+  }
 }
 
 }  // namespace
