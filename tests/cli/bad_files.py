@@ -279,6 +279,8 @@ def plans():
         "option": "[sweep]\ncase = case1\nmax_seconds = soon\n" + vary,
         "nothing": "[sweep]\ncase = case1\n",
         "case": "[sweep]\ncase = case9\n" + vary,
+        "twice": "[sweep]\ncase = case1\ncase = case2\n" + vary,
+        "incomplete": "[sweep]\n[system]\ndamping = 1\n" + vary,
         "vary": "[sweep]\ncase = case1\n[vary]\nsystem.restitution = 0.9:2:3\n",
     }.items():
         write(f"plan-{name}.ini", text)

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -60,10 +61,6 @@ TEST(Spread, GivesEachPointOnceFromAllRegions) {
   EXPECT_TRUE(evenly_spread_sample({}, 20).empty());
 }
 
-}  // namespace
-
-namespace {
-
 TEST(Makespan, IsThatOfTheDispatch) {
   const std::vector<double> seconds{1, 1, 1, 1, 4};
   EXPECT_EQ(makespan(seconds, 1, DispatchRule::shards), 8);
@@ -95,5 +92,4 @@ TEST(Forecast, OfASolvedPlanIsMeasured) {
 }
 
 }  // namespace
-
 }  // namespace fpkcheck::sweep

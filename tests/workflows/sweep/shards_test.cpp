@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -50,10 +51,6 @@ TEST(Shard, IsReadFromITheSlashAndN) {
     EXPECT_THROW(parse_shard(bad), InputError) << bad;
   }
 }
-
-}  // namespace
-
-namespace {
 
 void write_shard(const Plan& plan, const std::filesystem::path& directory, const Shard& shard) {
   std::filesystem::create_directories(directory);
@@ -128,5 +125,4 @@ TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
 }
 
 }  // namespace
-
 }  // namespace fpkcheck::sweep

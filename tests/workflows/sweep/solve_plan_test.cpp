@@ -1,14 +1,18 @@
 #include <gtest/gtest.h>
+
 #include <cmath>
 #include <filesystem>
 #include <numeric>
 #include <set>
 #include <string>
 
+#include "base/input_error.hpp"
 #include "made_up_sweep.hpp"
+#include "methods/run_cases.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/sweep/execution/point_queue.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
+#include "workflows/sweep/execution/solve_point.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -50,10 +54,6 @@ TEST(PointQueue, SkipsSolvedPoints) {
   EXPECT_EQ(queue.state().total, 3);
 }
 
-}  // namespace
-
-namespace {
-
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -89,6 +89,101 @@ TEST(JournaledQueue, OfAShardCountsItsPoints) {
   EXPECT_TRUE(says(text, "journal.2-of-3: 1 of 2 points kept, 1 to solve")) << text;
 }
 
-}  // namespace
+using transform::Status;
 
+// With residuals the result is that of `run`.
+TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  plan.closure_errors = ClosureErrorSource::residuals;
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n4,fd-white,fd-kf",
+                                                            {{"stepper", "direct"}});
+  const auto point = solve_point(plan, 1);
+  const auto run = methods::run_cases({plan.problem_at(1)}, plan.methods, 1, {});
+  EXPECT_EQ(point.result.reference, "fd-kf");
+  EXPECT_TRUE(point.curves.empty());
+  for (std::size_t m = 0; m < 3; ++m) {
+    const auto& kept = point.result.methods[m];
+    const auto& solution = run[0].solutions[m];
+    EXPECT_EQ(kept.status, solution.status);
+    EXPECT_EQ(kept.moments->y4, solution.moments.y4);
+    EXPECT_EQ(kept.error->ydot, solution.error->ydot_l1);
+    if (m == 2) continue;
+    EXPECT_EQ(kept.l1->y, run[0].l1(solution.id(), "fd-kf", transform::Variable::y));
+    EXPECT_EQ(kept.l1->ydot, run[0].l1(solution.id(), "fd-kf", transform::Variable::ydot));
+  }
+  ASSERT_FALSE(point.result.methods[0].budget.empty());
+  EXPECT_EQ(point.result.methods[0].budget[0].l1.y, run[0].budget[0].parts[0].l1);
+  EXPECT_FALSE(point.result.methods[2].l1);
+}
+
+TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
+                                                            {{"stepper", "direct"}});
+  const auto found = solve_point(plan, 1).result.methods;
+  ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
+  EXPECT_EQ(found[0].status, Status::inaccurate);
+  EXPECT_NE(found[0].reason.find("its L1 distance from fd-kf is 0.0044 in p(y) and 0.03 in p(y')"),
+            std::string::npos)
+      << found[0].reason;
+  EXPECT_EQ(found[1].status, Status::ok);
+  for (const std::size_t m : {0, 1}) {
+    EXPECT_DOUBLE_EQ(found[m].error->y, found[m].l1->y + found[2].error->y);
+    EXPECT_DOUBLE_EQ(found[m].error->ydot, found[m].l1->ydot + found[2].error->ydot);
+  }
+}
+
+TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
+  Plan plan = tests::plan_of({parse_axis("system.restitution", "0.9,0.98", "x")});
+  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {});
+  const auto by_default = solve_point(plan, 1).result.methods[0];
+  plan.closure_errors = ClosureErrorSource::residuals;
+  const auto by_residuals = solve_point(plan, 1).result.methods[0];
+  EXPECT_EQ(by_default.status, Status::inaccurate);
+  EXPECT_EQ(by_default.reason, by_residuals.reason);
+  EXPECT_EQ(by_default.error, by_residuals.error);
+}
+
+// No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
+TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
+  const Plan plan = tests::plan_of({parse_axis("impulse.mean", "0,0.5", "x")});
+  const auto point = solve_point(plan, 1).result;
+  ASSERT_EQ(point.methods.size(), 2);
+  EXPECT_EQ(point.methods[0].status, Status::failed);
+  EXPECT_NE(point.methods[0].reason.find("mean"), std::string::npos);
+  EXPECT_EQ(point.reference, "");
+}
+
+TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9,0.98", "x")});
+  methods::Method greedy = plan.methods[0];
+  greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
+  plan.methods.insert(plan.methods.begin(), greedy);
+  const auto point = solve_point(plan, 0).result;
+  EXPECT_TRUE(point.methods[0].reason.starts_with("out of memory"));
+  EXPECT_TRUE(point.methods[1].moments);
+}
+
+TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
+  const tests::TemporaryDirectory directory;
+  Plan plan = tests::quick_plan({parse_axis("system.restitution", "0.9:1:5", "x")});
+  plan.marginals = true;
+  std::size_t told = 0;
+  {
+    JournaledQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
+      EXPECT_EQ(at.total, 5);
+      told = at.done;
+    });
+    solve_remaining_points(plan, progress, 2);
+    EXPECT_EQ(progress.points().size(), 5);
+  }
+  EXPECT_EQ(told, 5);
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
+  JournaledQueue again(plan, directory.path(), {}, {});
+  EXPECT_FALSE(again.take_next_point());
+  EXPECT_EQ(again.state().done, 5);
+}
+
+}  // namespace
 }  // namespace fpkcheck::sweep

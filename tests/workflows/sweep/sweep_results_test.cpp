@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -49,10 +50,6 @@ TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
                 groups_text(0));
 }
 
-}  // namespace
-
-namespace {
-
 results::NetCdfReader reader_of(const SweepResults& results) {
   return results::NetCdfReader(netcdf(results, "fpkcheck sweep"));
 }
@@ -87,10 +84,6 @@ TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
   EXPECT_EQ(file.read_values("system.cubic"), (std::vector<double>{1, 2}));
 }
 
-}  // namespace
-
-namespace {
-
 TEST(SweepTable, CountsStatusesAndRanksDistancesOfOkSolutions) {
   auto results = tests::results_of(tests::small_plan());
   results.points[5].methods[0].status = transform::Status::inaccurate;  // the worst, 0.06
@@ -110,5 +103,4 @@ TEST(SweepTable, FitsTheNarrowestTerminal) {
 }
 
 }  // namespace
-
 }  // namespace fpkcheck::sweep

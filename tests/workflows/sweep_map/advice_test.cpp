@@ -145,7 +145,7 @@ TEST(Advice, AStricterAccuracyPromisesNoMoreMethods) {
 }
 
 // Units of length and time reduced to a third and a half, as in
-// tests/workflows/sweep/validity_map_test.cpp.
+// tests/workflows/sweep_map/validity_map_test.cpp.
 TEST(Advice, DoesNotDependOnUnits) {
   const auto one = recommend_methods(tests::make_problem({}), 0.005, shipped_validity_map());
   const auto other = recommend_methods(

@@ -57,93 +57,72 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
   }
 }
 
+[[noreturn]] void refuse(std::string_view text) {
+  throw InputError(fmt::format("validity map: {} is invalid (make the map by scripts/validity)",
+                               base::in_quotes(text)));
+}
+
 // Parses a finite number that is not negative. All numbers of the map are fractions, ratios,
 // distances or times.
-std::optional<double> parse_nonnegative(std::string_view text) {
+double parse_number(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (!std::isfinite(number) || number < 0) return std::nullopt;
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  if (!is_number || !std::isfinite(number) || number < 0) refuse(text);
   return number;
 }
 
-/// A line of the map, with the location of the line for error messages.
-struct MapLine {
-  std::string_view text;
-  std::string where;
-
-  [[noreturn]] void throw_error(std::string_view part, const std::string& expected) const {
-    throw InputError(
-        fmt::format("{}: {} ({})", where, base::in_quotes(std::string(part)), expected));
-  }
-
-  double number(std::string_view part) const {
-    const auto found = parse_nonnegative(part);
-    if (!found) throw_error(part, "must be a number that is not negative");
-    return *found;
-  }
-};
-
-std::optional<MappedResult> parse_result(const MapLine& line, std::string_view cell) {
+std::optional<MappedResult> parse_result(std::string_view cell) {
   if (cell.empty()) return std::nullopt;
   // The letter "e" of a decimal exponent is not a status letter.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
-  if (at == cell.size()) {
-    line.throw_error(cell, "must be L1, letter of a status, milliseconds: .004o310");
-  }
+  if (at == cell.size()) refuse(cell);
   const auto* const entry = std::ranges::find(kStatusLetters, cell[at], &StatusLetter::letter);
   MappedResult answer{.status = entry->status,
                       .l1 = {},
                       .underestimated = entry->underestimated,
-                      .seconds = line.number(cell.substr(at + 1)) / 1000};
-  if (at > 0) answer.l1 = line.number(cell.substr(0, at));
-  if (!answer.l1 && answer.is_ok()) line.throw_error(cell, "ok without L1");
+                      .seconds = parse_number(cell.substr(at + 1)) / 1000};
+  if (at > 0) answer.l1 = parse_number(cell.substr(0, at));
+  if (!answer.l1 && answer.is_ok()) refuse(cell);
   return answer;
 }
 
-MappedPoint parse_point(const MapLine& line, std::size_t methods) {
-  const auto cells = split_at(line.text, ',');
-  if (cells.size() != kCoordinateColumns.size() + methods) {
-    throw InputError(fmt::format("{}: {} columns (must be {}, as in the first line)", line.where,
-                                 cells.size(), kCoordinateColumns.size() + methods));
-  }
-  MappedPoint point{.coordinates = {.groups = {.impulses_per_decay_time = line.number(cells[0]),
-                                               .damping_ratio = line.number(cells[1]),
-                                               .cubic_share = line.number(cells[2])},
-                                    .restitution = line.number(cells[3]),
+MappedPoint parse_point(std::string_view line, std::size_t methods) {
+  const auto cells = split_at(line, ',');
+  if (cells.size() != kCoordinateColumns.size() + methods) refuse(line);
+  MappedPoint point{.coordinates = {.groups = {.impulses_per_decay_time = parse_number(cells[0]),
+                                               .damping_ratio = parse_number(cells[1]),
+                                               .cubic_share = parse_number(cells[2])},
+                                    .restitution = parse_number(cells[3]),
                                     .law = std::string(cells[4]),
-                                    .relative_mean = line.number(cells[5])},
+                                    .relative_mean = parse_number(cells[5])},
                     .method_results = {}};
-  // The distance between problems contains the logarithms of these two numbers, which must
-  // therefore be positive.
-  for (const std::size_t k : {0, 1}) {
-    if (line.number(cells[k]) == 0) line.throw_error(cells[k], "must be above 0");
-  }
+  // The distance between problems contains the logarithms of these two numbers.
+  const auto& groups = point.coordinates.groups;
+  if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);
   for (std::size_t m = 0; m < methods; ++m) {
-    point.method_results.push_back(parse_result(line, cells[kCoordinateColumns.size() + m]));
+    point.method_results.push_back(parse_result(cells[kCoordinateColumns.size() + m]));
   }
-  if (!point.method_results.back() || !point.method_results.back()->l1) {
-    throw InputError(line.where + ": no L1 of the last method (it is the reference)");
-  }
+  // The last method is the reference.
+  if (!point.method_results.back() || !point.method_results.back()->l1) refuse(line);
   return point;
 }
 
 }  // namespace
 
-ValidityMap read_validity_map(std::string_view text, const std::string& where) {
+ValidityMap read_validity_map(std::string_view text) {
   auto lines = split_at(text, '\n');
   if (lines.back().empty()) lines.pop_back();
   const auto header = lines.empty() ? std::vector<std::string_view>() : split_at(lines[0], ',');
   if (header.size() <= kCoordinateColumns.size() ||
       !std::equal(kCoordinateColumns.begin(), kCoordinateColumns.end(), header.begin())) {
-    throw InputError(fmt::format("{} is no map of validity (make one by scripts/validity)", where));
+    refuse(lines.empty() ? "" : lines[0]);
   }
   ValidityMap map;
   map.methods.assign(header.begin() + kCoordinateColumns.size(), header.end());
   for (std::size_t k = 1; k < lines.size(); ++k) {
-    map.points.push_back(
-        parse_point({lines[k], fmt::format("{}:{}", where, k + 1)}, map.methods.size()));
+    map.points.push_back(parse_point(lines[k], map.methods.size()));
   }
   return map;
 }

@@ -81,9 +81,8 @@ struct ValidityMap {
 /// letter of the status, and milliseconds: ".0042o310", or "i5.1" without a density. The cell is
 /// empty if the method was not tried. The letters are o ok, x ok but error underestimated, i
 /// inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
-/// @param where name of the map in error messages
 /// @throws InputError with a message of one line
-ValidityMap read_validity_map(std::string_view text, const std::string& where);
+ValidityMap read_validity_map(std::string_view text);
 
 /// The validity map that is compiled into the program: workflows/sweep/map/validity.csv, made by
 /// scripts/validity.

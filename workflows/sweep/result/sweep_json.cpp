@@ -60,45 +60,6 @@ methods::Method method_from_json(const Json& json, const methods::Registry& regi
   return registry.make_method(*found, results::values_from_json(json.at("options")));
 }
 
-// The name of an element of a list, for error messages.
-std::string element_title(const Json& json) {
-  for (const char* field : {"id", "key"}) {
-    if (json.is_object() && json.contains(field)) return results::json_text(json.at(field));
-  }
-  return json.is_structured() ? "" : results::json_text(json);
-}
-
-std::string element_titles(const Json& list) {
-  std::string text;
-  for (const auto& element : list) text += (text.empty() ? "" : ", ") + element_title(element);
-  return base::sanitise(text);
-}
-
-// The text of the first difference: "vary 'impulse.rate' to: 5.0 then, 6.0 now"; empty if there is
-// no difference.
-std::string first_difference(const std::string& where, const Json& was, const Json& is) {
-  if (was == is) return "";
-  if (was.is_object() && is.is_object()) {
-    for (const auto& [key, value] : is.items()) {
-      const auto difference =
-          first_difference(where + ' ' + key, was.contains(key) ? was.at(key) : Json(), value);
-      if (!difference.empty()) return difference;
-    }
-  }
-  if (was.is_array() && is.is_array()) {
-    const std::string titles_then = element_titles(was), titles_now = element_titles(is);
-    if (titles_then != titles_now || was.size() != is.size()) {
-      return fmt::format("{}: {} then, {} now", where, titles_then, titles_now);
-    }
-    for (std::size_t k = 0; k < is.size(); ++k) {
-      const auto difference = first_difference(where + ' ' + element_title(is[k]), was[k], is[k]);
-      if (!difference.empty()) return difference;
-    }
-  }
-  return fmt::format("{}: {} then, {} now", where, base::sanitise(was.dump()),
-                     base::sanitise(is.dump()));
-}
-
 }  // namespace
 
 Json plan_json(const Plan& plan) {
@@ -134,13 +95,15 @@ Plan plan_from_json(const Json& json, const methods::Registry& registry) {
 }
 
 std::string plan_difference(const Json& before, const Json& now) {
-  for (const char* part :
-       {"methods", "vary", "design", "points", "marginals", "closure_errors", "case"}) {
-    const Json was = before.contains(part) ? before.at(part) : Json();
-    const std::string difference = first_difference(part, was, now.at(part));
-    if (!difference.empty()) return difference;
-  }
-  return "";
+  const Json patch = Json::diff(before, now);
+  if (patch.empty()) return "";
+  const Json& first = patch.front();
+  const auto place = first.at("path").get<std::string>();
+  const Json::json_pointer path(place);
+  return fmt::format(
+      "{}: {} then, {} now", base::sanitise(place),
+      before.contains(path) ? base::sanitise(before.at(path).dump()) : "nothing",
+      first.contains("value") ? base::sanitise(first.at("value").dump()) : "nothing");
 }
 
 namespace {

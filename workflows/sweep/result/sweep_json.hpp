@@ -15,7 +15,8 @@ results::Json plan_json(const Plan& plan);
 /// @throws nlohmann::json::exception, InputError
 Plan plan_from_json(const results::Json& json, const methods::Registry& registry);
 
-/// The text that describes the first difference between two plans; empty if the plans are equal.
+/// The text of the first difference between two plans, with the JSON pointer of the value that
+/// differs: "/vary/0/to: 5.0 then, 6.0 now"; empty if the plans are equal.
 std::string plan_difference(const results::Json& before, const results::Json& now);
 
 /// The JSON of a point's result for a line of the journal. The keys are short, since a journal has
