@@ -9,10 +9,8 @@
 
 #include "base/input_error.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
 #include "cli/program.hpp"
-#include "cli/solve_and_report.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "problem/features.hpp"
 #include "workflows/sweep/report/advice_text.hpp"
 

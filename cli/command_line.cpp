@@ -32,13 +32,10 @@ po::options_description add_output_options(const po::options_description& comman
   // A nested group of options would be printed after the other options, and in a width of its own.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
-      ("out",
-       po::value<std::string>()->value_name("DIR")->notifier(
-           [&common](const std::string& value) { common.out = value; }),
-       out_help)("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
-          "json", po::bool_switch(&common.json),
-          "print the summary as JSON to standard output, and nothing else")("help,h",
-                                                                            "print this text");
+      ("out", optional_value(common.out, "DIR"), out_help)(
+          "quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
+          "json", po::bool_switch(&common.json), "print JSON to standard output, and nothing else")(
+          "help,h", "print this text");
   return all;
 }
 

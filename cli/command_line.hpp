@@ -17,8 +17,18 @@ struct CommonArguments {
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
-  report::FigureOptions figures = {};  ///< for commands that draw (cli/figure_options.hpp)
+  report::FigureOptions figures = {};  ///< for commands that draw (cli/options.hpp)
 };
+
+/// The value of an option that may be absent. A given value is stored in `place`.
+/// @param placeholder placeholder of the value in the help text
+template <class T>
+boost::program_options::typed_value<T>* optional_value(std::optional<T>& place,
+                                                       const char* placeholder) {
+  return boost::program_options::value<T>()
+      ->value_name(placeholder)
+      ->notifier([&place](const T& value) { place = value; });
+}
 
 /// Adds --set, --out, --quiet, --json and --help to the options of a command.
 /// @param out_help help text of --out

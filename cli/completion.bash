@@ -1,4 +1,4 @@
-# Completion of the command line of fpkcheck in bash. The program computes the candidates (cli/completion.hpp).
+# Completion of the command line of fpkcheck in bash. The program computes the candidates (cli/help.hpp).
 _fpkcheck() {
   local word=${COMP_WORDS[COMP_CWORD]} line
   COMPREPLY=()

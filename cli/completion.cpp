@@ -1,4 +1,4 @@
-#include "cli/completion.hpp"
+#include "cli/help.hpp"
 
 #include <algorithm>
 #include <set>

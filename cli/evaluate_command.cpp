@@ -14,9 +14,8 @@
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
 #include "cli/program.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "epc/closed_form_density.hpp"
 #include "methods/external/closed_form_file.hpp"
 #include "methods/external/number_table.hpp"
@@ -128,16 +127,13 @@ int evaluate_command(const CommandCall& call) {
   namespace po = boost::program_options;
   std::vector<std::string> words;
   std::optional<std::string> at, case_name;
-  const auto store_in = [](std::optional<std::string>& place) {
-    return [&place](const std::string& value) { place = value; };
-  };
   bool json = false, quiet = false;
   po::options_description options("options", 96);
   options.add_options()(
-      "at", po::value<std::string>()->value_name("FILE")->notifier(store_in(at)),
+      "at", optional_value(at, "FILE"),
       "file with the points in two columns, y and y', in the format of --against; - is standard "
       "input (default: a grid of 41 x 81 points over the support)")(
-      "case", po::value<std::string>()->value_name("CASE")->notifier(store_in(case_name)),
+      "case", optional_value(case_name, "CASE"),
       "case of the solution, for a summary with several cases; for a closed form in amplitude or "
       "energy, the case that defines amplitude and energy")("json", po::bool_switch(&json),
                                                             "print JSON instead of CSV")(

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "methods/registry.hpp"
+
 namespace fpkcheck::cli {
 
 /// Help text of an option, in parts.
@@ -44,5 +46,20 @@ void emit_help(const std::string& usage,
 /// Help that a call of a command with --help would print.
 /// @param call function that calls a command with --help
 Help capture_help(const std::function<void()>& call);
+
+/// Text of the man page fpkcheck(1) of all commands and options, in troff with the macros of
+/// man(7).
+std::string manual_page(const std::vector<CommandHelp>& commands);
+
+/// Candidates that the completion script replaces by all file names or all directory names.
+inline constexpr const char* kFileNamesCandidate = ":files";
+inline constexpr const char* kDirectoryNamesCandidate = ":directories";
+
+/// Completion candidates for the last of the words. Commands, options, cases, methods and choices
+/// are those of the program's own tables.
+/// @param words words after the program's name, up to the cursor; the last word may be empty
+std::vector<std::string> completion_candidates(const std::vector<CommandHelp>& commands,
+                                               const methods::Registry& registry,
+                                               const std::vector<std::string>& words);
 
 }  // namespace fpkcheck::cli

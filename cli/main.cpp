@@ -3,7 +3,7 @@
 
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 
 int main(int argc, char** argv) {
   using namespace fpkcheck::cli;

@@ -1,24 +1,17 @@
 #include <algorithm>
-#include <chrono>
-#include <deque>
 #include <exception>
-#include <functional>
-#include <map>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/input_error.hpp"
 #include "base/mpi/communicator.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/figure_options.hpp"
-#include "cli/interruption.hpp"
-#include "cli/parameter_options.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
+#include "cli/shutdown.hpp"
 #include "cli/solve_and_report.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "methods/mcs.hpp"
 #include "methods/run_cases.hpp"
 
@@ -36,44 +29,6 @@ boost::program_options::options_description checkpoint_options(
           "continue from the checkpoint in FILE; the result equals that of an uninterrupted run");
   return files;
 }
-
-/// Function object that collects on rank 0 the messages of all processes of one simulation.
-class MessageGatherer {
- public:
-  explicit MessageGatherer(base::Communicator& ranks) : ranks_(ranks) {}
-
-  // Implements mcs::ProcessGroup::gather.
-  std::vector<std::string> operator()(const std::string& own) {
-    if (!ranks_.is_first_rank()) {
-      ranks_.send(0, own);
-      return {};
-    }
-    std::vector<std::string> others;
-    for (int rank = 1; rank < ranks_.size(); ++rank) others.push_back(receive_next_message(rank));
-    return others;
-  }
-
- private:
-  // Messages are queued by rank, since a faster rank may already send messages of the next case.
-  std::string receive_next_message(int rank) {
-    using namespace std::chrono_literals;
-    auto& pending = pending_[rank];
-    while (pending.empty()) {
-      throw_if_interrupted();
-      if (auto message = ranks_.receive()) {
-        pending_[message->from].push_back(std::move(message->text));
-      } else {
-        std::this_thread::sleep_for(1ms);
-      }
-    }
-    std::string text = std::move(pending.front());
-    pending.pop_front();
-    return text;
-  }
-
-  base::Communicator& ranks_;
-  std::map<int, std::deque<std::string>> pending_;
-};
 
 void refuse_control_variates(const base::Values& values) {
   const auto controlled = std::ranges::find(values, "controlled", &base::NamedParameterValue::name);
@@ -122,8 +77,10 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
 
   refuse_control_variates(values);
   const auto ranks = base::Communicator::initialise_mpi();
-  MessageGatherer gatherer(*ranks);
-  control.team = {.part = ranks->rank(), .parts = ranks->size(), .gather = std::ref(gatherer)};
+  control.team = {
+      .part = ranks->rank(), .parts = ranks->size(), .gather = [&ranks](const std::string& text) {
+        return ranks->gather(text, throw_if_interrupted);
+      }};
   try {
     return solve();
   } catch (const std::exception& error) {

@@ -2,11 +2,10 @@
 
 #include "base/input_error.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/figure_options.hpp"
-#include "cli/parameter_options.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
+#include "cli/terminal.hpp"
 #include "problem/named_cases.hpp"
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/claims_files.hpp"

@@ -9,11 +9,9 @@
 #include "base/input_error.hpp"
 #include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/interruption.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "workflows/study/reference/reference.hpp"
 
 namespace fpkcheck::cli {
@@ -43,9 +41,7 @@ int reference_command(const CommandCall& call) {
   CommonArguments common;
   study::ReferenceOptions options;
   po::options_description own;
-  own.add_options()("time", po::value<double>()->value_name("T")->notifier([&](double time) {
-    options.simulation_time = time;
-  }),
+  own.add_options()("time", optional_value(options.simulation_time, "T"),
                     "simulated time over all streams (default: 1e7 decay times)")(
       "seed",
       po::value<std::int64_t>()->value_name("S")->default_value(1)->notifier(

@@ -7,10 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/figure_options.hpp"
-#include "cli/parameter_options.hpp"
-#include "cli/parse_list.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "methods/external/external_methods.hpp"
@@ -73,9 +70,7 @@ int run_command(const CommandCall& call) {
   std::optional<std::string> list;
   std::vector<std::string> against;
   po::options_description own;
-  own.add_options()("methods",
-                    po::value<std::string>()->value_name("LIST")->notifier(
-                        [&list](const std::string& value) { list = value; }),
+  own.add_options()("methods", optional_value(list, "LIST"),
                     "solvers, families or ids of methods, separated by commas (default: all)");
   own.add_options()(
       "against", po::value(&against)->value_name("FILE[:LABEL][,KEY=VALUE]")->composing(),
@@ -113,6 +108,19 @@ int run_command(const CommandCall& call) {
        .threads = requested_thread_count(given),
        .with_backward = true},
       call.command_line);
+}
+
+int solver_command(const CommandCall& call, const methods::Solver& solver) {
+  CommonArguments common;
+  base::Values values = solver.default_options;
+  auto own = make_command_line_options(*solver.option_descriptions, values);
+  own.add(make_case_figure_options(common.figures));
+  if (!parse_arguments(call.arguments, solver.usage, add_common_options(own, common),
+                       common.cases)) {
+    return kSuccess;
+  }
+  return solve_and_report(common, {call.registry.make_method(solver, values)},
+                          {.required = RequiredSolutions::all}, call.command_line);
 }
 
 }  // namespace fpkcheck::cli

@@ -2,25 +2,19 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <mutex>
 #include <optional>
-#include <string_view>
 
 #include "base/process/exit_blocker.hpp"
 #include "base/process/stop_request.hpp"
-#include "cli/interruption.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/shutdown.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "methods/case_results.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/report.hpp"
@@ -131,20 +125,6 @@ void write_partial_report(const std::filesystem::path& directory, const results:
 }
 
 }  // namespace
-
-report::TextFormat terminal_format() {
-  constexpr std::size_t kMinWidth = 80, kMaxWidth = 100;
-  const auto is = [](const char* variable, auto condition) {
-    const char* const value = std::getenv(variable);
-    return value != nullptr && condition(std::string_view(value));
-  };
-  const bool plain = is("NO_COLOR", [](auto value) { return !value.empty(); }) ||
-                     is("TERM", [](auto value) { return value == "dumb"; });
-  winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return {known ? std::clamp<std::size_t>(size.ws_col, kMinWidth, kMaxWidth) : kMaxWidth,
-          isatty(STDOUT_FILENO) == 1 && !plain};
-}
 
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& control, const std::string& command_line) {

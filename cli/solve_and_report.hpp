@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/interruption.hpp"
+#include "cli/shutdown.hpp"
 #include "methods/method.hpp"
 #include "report/report.hpp"
 #include "report/supplement.hpp"
-#include "report/text/format.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {
@@ -46,10 +45,5 @@ struct SolveAndReportOptions {
 /// @return an ExitCode
 int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& control, const std::string& command_line);
-
-/// Text format of standard output. The width is that of the terminal, limited to 80 .. 100 columns,
-/// and 100 columns without a terminal. Output to a terminal has colours, unless NO_COLOR is set and
-/// not empty, or TERM is "dumb".
-report::TextFormat terminal_format();
 
 }  // namespace fpkcheck::cli

@@ -4,10 +4,8 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
-#include "cli/study_subjects.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::cli {

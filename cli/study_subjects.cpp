@@ -1,45 +1,110 @@
-#include "cli/study_subjects.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <string>
 
+#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
+#include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
-#include "cli/figure_options.hpp"
-#include "cli/interruption.hpp"
-#include "cli/parameter_options.hpp"
-#include "cli/parse_list.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
-#include "cli/solve_and_report.hpp"
-#include "cli/write_study.hpp"
+#include "cli/shutdown.hpp"
+#include "cli/terminal.hpp"
 #include "fd_fpk/options.hpp"
+#include "report/figure/drawing.hpp"
 #include "workflows/study/closure_order.hpp"
 #include "workflows/study/grid.hpp"
+#include "workflows/study/output.hpp"
 #include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::cli {
+
 namespace {
 
-/// Runs a study and writes its result; meanwhile a line of the terminal shows the progress.
-/// @param run function that returns the result of the study. The function receives a function that
-///            shows the progress
-/// @return exit code of the command
-template <class RunStudy>
-int run_and_write(const CommandCall& call, const CommonArguments& common,
-                  std::chrono::steady_clock::time_point start_time, const RunStudy& run) {
-  ProgressLine line(common.quiet);
-  const auto result = run([&](const methods::RunProgress& progress) { line.rewrite(progress); });
-  throw_if_interrupted();
-  line.erase();
-  write_study(common,
-              study::output(result, call.command_line, terminal_format(), common.figures.width),
-              start_time);
-  return study_exit_code(common, study::has_converged(result));
+void write_files(const std::filesystem::path& directory, const study::StudyReport& output,
+                 const report::FigureOptions& options) {
+  const base::ExitBlocker in_hand;
+  base::PendingFiles files;
+  files.add(directory / (output.file_stem + ".json"), output.json + '\n');
+  files.add(directory / (output.file_stem + ".csv"), output.csv);
+  files.commit();
+  set_exit_message("all files were written except the figure");
+  if (output.figure_script.empty()) return;
+  report::remove_script_and_pictures(directory / "figures", output.file_stem);
+  for (const auto& warning : report::write_pictures(directory / "figures", output.file_stem,
+                                                    output.figure_script, options, "gnuplot")) {
+    print_message(warning);
+  }
 }
+
+/// A call of a subject of `study`: the command line, and the time of its start.
+class StudyCall {
+ public:
+  explicit StudyCall(const CommandCall& call) : call_(call) {}
+
+  CommonArguments common;
+
+  /// Parses the arguments; the arguments of parse_arguments() are the usage, the subject's own
+  /// options and the help text of --out.
+  /// @return false if the help was printed
+  bool parse(const char* usage, const boost::program_options::options_description& own,
+             const char* out_help) {
+    return parse_arguments(call_.arguments, usage, add_common_options(own, common, out_help),
+                           common.cases);
+  }
+
+  /// Runs the study of one case while a line of the terminal shows the progress. Prints the table
+  /// of the study or its JSON, and with --out writes its files.
+  /// @param run function that returns the result of the study of a problem. The function receives
+  ///            the problem and a function that shows the progress
+  /// @return exit code of the command
+  /// @throws InputError unless there is exactly one case
+  template <class RunStudy>
+  int run_and_write(const RunStudy& run) const {
+    const auto problems = load_cases(common);
+    if (problems.size() != 1) throw InputError("a study takes one case; name it, e.g. case1");
+    const OutputDirectory directory(common.out);
+    ProgressLine line(common.quiet);
+    const auto result = run(problems.front(),
+                            [&](const methods::RunProgress& progress) { line.rewrite(progress); });
+    throw_if_interrupted();
+    line.erase();
+    write(study::make_report(result, call_.command_line, terminal_format(), common.figures.width));
+    if (study::has_converged(result)) return kSuccess;
+    if (common.quiet) {
+      print_message(
+          "the study did not meet the criterion that --help states; see the table of the study");
+    }
+    return kFailure;
+  }
+
+ private:
+  void write(const study::StudyReport& output) const {
+    if (common.json) {
+      print_output(output.json + '\n');
+    } else if (!common.quiet) {
+      print_output(output.text);
+    }
+    if (common.out) write_files(*common.out, output, common.figures);
+    if (common.quiet || common.json) return;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_time_;
+    const std::string figure = output.figure_script.empty()
+                                   ? " and .csv"
+                                   : fmt::format(", .csv and figures/{}.{}", output.file_stem,
+                                                 name(common.figures.formats.front()));
+    print_output(fmt::format(
+        "\n{}{:.1f} s.\n",
+        common.out ? fmt::format("Wrote {}.json{} to {} in ", output.file_stem, figure, *common.out)
+                   : "Done in ",
+        elapsed.count()));
+  }
+
+  const CommandCall& call_;
+  std::chrono::steady_clock::time_point start_time_ = std::chrono::steady_clock::now();
+};
 
 constexpr const char* kGridUsage = R"(usage: fpkcheck study grid CASE [options]
 
@@ -59,8 +124,7 @@ examples:
 
 int study_grid(const CommandCall& call) {
   namespace po = boost::program_options;
-  const auto begin = std::chrono::steady_clock::now();
-  CommonArguments common;
+  StudyCall study_call(call);
   study::GridStudyOptions options;
   const auto& grids = fd_fpk::description();
   base::Values grid_values{{"equation", std::string(name(options.equation))},
@@ -81,14 +145,10 @@ int study_grid(const CommandCall& call) {
     own.add(make_command_line_options(*solver.option_descriptions, solver.run_options,
                                       options.simulation));
   }
-  own.add(make_figure_options(common.figures));
-  if (!parse_arguments(
-          call.arguments, kGridUsage,
-          add_common_options(own, common,
-                             "write study-grid.json, .csv and a figure to DIR (default: no files)"),
-          common.cases)) {
+  own.add(make_figure_options(study_call.common.figures));
+  if (!study_call.parse(kGridUsage, own,
+                        "write study-grid.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
-  }
   fd_fpk::Options scheme;
   for (const auto& [key, value] : grid_values) {
     grids.assign(scheme, *grids.find(key), value, "--" + key);
@@ -98,9 +158,8 @@ int study_grid(const CommandCall& call) {
   options.origin_refinement = scheme.origin_refinement;
   options.orders = parse_integers("--orders", order_list);
   study::validate(options);
-  const auto setup = prepare_study(common);
-  return run_and_write(call, common, begin, [&](const auto& show) {
-    return study::study_grid(setup.problem, options, call.registry, show);
+  return study_call.run_and_write([&](const problem::Problem& problem, const auto& show) {
+    return study::study_grid(problem, options, call.registry, show);
   });
 }
 
@@ -120,25 +179,11 @@ examples:
   fpkcheck study order case1 --formulations gaussian,gaussian-kf,moment,moment-cut
 )";
 
-std::vector<std::string> parse_formulations(const std::string& list,
-                                            const methods::Registry& registry) {
-  const auto known = study::closure_formulations(registry);
-  auto result = parse_list("--formulations", list);
-  for (const auto& item : result) {
-    if (std::ranges::find(known, item) == known.end()) {
-      throw InputError(fmt::format("--formulations {}: '{}' is not a formulation; use {}", list,
-                                   item, fmt::join(known, ", ")));
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 int study_order(const CommandCall& call) {
   namespace po = boost::program_options;
-  const auto begin = std::chrono::steady_clock::now();
-  CommonArguments common;
+  StudyCall study_call(call);
   std::string formulation_list, order_list;
   const std::string formulations_help = fmt::format(
       "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
@@ -151,19 +196,14 @@ int study_order(const CommandCall& call) {
           "formulations",
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           formulations_help.c_str());
-  own.add(make_figure_options(common.figures));
-  if (!parse_arguments(
-          call.arguments, kOrderUsage,
-          add_common_options(
-              own, common, "write study-order.json, .csv and a figure to DIR (default: no files)"),
-          common.cases)) {
+  own.add(make_figure_options(study_call.common.figures));
+  if (!study_call.parse(kOrderUsage, own,
+                        "write study-order.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
-  }
-  const study::ClosureOrderStudyOptions options{parse_formulations(formulation_list, call.registry),
+  const study::ClosureOrderStudyOptions options{parse_list("--formulations", formulation_list),
                                                 parse_integers("--orders", order_list)};
-  const auto setup = prepare_study(common);
-  return run_and_write(call, common, begin, [&](const auto& show) {
-    return study::study_closure_orders(setup.problem, options, call.registry, show);
+  return study_call.run_and_write([&](const problem::Problem& problem, const auto& show) {
+    return study::study_closure_orders(problem, options, call.registry, show);
   });
 }
 
@@ -190,18 +230,12 @@ examples:
 }  // namespace
 
 int study_regularisation(const CommandCall& call) {
-  const auto begin = std::chrono::steady_clock::now();
-  CommonArguments common;
-  if (!parse_arguments(
-          call.arguments, kRegularisationUsage,
-          add_common_options({}, common,
-                             "write study-regularisation.json and .csv to DIR (default: no files)"),
-          common.cases)) {
+  StudyCall study_call(call);
+  if (!study_call.parse(kRegularisationUsage, {},
+                        "write study-regularisation.json and .csv to DIR (default: no files)"))
     return kSuccess;
-  }
-  const auto setup = prepare_study(common);
-  return run_and_write(call, common, begin, [&](const auto& show) {
-    return study::study_regularisation(setup.problem, show);
+  return study_call.run_and_write([](const problem::Problem& problem, const auto& show) {
+    return study::study_regularisation(problem, show);
   });
 }
 

@@ -15,16 +15,10 @@
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/figure_options.hpp"
-#include "cli/interruption.hpp"
-#include "cli/parameter_options.hpp"
-#include "cli/parse_list.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/shutdown.hpp"
-#include "cli/solve_and_report.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
 #include "workflows/sweep/execution/forecast.hpp"
 #include "workflows/sweep/execution/shards.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
@@ -79,32 +73,25 @@ struct SweepArguments {
 boost::program_options::options_description sweep_options(SweepArguments& arguments,
                                                           const methods::Registry& registry) {
   namespace po = boost::program_options;
-  const auto text = [](std::optional<std::string>& to, const char* placeholder) {
-    return po::value<std::string>()
-        ->value_name(placeholder)
-        ->notifier([&to](const std::string& value) { to = value; });
-  };
   po::options_description own;
   own.add_options()  //
       ("vary", po::value(&arguments.vary)->value_name("KEY=VALUES")->composing(),
        "vary KEY of the case over VALUES (see above); may be repeated")  //
-      ("design", text(arguments.design, "NAME"),
+      ("design", optional_value(arguments.design, "NAME"),
        "product (default): all combinations of the values; list: the k-th values of all keys form "
        "point k; sobol: a Sobol sequence in the box of the ranges FROM:TO or log:FROM:TO")  //
-      ("points", po::value<std::size_t>()->value_name("N")->notifier([&](std::size_t count) {
-        arguments.points = count;
-      }),
+      ("points", optional_value(arguments.points, "N"),
        "number of points of the design sobol, 1 .. 1000000")  //
-      ("methods", text(arguments.methods, "LIST"),
+      ("methods", optional_value(arguments.methods, "LIST"),
        "solvers, families or ids of methods, separated by commas (default: epc,fd); fd uses the "
        "stepper direct")  //
-      ("closure-errors", text(arguments.closure_errors, "HOW"),
+      ("closure-errors", optional_value(arguments.closure_errors, "HOW"),
        "error estimate of closures. reference (default): distance to the most accurate solution of "
        "the point; residuals: by the backward equation, as in run, which takes longer and is used "
        "at all points without a reference")  //
       ("marginals", po::bool_switch(&arguments.marginals),
        "store p(y) and p(y') of every point in DIR/marginals/NUMBER.csv")  //
-      ("shard", text(arguments.shard, "i/N"),
+      ("shard", optional_value(arguments.shard, "i/N"),
        "solve every N-th point from point i on, 1 <= i <= N; --merge combines the shards")  //
       ("merge", po::bool_switch(&arguments.merge),
        "combine the shards in the directories DIR ... into one set of tables")  //

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <deque>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fpkcheck::base {
 
@@ -33,9 +37,19 @@ class Communicator {
   /// Returns the next message that has arrived, or nothing if no message has arrived. Does not
   /// block.
   virtual std::optional<Message> receive() = 0;
+  /// Collects the texts of all MPI processes on rank 0; every process must call this function.
+  /// @param own text of this process
+  /// @param poll function that rank 0 calls while it waits; an exception of `poll` ends the wait
+  /// @return on rank 0 the texts of the other processes in the order of the ranks; else nothing
+  std::vector<std::string> gather(const std::string& own, const std::function<void()>& poll);
   /// Ends all MPI processes of this run. Must be called when this process fails, since the other
   /// processes would wait forever for messages of this process.
   [[noreturn]] virtual void abort(int exit_code) = 0;
+
+ private:
+  /// Texts that gather() has received but not returned, by rank: a faster process may already send
+  /// its text of the next call.
+  std::map<int, std::deque<std::string>> gathered_;
 };
 
 }  // namespace fpkcheck::base

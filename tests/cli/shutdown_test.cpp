@@ -1,6 +1,7 @@
 #include "cli/shutdown.hpp"
 
 #include <gtest/gtest.h>
+
 #include <unistd.h>
 
 #include <chrono>

@@ -170,7 +170,7 @@ TEST_F(ToyClosure, AppearsInTheStudyOfOrders) {
   EXPECT_NE(std::ranges::find(names, "toy-bell"), names.end());
   const auto found =
       study::study_closure_orders(tests::paper_case(1), {{"toy-bell"}, {2, 4, 6}}, registry_, {});
-  const auto output = study::output(found, "fpkcheck study", {});
+  const auto output = study::make_report(found, "fpkcheck study", {});
   EXPECT_TRUE(contains(output.csv, "\ntoy-bell,6,ok,")) << output.csv;
 }
 

@@ -8,7 +8,7 @@
 #include "base/text/sanitise.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/quantities.hpp"
-#include "workflows/check/sampling_tolerance.hpp"
+#include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "report/text/format.hpp"
 #include "results/run.hpp"
-#include "workflows/check/quantity_change.hpp"
+#include "workflows/check/quantity.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {

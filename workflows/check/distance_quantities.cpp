@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "workflows/check/quantities.hpp"
-#include "workflows/check/sampling_tolerance.hpp"
+#include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -80,6 +81,83 @@ Quantities distance_quantities(const results::CaseResult& one, const results::Ca
     add("Hellinger", d.hellinger, 1);
     if (has_finite_divergence(one, pair) && has_finite_divergence(other, pair)) add("KL", d.kl, 1);
     add_tail(d, part, tolerances.tail_tolerance());
+  }
+  return quantities;
+}
+
+namespace {
+
+using compare::ErrorBudgetPart;
+using compare::ErrorBudgetRow;
+
+// The parts of a budget row as text: two budget rows with different parts cannot be compared.
+std::string chain(const ErrorBudgetRow& row) {
+  std::string text = row.reference + ":";
+  for (const ErrorBudgetPart& part : row.parts) {
+    text += fmt::format(" {} ({} to {})", part.name(), part.from, part.to);
+  }
+  return text;
+}
+
+/// @param simulation the simulation to which the total distances refer, if the runs differ by
+///                   sampling; else a null pointer
+void add_row(const ErrorBudgetRow& row, const transform::Solution* simulation,
+             const Tolerances& tolerances, Quantities& quantities) {
+  const PartQuantities part{quantities, row.solution,
+                            fmt::format("budget {}", density_name(row.variable))};
+  const auto add = [&](const std::string& name, double number) -> Quantity& {
+    return part.append_number(part.name + ' ' + name, QuantityKind::budget, number,
+                              tolerances.deterministic);
+  };
+  const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
+    Quantity& quantity = add(name, l1);
+    if (!to_reference || simulation == nullptr) return;
+    set_sampling_tolerance(quantity, transform::best_sampling_error(*simulation), row.variable,
+                           tolerances);
+  };
+  const auto add_tail = [&](const std::string& name, double tail) {
+    // Largest allowed factor between the tail distances of two simulations, and between the numbers
+    // of bins of these tails: each simulation selects its own bins. docs/checking.md has the
+    // measurement.
+    constexpr double kMaxTailFactor = 5;
+    Quantity& quantity = add(name, tail);
+    quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;
+    if (simulation != nullptr) quantity.kind = QuantityKind::simulated_error;
+  };
+  const auto add_error = [&](const std::string& name, const std::optional<double>& l1,
+                             bool of_the_simulation) {
+    Quantity& quantity = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (simulation == nullptr || !of_the_simulation) return;
+    quantity.kind = QuantityKind::simulated_error;
+    quantity.allowed = allowed_error_change(*simulation, 2, 1, tolerances);
+  };
+  part.begin(QuantityKind::budget, chain(row));
+  add_l1("total", row.total, true);
+  add_tail("tail of total", row.total_tail);
+  add("tail from", row.tail_from);
+  add("tail to", row.tail_to);
+  add_tail("bins of tail", row.tail_bins);
+  for (const ErrorBudgetPart& step : row.parts) {
+    const std::string name = step.name();
+    add_l1(name, step.l1, step.to == row.reference);
+    add_tail("tail of " + name, step.tail);
+    add_error("uncertainty " + name, step.uncertainty, false);
+    add_error("expected " + name, step.expected, true);
+    add_error("in_99 " + name, step.quantile_99, true);
+    add_error("standard error of " + name, step.standard_error, true);
+  }
+}
+
+}  // namespace
+
+Quantities budget_quantities(const results::CaseResult& one, const results::CaseResult& other,
+                             const Tolerances& tolerances) {
+  Quantities quantities;
+  for (const ErrorBudgetRow& row : one.budget) {
+    const auto *end = one.find(row.reference), *again = other.find(row.reference);
+    const bool has_sampling_error =
+        end != nullptr && again != nullptr && differs_by_sampling(*end, *again);
+    add_row(row, has_sampling_error ? end : nullptr, tolerances, quantities);
   }
   return quantities;
 }

@@ -7,7 +7,7 @@
 
 #include "numerics/statistics.hpp"
 #include "workflows/check/quantities.hpp"
-#include "workflows/check/sampling_tolerance.hpp"
+#include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 
 #include "workflows/check/quantities.hpp"
-#include "workflows/check/sampling_tolerance.hpp"
+#include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -108,6 +111,162 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
         allowed_error_change(s, static_cast<std::size_t>(errors), quantity.allowed, tolerances);
   }
   return quantities;
+}
+
+namespace {
+
+using base::Value;
+using transform::Metric;
+using transform::MetricKind;
+using transform::Metrics;
+
+// The path of the part that contains a metric: "peaks[3]" for "peaks[3].rate", "peaks" for
+// "peaks[3]"; for other metrics the name of the whole solution.
+std::string parent_path(const std::string& path) {
+  const auto end = path.find_last_of(".[");
+  return end == std::string::npos ? kWholeSolution : path.substr(0, end);
+}
+
+// The path of a metric without the indices of lists: "quantiles.y[].value".
+std::string without_indices(const std::string& path) {
+  std::string result;
+  for (const char c : path) {
+    if (c == ']' || !result.ends_with('[')) result += c;
+  }
+  return result;
+}
+
+class MetricQuantities {
+ public:
+  MetricQuantities(const Metrics& metrics, const Tolerances& tolerances,
+                   const PartQuantities& whole)
+      : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
+    for (const auto& o : metrics) {
+      if (!o.standard_error_path.empty()) standard_error_paths_.insert(o.standard_error_path);
+      if (o.kind == MetricKind::coefficient) coefficient_terms_.insert(parent_path(o.path));
+      const auto place = o.path.find_last_of('[');
+      if (place == std::string::npos) continue;
+      auto& entries = list_entries_[o.path.substr(0, place)];
+      if (!o.path.ends_with("[]")) entries.insert(o.path.substr(0, o.path.find(']', place)));
+    }
+  }
+
+  void add_all() {
+    const std::size_t first = whole_.quantities.size();
+    for (const auto& o : metrics_) {
+      if (o.kind == MetricKind::coefficient) {
+        const double a = number_in(o.value);
+        whole_.append_number(coefficient_name(o), QuantityKind::coefficient, a,
+                             tolerances_.coefficient_tolerance(),
+                             std::max(std::abs(a), o.min_scale));
+      } else if (o.kind == MetricKind::result &&
+                 !coefficient_terms_.contains(parent_path(o.path))) {
+        add_result(o);
+      } else if (o.kind == MetricKind::error && !standard_error_paths_.contains(o.path)) {
+        // The number of effective samples is proportional to 1 / error^2.
+        whole_.append_number(o.path, QuantityKind::simulated_error, number_in(o.value), 2);
+      }
+    }
+    const auto own = std::span(whole_.quantities).subspan(first);
+    const auto values = std::ranges::count(own, QuantityKind::simulated, &Quantity::kind);
+    for (Quantity& quantity : own) {
+      if (quantity.kind != QuantityKind::simulated) continue;
+      quantity.allowed = tolerances_.bonferroni_threshold(static_cast<std::size_t>(values));
+    }
+  }
+
+ private:
+  // The results with the same parent are the powers of the coefficient's term: the coefficient of
+  // x1^4 x2^2 has the name "a(4,2)".
+  std::string coefficient_name(const Metric& o) const {
+    std::vector<double> powers;
+    for (const auto& sibling : metrics_) {
+      if (sibling.kind == MetricKind::result && parent_path(sibling.path) == parent_path(o.path)) {
+        powers.push_back(number_in(sibling.value));
+      }
+    }
+    return fmt::format("{}({})", o.path.substr(parent_path(o.path).size() + 1),
+                       fmt::join(powers, ","));
+  }
+
+  // The part for a group of metrics, a list of metrics or an element of a list. The first call for
+  // a part appends the first quantity of this part.
+  PartQuantities part(const std::string& name) {
+    const PartQuantities result{whole_.quantities, whole_.solution, name};
+    if (name != kWholeSolution && opened_parts_.insert(name).second) {
+      const PartQuantities outer = part(parent_path(name));
+      const auto list = list_entries_.find(name);
+      const std::string length =
+          list == list_entries_.end() ? "there" : fmt::format("{} entries", list->second.size());
+      result.begin(QuantityKind::detail, length, outer.name);
+    }
+    return result;
+  }
+
+  void add_result(const Metric& o) {
+    const PartQuantities in = part(parent_path(o.path));
+    const double number = number_in(o.value);
+    if (o.path.ends_with("[]")) return;
+    if (!o.standard_error_path.empty()) {
+      add_estimate(o, in);
+    } else if (std::holds_alternative<double>(o.value) ||
+               std::holds_alternative<std::int64_t>(o.value)) {
+      in.append_number(
+          o.path, QuantityKind::detail, number,
+          o.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
+          std::max(std::abs(number), o.min_scale));
+    } else {
+      in.append_word(o.path, o.value);
+    }
+  }
+
+  void add_estimate(const Metric& o, const PartQuantities& in) {
+    const Metric* error = find_metric(metrics_, o.standard_error_path);
+    const double standard_error =
+        error == nullptr ? std::numeric_limits<double>::quiet_NaN() : number_in(error->value);
+    in.append_number(o.path, QuantityKind::simulated, number_in(o.value), 0).error = standard_error;
+    // The standard error of a value that is sensitive to rounding comes from few events, and is
+    // therefore as uncertain as the value itself.
+    if (error == nullptr || o.is_rounding_sensitive) return;
+    in.append_number("error of " + o.path, QuantityKind::simulated_error, standard_error, 1);
+  }
+
+  const Metrics& metrics_;
+  const Tolerances& tolerances_;
+  const PartQuantities& whole_;
+  std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
+  std::map<std::string, std::set<std::string>> list_entries_;  ///< of every list, by its path
+};
+
+}  // namespace
+
+void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
+                           const PartQuantities& whole) {
+  MetricQuantities(metrics, tolerances, whole).add_all();
+}
+
+Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
+  std::set<std::string> ignored_paths;
+  for (const auto& o : now) {
+    if (o.kind == MetricKind::work || o.kind == MetricKind::text)
+      ignored_paths.insert(without_indices(o.path));
+  }
+  // A metric in a list is also ignored if the new run has an ignored metric at another index of the
+  // same list, or if an enclosing list has kind work and is empty in the new run.
+  const auto is_ignored = [&](const std::string& path) {
+    for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
+      if (ignored_paths.contains(path.substr(0, end + 2))) return true;
+    }
+    return ignored_paths.contains(path);
+  };
+  for (auto& o : baseline) {
+    const Metric* same = find_metric(now, o.path);
+    Metric as_now = same != nullptr ? *same : Metric{.path = o.path, .value = {}};
+    if (is_ignored(without_indices(o.path))) as_now.kind = MetricKind::work;
+    as_now.value = std::move(o.value);
+    o = std::move(as_now);
+  }
+  return baseline;
 }
 
 }  // namespace fpkcheck::check

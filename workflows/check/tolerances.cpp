@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
+#include "workflows/check/quantities.hpp"
 
 namespace fpkcheck::check {
 namespace {
@@ -30,6 +31,56 @@ double Tolerances::bonferroni_threshold(std::size_t n) const {
 void validate(const Tolerances& tolerances) {
   require_positive(tolerances.deterministic, "--tolerance");
   require_positive(tolerances.standard_errors, "--standard-errors");
+}
+
+namespace {
+
+using transform::Solution;
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+bool differs_by_sampling(const Solution& one, const Solution& other) {
+  if (!one.standard_errors || !other.standard_errors) return false;
+  const auto &errors = one.standard_errors->moments, &others = other.standard_errors->moments;
+  return std::ranges::any_of(transform::kMoments, [&](const transform::NamedMoment& of) {
+    return one.moments.*of.moment != other.moments.*of.moment ||
+           errors.*of.moment != others.*of.moment;
+  });
+}
+
+double standard_error_of_mass(const Solution& solution) {
+  // A histogram of n samples with the bin probabilities p_b has the expected L1 error l1 =
+  // sqrt(2/(pi n)) sum sqrt(p_b (1 - p_b)). The expected L1 error exceeds sqrt(2/(pi n)) for many
+  // bins. Hence 1/n <= pi/2 l1^2.
+  const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
+  const double one_sample = std::numbers::pi / 2 * l1 * l1;
+  return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
+}
+
+void set_sampling_tolerance(Quantity& quantity,
+                            const std::optional<transform::SamplingError>& sampling,
+                            transform::Variable variable, const Tolerances& tolerances) {
+  if (!sampling) return;
+  const auto error = expected_l1_error(*sampling, variable);
+  const auto most = l1_error_quantile_99(*sampling, variable);
+  if (!error || !most) return;
+  quantity.kind = QuantityKind::simulated_l1;
+  quantity.allowed = tolerances.standard_errors;
+  quantity.error += *error;
+  quantity.quantile_99 += *most;
+}
+
+double allowed_error_change(const Solution& simulation, std::size_t number_of_errors, double power,
+                            const Tolerances& tolerances) {
+  // The ratios of standard errors have heavier tails than the normal law: docs/checking.md has the
+  // measurement.
+  constexpr double kHeavyTailFactor = 1.25;
+  constexpr double kDefaultStreams = 128;
+  const double streams = metric_number(simulation.metrics, kStreams).value_or(kDefaultStreams);
+  const double scatter = kHeavyTailFactor / std::sqrt(std::max(streams - 1, 1.0));
+  return std::exp(power * scatter * tolerances.bonferroni_threshold(number_of_errors)) - 1;
 }
 
 }  // namespace fpkcheck::check

@@ -73,7 +73,7 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
 /// Whether the reference and every closure with `must_converge` have status ok.
 bool has_converged(const ClosureOrderStudy& study);
 
-/// The files and texts of an order study, from which output() makes a StudyOutput. The JSON
+/// The files and texts of an order study, from which make_report() makes a StudyReport. The JSON
 /// contains id, status and reason of the reference, and a row for each closure. The row of a
 /// closure has the keys of a solution in summary.json (except identity, options and moments) and
 /// the distances.

@@ -91,7 +91,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
 /// Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
-/// The files and texts of a grid study, from which output() makes a StudyOutput.
+/// The files and texts of a grid study, from which make_report() makes a StudyReport.
 std::string json(const GridStudy& study, const std::string& command);
 std::string csv(const GridStudy& study);
 /// The tables of grids, limits and other methods, and the fastest method for each accuracy.

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 #include <variant>
 
 #include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "results/run_json.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -92,6 +96,33 @@ std::string status_reason_text(const std::string& name, const transform::Solutio
   if (solution.is_ok()) return "";
   const auto status = transform::name(solution.status);
   return report::wrap_text(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
+}
+
+namespace {
+
+using results::Json;
+
+void add(const Record& record, Json& object) {
+  transform::MetricBuilder values;
+  for (const auto& [path, value] : record) values.add_result(path, value);
+  results::add_metrics(std::move(values).take_metrics(), object);
+}
+
+}  // namespace
+
+std::string study_json(const std::string& study, const problem::Problem& problem,
+                       const std::string& command, const Record& itself,
+                       const std::vector<std::pair<std::string, std::vector<Record>>>& lists) {
+  Json json{{"schema", results::kSummarySchema},
+            {"program", results::program_json(results::this_program(command))},
+            {"study", study}};
+  json.update(results::problem_json(problem));
+  add(itself, json);
+  for (const auto& [name, rows] : lists) {
+    json[name] = Json::array();
+    for (const auto& row : rows) add(row, json[name].emplace_back(Json::object()));
+  }
+  return results::json_text(results::with_null_for_non_finite(json));
 }
 
 }  // namespace fpkcheck::study

@@ -1,5 +1,18 @@
 #include "workflows/study/regularisation.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "report/table.hpp"
+#include "report/text/wrap_text.hpp"
+
 namespace fpkcheck::study {
 
 RegularisationStudy study_regularisation(const problem::Problem& problem,
@@ -31,6 +44,238 @@ bool has_converged(const RegularisationStudy& study) {
     if (row.scheme == "regularised") finest = &row;
   }
   return finest != nullptr && !finest->growth_rate && finest->l1_y;
+}
+
+using base::Value;
+using fd_fpk::FastestGrowingWave;
+using transform::value_from_count;
+using transform::value_from_optional;
+
+namespace {
+
+void add_eigenvalue(const std::string& name, const std::optional<std::complex<double>>& value,
+                    Record& record) {
+  if (!value) {
+    record.push_back({name, {}});
+    return;
+  }
+  record.push_back({name + ".re", value->real()});
+  record.push_back({name + ".im", value->imag()});
+}
+
+}  // namespace
+
+Record make_record(const RegularisationRow& row) {
+  Record record{{"scheme", row.scheme},
+                {"step", row.step},
+                {"length", row.length > 0 ? Value(row.length) : Value()},  // none for pade
+                {"nx", value_from_count(row.nx)},
+                {"nv", value_from_count(row.nv)},
+                {"symbol_rate", value(row.symbol, &FastestGrowingWave::rate)},
+                {"symbol_wavenumber", value(row.symbol, &FastestGrowingWave::wavenumber)},
+                {"symbol_grows", row.symbol ? Value(row.symbol_grows) : Value()},
+                {"growth_rate", value_from_optional(row.growth_rate)},
+                {"l1_y", value_from_optional(row.l1_y)},
+                {"l1_ydot", value_from_optional(row.l1_ydot)},
+                {"min_density", value_from_optional(row.min_density)},
+                {"remark", row.remark}};
+  add_eigenvalue("rightmost", row.rightmost, record);
+  add_eigenvalue("next", row.next, record);
+  return record;
+}
+
+std::string json(const RegularisationStudy& study, const std::string& command) {
+  return study_json(
+      RegularisationStudy::kName, study.problem, command,
+      {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
+      {{"rows", records(study.rows)}});
+}
+
+std::string csv(const RegularisationStudy& study) {
+  return csv_text(
+      records(study.rows),
+      "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
+}
+
+namespace {
+
+using report::wrap_text;
+
+// The text of the growth rate of the symbol. If no wave grows, the rate is 0, since the rate of
+// long waves tends to 0.
+std::string symbol_text(const RegularisationRow& row, double fd_fpk::FastestGrowingWave::*of) {
+  if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
+  return row.symbol && of == &fd_fpk::FastestGrowingWave::rate ? "0" : "";
+}
+
+std::string eigenvalue_text(const std::optional<std::complex<double>>& value) {
+  if (!value) return "";
+  const double re = value->real(), im = value->imag();
+  const std::string real =
+      std::abs(re) < 1e-7 ? fmt::format("{:.0e}", re) : fmt::format("{:.4g}", re);
+  return std::abs(im) > 1e-7 ? fmt::format("{}+-{:.3g}i", real, im) : real;
+}
+
+std::string time_behaviour_text(const RegularisationRow& row) {
+  if (row.growth_rate) return fmt::format("x10 in {:.2g}", std::numbers::ln10 / *row.growth_rate);
+  if (row.rightmost) return "settles";
+  return row.symbol ? "no growth" : "";
+}
+
+std::string l1_text(const std::optional<double>& l1) {
+  return number_text(l1, l1.value_or(0) < 10 ? "{:.5f}" : "{:.1e}");
+}
+
+std::string step_text(const RegularisationRow& row) { return fmt::format("{:.3g}", row.step); }
+
+std::string rows(const RegularisationStudy& study, const report::TextFormat& format) {
+  std::vector<Record> rows;
+  for (const auto& row : study.rows) {
+    rows.push_back({{"scheme", row.scheme},
+                    {"h", row.step},
+                    {"l", row.length > 0 ? base::Value(row.length) : base::Value()},
+                    {"cells", fmt::format("{}x{}", row.nx, row.nv)},
+                    {"rate", symbol_text(row, &fd_fpk::FastestGrowingWave::rate)},
+                    {"q", symbol_text(row, &fd_fpk::FastestGrowingWave::wavenumber)},
+                    {"rightmost", eigenvalue_text(row.rightmost)},
+                    {"next", eigenvalue_text(row.next)},
+                    {"in time", time_behaviour_text(row)},
+                    {"l1_y", l1_text(row.l1_y)},
+                    {"l1_ydot", l1_text(row.l1_ydot)},
+                    {"least", transform::value_from_optional(row.min_density)}});
+  }
+  constexpr int kAlways = report::kAlwaysShown;
+  return table_text(rows,
+                    {{"", "scheme", "scheme", "", kAlways, true},
+                     {"", "h", "h", "{:.3g}"},
+                     {"", "l", "l", "{:.3g}", 4},
+                     {"", "cells", "cells", "", 1},
+                     {"symbol", "rate", "rate", ""},
+                     {"symbol", "q", "q", ""},
+                     {"matrix", "rightmost", "rightmost", ""},
+                     {"matrix", "next", "next", "", 2},
+                     {"", "in time", "in time", "", kAlways, true},
+                     {"null vector", "L1 p(y)", "l1_y", "", 3},
+                     {"null vector", "L1 p(y')", "l1_ydot", ""},
+                     {"null vector", "least", "least", "{:.0e}"}},
+                    format);
+}
+
+// The text of a list of velocity steps, e.g. "h = 0.158, 0.0791 and 0.0395".
+std::string step_list(const std::vector<RegularisationRow>& rows) {
+  std::vector<std::string> steps;
+  for (const auto& row : rows) steps.push_back(step_text(row));
+  return "h = " + join_with_and(steps);
+}
+
+std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
+                                              const std::string& scheme, bool growing) {
+  std::vector<RegularisationRow> chosen;
+  for (const auto& row : study.rows) {
+    const bool known = row.symbol.has_value();
+    if (row.scheme == scheme && known && row.growth_rate.has_value() == growing) {
+      chosen.push_back(row);
+    }
+  }
+  return chosen;
+}
+
+// The sentence that states on which steps disturbances of the unregularised scheme grow. The
+// exponent a of the growth rate ~ h^a is that between the two smallest steps h on which a wave
+// grows.
+std::string literal_sentence(const RegularisationStudy& study) {
+  const auto growing = rows_of_scheme(study, "literal", true);
+  if (growing.empty()) return "The literal scheme grows on none of these steps.";
+  std::string text = fmt::format("The literal scheme, l = h, grows at {}", step_list(growing));
+  if (growing.size() > 1) {
+    const auto &fine = growing.back(), &coarse = growing[growing.size() - 2];
+    const double exponent =
+        std::log(*fine.growth_rate / *coarse.growth_rate) / std::log(fine.step / coarse.step);
+    text += fmt::format(", in the end as h^{:.2f} (h^-4 in the limit)", exponent);
+  }
+  double farthest = 0;
+  std::optional<double> lowest;
+  for (const auto& row : growing) {
+    farthest = std::max(farthest, row.l1_ydot.value_or(0));
+    if (const auto least = row.min_density) lowest = std::min(lowest.value_or(*least), *least);
+  }
+  text += ": no refinement can converge.";
+  if (lowest) {
+    text += fmt::format(
+        " Its null vector is then up to L1 {:.2g} from kf and falls to {:.2g} of its peak.",
+        farthest, *lowest);
+  }
+  return text;
+}
+
+std::string regularised_sentence(const RegularisationStudy& study) {
+  const auto growing = rows_of_scheme(study, "regularised", true);
+  const auto settled = rows_of_scheme(study, "regularised", false);
+  std::string text =
+      fmt::format("The fourth difference over the default length l = {:.3g}", study.default_length);
+  if (settled.empty()) return text + " grows on every step.";
+  text += growing.empty()
+              ? " grows on no step"
+              : fmt::format(" grows at {} and not at {}", step_list(growing), step_list(settled));
+  const RegularisationRow& finest = settled.back();
+  if (finest.l1_y && finest.l1_ydot) {
+    text += fmt::format(
+        "; on the finest of these steps its density is L1 {:.2g} in p(y) and {:.2g} in p(y') "
+        "from kf",
+        *finest.l1_y, *finest.l1_ydot);
+  }
+  return text + '.';
+}
+
+std::string threshold_sentence(const RegularisationStudy& study) {
+  const auto below = rows_of_scheme(study, "0.9 l*", true),
+             above = rows_of_scheme(study, "1.1 l*", true);
+  std::string text = fmt::format("The threshold is l* = {:.3g}: ", study.shortest_length);
+  text += below.empty() ? "10 % below it no matrix grows"
+                        : fmt::format("10 % below it the matrices of {} grow", step_list(below));
+  if (below.size() > 1) {
+    text += fmt::format(", at a rate that is independent of the step ({:.3g} by the symbol)",
+                        below.back().symbol->rate);
+  }
+  text += above.empty() ? "; 10 % above it no matrix grows."
+                        : fmt::format("; 10 % above it the matrices of {} grow.", step_list(above));
+  return text;
+}
+
+// The remarks of all rows. Each remark occurs once, with the rows to which the remark applies.
+std::string remarks(const RegularisationStudy& study, std::size_t width) {
+  std::map<std::string, std::vector<std::string>> rows_with;
+  std::vector<std::string> order;
+  for (const auto& row : study.rows) {
+    if (row.remark.empty()) continue;
+    if (!rows_with.contains(row.remark)) order.push_back(row.remark);
+    rows_with[row.remark].push_back(fmt::format("{} at h = {}", row.scheme, step_text(row)));
+  }
+  std::string text;
+  for (const auto& remark : order) {
+    text += wrap_text(fmt::format("  {}: {}", join_with_and(rows_with[remark]), remark), width, 4);
+  }
+  return text;
+}
+
+constexpr const char* kRegularisationLegend =
+    "h: velocity step; l: step of the fourth difference (pade has none). symbol: largest growth "
+    "rate of a wave exp(i q y') under the excitation alone. matrix: eigenvalues of the whole "
+    "operator with the largest real parts; the stationary density has the eigenvalue 0, the next "
+    "is the slowest decay. in time: growth or decay of a disturbance. null vector: its distance to "
+    "the density of the jump equation kf on the same grid, and its least value relative to the "
+    "peak.";
+
+}  // namespace
+
+std::string table(const RegularisationStudy& study, const report::TextFormat& format) {
+  std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +
+                     rows(study, format) + remarks(study, format.width);
+  for (const auto& sentence :
+       {literal_sentence(study), regularised_sentence(study), threshold_sentence(study)}) {
+    text += wrap_text("  " + sentence, format.width, 2);
+  }
+  return text + '\n' + wrap_text(kRegularisationLegend, format.width);
 }
 
 }  // namespace fpkcheck::study

@@ -38,7 +38,7 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
 /// disturbance grows.
 bool has_converged(const RegularisationStudy& study);
 
-/// The files and texts of a regularisation study, from which output() makes a StudyOutput. The JSON
+/// The files and texts of a regularisation study, from which make_report() makes a StudyReport. The JSON
 /// contains the two lengths, and a row for each scheme and step; `growth_rate` is null if no
 /// disturbance grows.
 std::string json(const RegularisationStudy& study, const std::string& command);

@@ -1,21 +1,11 @@
-#include "workflows/check/tolerances.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/input_error.hpp"
+#include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 namespace {
-
-TEST(Tolerances, MustBePositiveNumbers) {
-  EXPECT_NO_THROW(validate({}));
-  for (const double bad : {0.0, -1.0, double(NAN), double(INFINITY)}) {
-    EXPECT_THROW(validate({.deterministic = bad}), InputError);
-    EXPECT_THROW(validate({.standard_errors = bad}), InputError);
-  }
-}
 
 TEST(Tolerances, CoefficientAndTailToleranceFollowTheDeterministicOne) {
   const Tolerances wide{.deterministic = 1e-6};
@@ -32,6 +22,74 @@ TEST(Tolerances, BonferroniThresholdGrowsWithTheNumber) {
   EXPECT_NEAR(std::erfc(x / std::sqrt(2.0)) * 100, std::erfc(4 / std::sqrt(2.0)), 1e-9);
   EXPECT_GT(x, 4.8);
   EXPECT_TRUE(std::isfinite(Tolerances{.standard_errors = 40}.bonferroni_threshold(1000)));
+}
+
+using transform::Solution;
+using transform::Variable;
+
+Solution simulation() {
+  Solution one;
+  one.moments = {.y2 = 1};
+  one.mass = 1;
+  one.standard_errors = {.moments = {.y2 = 0.1}};
+  one.sampling = {.y = 0.01, .ydot = 0.02, .y_99 = 0.03, .ydot_99 = 0.03};
+  return one;
+}
+
+TEST(Chance, TheSameSeedGivesIdenticalDigits) {
+  Solution other = simulation();
+  EXPECT_FALSE(differs_by_sampling(simulation(), other));
+  other.moments.v4 = 1e-300;
+  EXPECT_TRUE(differs_by_sampling(simulation(), other));
+  other = simulation();
+  other.standard_errors->moments.y2 = std::nextafter(0.1, 1);
+  EXPECT_TRUE(differs_by_sampling(simulation(), other));
+  EXPECT_FALSE(differs_by_sampling(Solution{}, other));
+}
+
+TEST(Chance, AnL1HasTheStatedSamplingTolerance) {
+  const Solution one = simulation();
+  Quantity quantity{.kind = QuantityKind::distance, .allowed = 1e-8};
+  set_sampling_tolerance(quantity, std::nullopt, Variable::y, {});
+  Solution silent = one;
+  silent.sampling->y_99.reset();
+  set_sampling_tolerance(quantity, silent.sampling, Variable::y, {});
+  silent.sampling.reset();
+  set_sampling_tolerance(quantity, silent.sampling, Variable::y, {});
+  EXPECT_EQ(quantity.kind, QuantityKind::distance);
+  EXPECT_EQ(quantity.allowed, 1e-8);
+  set_sampling_tolerance(quantity, one.sampling, Variable::ydot, {});
+  EXPECT_EQ(quantity.kind, QuantityKind::simulated_l1);
+  EXPECT_EQ(quantity.allowed, 4);
+  EXPECT_EQ(quantity.error, 0.02);
+  EXPECT_EQ(quantity.quantile_99, 0.03);
+}
+
+TEST(Chance, MassHasBinomialStandardError) {
+  // The L1 error of a histogram of n samples is at least sqrt(2/(pi n)); one sample has mass 1/n.
+  Solution one = simulation();
+  const double n = 1e4;
+  one.sampling->y = std::sqrt(2 / (3.14159265358979 * n));
+  EXPECT_NEAR(standard_error_of_mass(one), 1 / n, 1e-10);
+  one.mass = 0.99;
+  EXPECT_NEAR(standard_error_of_mass(one), std::sqrt(0.01 / n), 1e-5);
+  one.sampling.reset();
+  EXPECT_TRUE(std::isnan(standard_error_of_mass(one)));
+}
+
+TEST(Chance, ErrorsOfFewStreamsHaveLargerTolerance) {
+  Solution few = simulation(), many = simulation();
+  few.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{16}).take_metrics();
+  many.metrics = transform::MetricBuilder().add_result(kStreams, std::int64_t{1024}).take_metrics();
+  const Tolerances tolerances;
+  const double of_few = allowed_error_change(few, 1, 1, tolerances);
+  const double of_many = allowed_error_change(many, 1, 1, tolerances);
+  const double of_usual = allowed_error_change(simulation(), 1, 1, tolerances);
+  EXPECT_NEAR(of_few, std::exp(1.25 * 4 / std::sqrt(15.0)) - 1, 1e-9);
+  EXPECT_GT(of_few, of_usual);
+  EXPECT_GT(of_usual, of_many);
+  EXPECT_GT(allowed_error_change(many, 1, 2, tolerances), of_many);
+  EXPECT_GT(allowed_error_change(many, 60, 1, tolerances), of_many);
 }
 
 }  // namespace

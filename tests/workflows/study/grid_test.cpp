@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "base/input_error.hpp"
 #include "made_up_studies.hpp"
 #include "methods/builtin.hpp"
 #include "toy_methods.hpp"
@@ -93,22 +92,6 @@ TEST(GridStudy, HasConvergedUnlessAFinestGridFailed) {
   EXPECT_TRUE(has_converged(study));
   study.rows[2].solution.status = transform::Status::failed;
   EXPECT_FALSE(has_converged(study));
-}
-
-TEST(GridStudy, RefusesInvalidOptions) {
-  const auto refusal = [](const GridStudyOptions& options) {
-    try {
-      validate(options);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
-  EXPECT_NE(refusal({.levels = 2}).find("--levels 2"), std::string::npos);
-  EXPECT_NE(refusal({.orders = {}}).find("--orders"), std::string::npos);
-  EXPECT_NE(refusal({.orders = {9}}), "accepted");
-  EXPECT_NE(refusal({.coarsest = -1}), "accepted");
-  EXPECT_EQ(refusal({}), "accepted");
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-#include "workflows/study/regularisation.hpp"
-
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "made_up_studies.hpp"
+#include "workflows/study/regularisation.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -26,6 +27,53 @@ TEST(RegularisationStudy, HasConvergedIfTheDefaultLengthHasADensityOnTheFinestSt
   EXPECT_FALSE(has_converged(study));
   study.rows.clear();
   EXPECT_FALSE(has_converged(study));
+}
+
+TEST(RegularisationFiles, JsonHasNullForMissingValuesAndGrowthRates) {
+  const auto found = nlohmann::json::parse(json(tests::made_up_regularisation_study(), "fpkcheck"));
+  EXPECT_EQ(found.at("system").at("restitution"), 0.98);
+  EXPECT_EQ(found.at("default_length"), 0.4);
+  const auto& rows = found.at("rows");
+  EXPECT_EQ(rows.at(2).at("growth_rate"), 320.0);
+  EXPECT_EQ(rows.at(2).at("symbol_grows"), true);
+  EXPECT_TRUE(rows.at(0).at("growth_rate").is_null());
+  EXPECT_EQ(rows.at(0).at("next").at("im"), 2.1);
+  EXPECT_TRUE(rows.at(7).at("rightmost").is_null());
+  EXPECT_TRUE(rows.at(7).at("length").is_null());
+  EXPECT_EQ(rows.at(7).at("remark"), "there is none");
+}
+
+TEST(RegularisationFiles, CsvHasTheSameColumnsInEveryLine) {
+  const std::string text = csv(tests::made_up_regularisation_study());
+  EXPECT_EQ(std::ranges::count(text, '\n'), 9);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_EQ(std::ranges::count(line, ','), 14) << line;
+  }
+  EXPECT_NE(text.find("\nliteral,0.1,0.1,16,60,352,30,320,0,,,320,4.1,2.3,-0.47\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\npade,0.2,,16,60,,,,,,,,,,\n"), std::string::npos) << text;
+}
+
+TEST(RegularisationTable, ReportsWhichSchemesGrowAndWhichDecay) {
+  const std::string text = tests::in_one_line(table(tests::made_up_regularisation_study(), 100));
+  for (const char* expected :
+       {"literal 0.1 0.1 16x60 352 30 320 - x10 in 0.0072 4.10000 2.30000 -5e-01",
+        "literal 0.4 0.4 16x60 0 - -1e-15 -0.119+-2.1i settles 0.00030 0.00040 -1e-07",
+        "pade 0.2 - 16x60 - - - - - - - -", "pade at h = 0.2: there is none",
+        "grows at h = 0.2 and 0.1, in the end as h^-4.00", "up to L1 2.3 from kf",
+        "falls to -0.47 of its peak", "default length l = 0.4 grows on no step",
+        "L1 0.0003 in p(y) and 0.0004 in p(y')", "threshold is l* = 0.3",
+        "10 % below it the matrices of h = 0.1 grow", "10 % above it no matrix grows"}) {
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << "\n" << text;
+  }
+}
+
+TEST(RegularisationTable, FitsItsWidth) {
+  for (const std::size_t width : {80u, 100u}) {
+    EXPECT_LE(tests::longest_line(table(tests::made_up_regularisation_study(), width)), width);
+  }
 }
 
 }  // namespace

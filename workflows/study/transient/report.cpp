@@ -2,12 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
 
+#include "base/files/pending_files.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
+#include "results/json.hpp"
+#include "results/netcdf/problem_attributes.hpp"
+#include "results/netcdf/writer.hpp"
 #include "results/output_directory.hpp"
+#include "results/run.hpp"
+#include "transform/richardson.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -89,6 +102,151 @@ std::vector<std::string> write_transient(const fs::path& directory, const Transi
   return report::write_pictures(figures, stem,
                                 report::figure_script(transient_figure(run), stem, options.width),
                                 options, gnuplot);
+}
+
+namespace {
+
+using results::Json;
+
+Json snapshot_json(const fd_fpk::Snapshot& s) {
+  return {{"time", s.time},
+          {"moments", results::moments_json(s.moments)},
+          {"yv", s.yv},
+          {"energy", s.energy},
+          {"power", s.power},
+          {"power_residual", s.power_residual},
+          {"impact_rate", s.impact_rate},
+          {"mass", s.mass},
+          {"min_density", s.min_density},
+          {"wall_density", {{"y", std::max(s.wall.x1, s.wall.x1_low)}, {"ydot", s.wall.x2}}}};
+}
+
+Json options_json(const TransientRun& run) {
+  Json json = results::values_json(fd_fpk::description().values(run.options));
+  for (const char* of_stationarity : {"stepper", "residual_tolerance"}) json.erase(of_stationarity);
+  json["until"] = run.transient.until;
+  json["snapshots"] = run.transient.snapshots;
+  json["relative_tolerance"] = run.transient.relative_tolerance;
+  json["max_order"] = run.transient.max_order;
+  return json;
+}
+
+}  // namespace
+
+std::string transient_json(const TransientRun& run) {
+  const auto& result = run.result;
+  Json snapshots = Json::array();
+  for (const auto& s : result.snapshots) snapshots.push_back(snapshot_json(s));
+  const Json json{{"schema", kTransientSchema},
+                  {"program", results::program_json(results::this_program(run.command))},
+                  {"case", results::problem_json(run.problem)},
+                  {"options", options_json(run)},
+                  {"status", transform::name(result.status)},
+                  {"reason", result.reason},
+                  {"seconds", result.seconds},
+                  {"start",
+                   {{"y", result.start_displacement},
+                    {"ydot", result.start_velocity},
+                    {"mean_y", result.start_mean_displacement},
+                    {"mean_ydot", result.start_mean_velocity}}},
+                  {"nx", result.y_edges.empty() ? 0 : result.y_edges.size() - 1},
+                  {"nv", result.v_edges.empty() ? 0 : result.v_edges.size() - 1},
+                  {"steps", result.steps},
+                  {"factorisations", result.factorisations},
+                  {"rhs_evaluations", result.rhs_evaluations},
+                  {"krylov_iterations", result.krylov_iterations},
+                  {"regularisation_length", result.regularisation_length},
+                  {"snapshots", snapshots}};
+  return results::json_text(results::with_null_for_non_finite(json));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using fd_fpk::Snapshot;
+
+template <class Of>
+std::vector<double> values_over_time(const TransientRun& run, Of of) {
+  std::vector<double> values;
+  for (const Snapshot& s : run.result.snapshots) values.push_back(std::invoke(of, s));
+  return values;
+}
+
+// The values of a marginal density p(time, x), row by row.
+std::vector<double> rows(const TransientRun& run, std::vector<double> Snapshot::*marginal) {
+  std::vector<double> values;
+  for (const Snapshot& s : run.result.snapshots) {
+    values.insert(values.end(), (s.*marginal).begin(), (s.*marginal).end());
+  }
+  return values;
+}
+
+/// Writes the cell centres of a coordinate, the cell edges, and the marginal density over this
+/// coordinate.
+void write_marginal(results::NetCdfWriter& file, const TransientRun& run, const std::string& name,
+                    const std::string& meaning, int time, int bounds,
+                    const std::vector<double>& edges, std::vector<double> Snapshot::*marginal) {
+  const int dimension = file.write_cell_coordinate(name, meaning, bounds, edges);
+  const int density = file.write_variable("p_" + name, {time, dimension},
+                                          fmt::format("probability density of the {}", meaning),
+                                          rows(run, marginal));
+  file.write_attribute("cell_methods", name + ": mean", density);
+}
+
+void write_series(results::NetCdfWriter& file, const TransientRun& run, int time) {
+  const auto series = [&](const char* name, const std::string& long_name, auto of) {
+    file.write_variable(name, {time}, long_name, values_over_time(run, of));
+  };
+  for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+    series(name, symbol, [of = moment](const Snapshot& s) { return s.moments.*of; });
+  }
+  series("yv", "E[y y']", &Snapshot::yv);
+  series("energy", "mean energy E[y'^2]/2 + E[U(y)], U the potential of the spring",
+         &Snapshot::energy);
+  series("power", "power of the excitation less that lost by damping and impacts",
+         &Snapshot::power);
+  series("power_residual",
+         "power less the rate of the mean energy, relative to D + lambda E[Y^2]/2",
+         &Snapshot::power_residual);
+  series("impact_rate", "impacts per unit time", &Snapshot::impact_rate);
+  series("mass", "integral of the density", &Snapshot::mass);
+  series("min_density", "smallest value of the joint density relative to its largest",
+         &Snapshot::min_density);
+}
+
+void write_attributes(results::NetCdfWriter& file, const TransientRun& run) {
+  file.write_attribute("Conventions", "CF-1.8");
+  file.write_attribute("title", "marginal densities over time of a randomly excited oscillator");
+  const auto program = results::this_program(run.command);
+  file.write_attribute("source", fmt::format("{} {}", program.name, program.version));
+  file.write_attribute("command", program.command);
+  file.write_attribute("case", run.problem.name);
+  results::write_problem_attributes(file, run.problem);
+  file.write_attribute("equation", std::string(problem::name(run.options.equation)));
+  file.write_attribute("impact", std::string(problem::name(run.options.impact)));
+  file.write_attribute("order", fd_fpk::transport_order(run.options));
+  file.write_attribute("start_displacement_deviation", run.result.start_displacement);
+  file.write_attribute("start_velocity_deviation", run.result.start_velocity);
+  file.write_attribute("start_mean_displacement", run.result.start_mean_displacement);
+  file.write_attribute("start_mean_velocity", run.result.start_mean_velocity);
+  file.write_attribute("time_tolerance", run.transient.relative_tolerance);
+  file.write_attribute("status", std::string(transform::name(run.result.status)));
+  file.write_attribute("reason", run.result.reason);
+}
+
+}  // namespace
+
+void write_transient_netcdf(const fs::path& path, const TransientRun& run) {
+  assert(!run.result.snapshots.empty());
+  results::NetCdfWriter file;
+  write_attributes(file, run);
+  const int time = file.define_dimension("time", run.result.snapshots.size());
+  const int bounds = file.define_dimension("bounds", 2);
+  file.write_variable("time", {time}, "time", values_over_time(run, &Snapshot::time));
+  write_marginal(file, run, "y", "displacement y", time, bounds, run.result.y_edges, &Snapshot::y);
+  write_marginal(file, run, "ydot", "velocity y'", time, bounds, run.result.v_edges, &Snapshot::v);
+  write_series(file, run, time);
+  base::write_file(path, file.close_and_take_bytes());
 }
 
 }  // namespace fpkcheck::study

@@ -49,7 +49,7 @@ report::Figure transient_figure(const TransientRun& run);
 ///
 /// The global attributes are the command, the case, the options, the initial state and the status.
 /// All quantities are non-dimensional. The file is either written completely or left unchanged.
-/// @param run must have at least one snapshot
+/// @pre the run has at least one snapshot
 /// @throws std::runtime_error with a message of one line if the file cannot be written
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 

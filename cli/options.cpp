@@ -1,13 +1,42 @@
-#include "cli/parameter_options.hpp"
+#include "cli/options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::cli {
+
+std::vector<std::string> parse_list(const std::string& option, const std::string& list) {
+  std::vector<std::string> result;
+  std::istringstream stream(list);
+  for (std::string item; std::getline(stream, item, ',');) {
+    if (std::ranges::find(result, item) == result.end()) result.push_back(item);
+  }
+  if (result.empty()) {
+    throw InputError(fmt::format("{}: the list is empty; give items separated by commas", option));
+  }
+  return result;
+}
+
+std::vector<int> parse_integers(const std::string& option, const std::string& list) {
+  std::vector<int> result;
+  for (const auto& item : parse_list(option, list)) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
+    if (error != std::errc{} || end != item.data() + item.size()) {
+      throw InputError(fmt::format("{} {}: {} is not a valid integer; use a list such as 2,4,6",
+                                   option, base::sanitise(list), base::in_quotes(item)));
+    }
+    if (std::ranges::find(result, value) == result.end()) result.push_back(value);
+  }
+  return result;
+}
+
 namespace {
 
 namespace po = boost::program_options;
@@ -90,6 +119,63 @@ po::options_description make_run_options(const methods::Registry& registry, base
 int requested_thread_count(const Values& given) {
   const auto threads = std::ranges::find(given, "threads", &NamedParameterValue::name);
   return threads == given.end() ? 0 : static_cast<int>(std::get<std::int64_t>(threads->value));
+}
+
+namespace {
+
+namespace po = boost::program_options;
+using report::FigureFormat;
+using report::FigureWidth;
+
+std::vector<FigureFormat> parse_formats(const std::string& list) {
+  std::vector<FigureFormat> formats;
+  for (const auto& item : parse_list("--figures", list)) {
+    const auto format = base::enum_from_name<FigureFormat>(item);
+    if (!format) {
+      throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
+                                   base::sanitise(list), base::in_quotes(item)));
+    }
+    formats.push_back(*format);
+  }
+  return formats;
+}
+
+FigureWidth parse_width(const std::string& text) {
+  const auto width = base::enum_from_name<FigureWidth>(text);
+  if (!width || *width == FigureWidth::screen) {
+    throw InputError(
+        fmt::format("--figure-width {} (must be 85 or 170, in mm)", base::in_quotes(text)));
+  }
+  return *width;
+}
+
+}  // namespace
+
+po::options_description make_figure_options(report::FigureOptions& figures) {
+  po::options_description options;
+  options.add_options()  //
+      ("figures",
+       po::value<std::string>()->value_name("LIST")->notifier(
+           [&figures](const std::string& list) { figures.formats = parse_formats(list); }),
+       "formats of the figures, separated by commas: png (default), svg, pdf, tex (for LaTeX)")  //
+      ("figure-width",
+       po::value<std::string>()->value_name("MM")->notifier(
+           [&figures](const std::string& text) { figures.width = parse_width(text); }),
+       "width of the figures in mm: 85 or 170, one or two columns of a printed page (default: size "
+       "for a screen)");
+  return options;
+}
+
+po::options_description make_case_figure_options(report::FigureOptions& figures) {
+  po::options_description options = make_figure_options(figures);
+  options.add_options()(
+      "curves",
+      po::value<std::string>()->value_name("LIST")->notifier(
+          [&figures](const std::string& list) { figures.curves = parse_list("--curves", list); }),
+      "solutions in the figures of a case: ids, families or solvers separated by commas, or all "
+      "(default: densities from files, and up to six curves: the reference, other solutions of the "
+      "problem, and the closest closure of each formulation)");
+  return options;
 }
 
 }  // namespace fpkcheck::cli

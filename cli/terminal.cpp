@@ -1,16 +1,38 @@
-#include "cli/progress_line.hpp"
+#include "cli/terminal.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
-#include "cli/interruption.hpp"
+#include "base/text/sanitise.hpp"
+#include "cli/shutdown.hpp"
 
 namespace fpkcheck::cli {
+
+void prepare_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // open() returns the lowest free descriptor: `stream`, since the lower ones are open by now.
+    if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+void print_output(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+void print_message(std::string_view message) {
+  const std::string line = fmt::format("fpkcheck: {}\n", base::to_single_line(message));
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
 namespace {
 
 // Width of the terminal on standard error. The progress line must fit this width, because a wrapped
@@ -68,6 +90,20 @@ void ProgressLine::erase() {
   if (is_visible_) fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
   is_visible_ = false;
+}
+
+report::TextFormat terminal_format() {
+  constexpr std::size_t kMinWidth = 80, kMaxWidth = 100;
+  const auto is = [](const char* variable, auto condition) {
+    const char* const value = std::getenv(variable);
+    return value != nullptr && condition(std::string_view(value));
+  };
+  const bool plain = is("NO_COLOR", [](auto value) { return !value.empty(); }) ||
+                     is("TERM", [](auto value) { return value == "dumb"; });
+  winsize size{};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return {known ? std::clamp<std::size_t>(size.ws_col, kMinWidth, kMaxWidth) : kMaxWidth,
+          isatty(STDOUT_FILENO) == 1 && !plain};
 }
 
 }  // namespace fpkcheck::cli

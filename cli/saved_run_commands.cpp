@@ -6,16 +6,18 @@
 #include "base/input_error.hpp"
 #include "base/process/exit_blocker.hpp"
 #include "cli/command_line.hpp"
-#include "cli/commands.hpp"
-#include "cli/interruption.hpp"
+#include "cli/options.hpp"
 #include "cli/program.hpp"
-#include "cli/progress_line.hpp"
 #include "cli/shutdown.hpp"
-#include "cli/solve_and_report.hpp"
-#include "cli/standard_streams.hpp"
+#include "cli/terminal.hpp"
+#include "report/figure/curve_selection.hpp"
+#include "report/report.hpp"
+#include "report/supplement.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/check.hpp"
+#include "workflows/paper/judge_claims.hpp"
+#include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -36,41 +38,6 @@ examples:
   fpkcheck check baseline/summary.json --out changed        (keep the new run, too)
 )";
 
-struct CheckArguments {
-  CommonArguments common;
-  check::Tolerances tolerances;
-  int threads = 0;
-};
-
-boost::program_options::options_description make_check_options(CheckArguments& arguments) {
-  namespace po = boost::program_options;
-  auto& common = arguments.common;
-  auto& tolerances = arguments.tolerances;
-  po::options_description options("options", 96);
-  options.add_options()  //
-      ("tolerance",
-       po::value(&tolerances.deterministic)
-           ->value_name("T")
-           ->default_value(tolerances.deterministic, "1e-08"),
-       "tolerance for moments (relative), densities and distances of deterministic methods; 50 "
-       "times as large for coefficients, 100 times for distances in tails")(
-          "standard-errors",
-          po::value(&tolerances.standard_errors)
-              ->value_name("N")
-              ->default_value(tolerances.standard_errors),
-          "tolerance for simulations, in standard errors of "
-          "the difference of both runs")("threads", po::value(&arguments.threads)->value_name("N"),
-                                         "number of threads (default: one per processor)")(
-          "out",
-          po::value<std::string>()->value_name("DIR")->notifier(
-              [&common](const std::string& value) { common.out = value; }),
-          "write check.json, and summary.json and marginals.csv of the new run, to DIR (default: "
-          "no files)")("quiet,q", po::bool_switch(&common.quiet), "print no table and no progress")(
-          "json", po::bool_switch(&common.json),
-          "print check.json to standard output, and nothing else")("help,h", "print this text");
-  return options;
-}
-
 void write_files(const std::filesystem::path& directory, const results::Run& run,
                  const std::string& json) {
   const base::ExitBlocker in_hand;
@@ -85,11 +52,31 @@ void write_files(const std::filesystem::path& directory, const results::Run& run
 
 int check_command(const CommandCall& call) {
   const auto begin = std::chrono::steady_clock::now();
-  CheckArguments check_arguments;
+  namespace po = boost::program_options;
+  CommonArguments common;
+  check::Tolerances tolerances;
+  int threads = 0;
   std::vector<std::string> paths;
-  if (!parse_arguments(call.arguments, kCheckUsage, make_check_options(check_arguments), paths))
-    return kSuccess;
-  const auto& [common, tolerances, threads] = check_arguments;
+  po::options_description own;
+  own.add_options()  //
+      ("tolerance",
+       po::value(&tolerances.deterministic)
+           ->value_name("T")
+           ->default_value(tolerances.deterministic, "1e-08"),
+       "tolerance for moments (relative), densities and distances of deterministic methods; 50 "
+       "times as large for coefficients, 100 times for distances in tails")  //
+      ("standard-errors",
+       po::value(&tolerances.standard_errors)
+           ->value_name("N")
+           ->default_value(tolerances.standard_errors),
+       "tolerance for simulations, in standard errors of the difference of both runs")  //
+      ("threads", po::value(&threads)->value_name("N"),
+       "number of threads (default: one per processor)");
+  const auto options = add_output_options(
+      own, common,
+      "write check.json, and summary.json and marginals.csv of the new run, to DIR (default: no "
+      "files)");
+  if (!parse_arguments(call.arguments, kCheckUsage, options, paths)) return kSuccess;
   if (paths.size() != 1) {
     throw InputError("check takes one baseline; name the summary.json of a run or its directory");
   }
@@ -130,6 +117,51 @@ int check_command(const CommandCall& call) {
                               result.changes.size()));
   }
   return result.agrees_with_baseline() ? kSuccess : kFailure;
+}
+
+namespace {
+
+constexpr const char* kReportUsage = R"(usage: fpkcheck report DIR [options]
+
+Prints the table of a saved run and rebuilds its report.html and figures; for a run of `paper` also
+the claims and the figures of the paper. DIR is the directory of the run. Solves nothing.
+)";
+
+}  // namespace
+
+int report_command(const CommandCall& call) {
+  namespace po = boost::program_options;
+  std::vector<std::string> directories;
+  po::options_description options("options", 96);
+  bool quiet = false;
+  report::FigureOptions figures;
+  const auto case_options = make_case_figure_options(figures);
+  for (const auto& option : case_options.options()) options.add(option);
+  options.add_options()("quiet,q", po::bool_switch(&quiet), "print no table")("help,h",
+                                                                              "print this text");
+  if (!parse_arguments(call.arguments, kReportUsage, options, directories)) return kSuccess;
+  if (directories.size() != 1) {
+    throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
+  }
+  results::Run run = results::load_run(directories.front());
+  call.registry.complete_identities(run);
+  std::vector<transform::SolutionIdentity> identities;
+  for (const auto& case_result : run.cases) {
+    for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
+  }
+  report::validate_curves(figures.curves, identities);
+  const base::ExitBlocker in_hand;
+  const auto format = terminal_format();
+  const auto supplement =
+      paper::is_paper_run(run)
+          ? paper::claims_supplement(paper::judge_claims(run), run, figures.width, format)
+          : report::Supplement{};
+  const auto [text, warnings] =
+      report::rebuild_report(directories.front(), run, format, figures, supplement);
+  set_exit_message("report.html was written, but not all figures");
+  if (!quiet) print_output(text);
+  for (const auto& warning : warnings) print_message(warning);
+  return kSuccess;
 }
 
 }  // namespace fpkcheck::cli

@@ -1,8 +1,11 @@
+#include "base/mpi/communicator.hpp"
+
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <string_view>
-
-#include "base/mpi/communicator.hpp"
+#include <thread>
+#include <utility>
 
 namespace fpkcheck::base {
 
@@ -20,6 +23,29 @@ bool Communicator::launched_by_mpi() {
   // srun --mpi=pmix sets the number of processes only in a variable of Slurm.
   const char* const tasks = std::getenv("SLURM_NTASKS");
   return std::getenv("PMIX_RANK") != nullptr && tasks != nullptr && std::string_view(tasks) != "1";
+}
+
+std::vector<std::string> Communicator::gather(const std::string& own,
+                                              const std::function<void()>& poll) {
+  if (!is_first_rank()) {
+    send(0, own);
+    return {};
+  }
+  std::vector<std::string> others;
+  for (int rank = 1; rank < size(); ++rank) {
+    auto& texts = gathered_[rank];
+    while (texts.empty()) {
+      poll();
+      if (auto message = receive()) {
+        gathered_[message->from].push_back(std::move(message->text));
+      } else {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    }
+    others.push_back(std::move(texts.front()));
+    texts.pop_front();
+  }
+  return others;
 }
 
 }  // namespace fpkcheck::base
