@@ -9,7 +9,7 @@
 #include "compare/assessment.hpp"
 #include "report/table.hpp"
 #include "report/text/columns.hpp"
-#include "report/text/round_outward.hpp"
+#include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
 
 namespace fpkcheck::report {

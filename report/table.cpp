@@ -15,7 +15,7 @@
 #include "report/references.hpp"
 #include "report/status_reasons.hpp"
 #include "report/text/columns.hpp"
-#include "report/text/l1_text.hpp"
+#include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
 #include "report/verdict/matrix_text.hpp"
 #include "report/wall_atoms.hpp"

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "report/budget/part_style.hpp"
-#include "report/figure/frame.hpp"
 #include "report/figure/layout.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

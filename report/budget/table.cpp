@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "report/text/l1_text.hpp"
+#include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/limiting_errors_text.hpp"
 

@@ -6,7 +6,7 @@
 namespace fpkcheck::report {
 
 /// The L1 distances between closures and the reference against the order n: a panel for each
-/// marginal density, a curve for each family (report/convergence_over_order.hpp). An external
+/// marginal density, a curve for each family. An external
 /// density is a mark at its order, or a horizontal line if the density has no order. The figure has
 /// no panels unless a family of closures has two orders with known distances.
 Figure convergence_figure(const results::CaseResult& case_result);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include "report/figure/frame.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/panel.hpp"
 

@@ -12,8 +12,8 @@
 #include "base/files/pending_files.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
-#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
+#include "report/figure/layout.hpp"
 
 namespace fpkcheck::report {
 

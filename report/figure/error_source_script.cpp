@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "compare/assessment.hpp"
-#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

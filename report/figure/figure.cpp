@@ -10,12 +10,10 @@
 #include <map>
 #include <set>
 
-#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/ranges.hpp"
-#include "report/figure/script_parts.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -10,7 +10,7 @@
 #include "transform/identity.hpp"
 
 /// The model of a figure. A figure is made once from results; figure_script writes the figure for
-/// gnuplot, figure_plots (report/page/figure_plots.hpp) for the page.
+/// gnuplot, figure_plots (report/page/plot.hpp) for the page.
 namespace fpkcheck::report {
 
 /// A point of a series. A coordinate that is not finite, or has no logarithm on a logarithmic axis,

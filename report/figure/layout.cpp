@@ -6,10 +6,51 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/figure/text.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
+
+constexpr double kPointsPerInch = 72, kMillimetresPerInch = 25.4;
+// Height of letters: 11 points, in pixels, on a screen of 96 dpi; on paper in points, where
+// journals require at least 7 points.
+constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
+// Resolution of a PNG for print, in dpi.
+constexpr double kPrintResolution = 300;
+
+// Points per pixel of the layout on paper. A PDF for the screen has the same number of points per
+// pixel as a layout on paper, so that the letters of both have equal size.
+constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
+
+double png_scale(FigureWidth medium) {
+  return medium == FigureWidth::screen ? 1 : kPointsPerPixel * kPrintResolution / kPointsPerInch;
+}
+
+std::string svg_terminal(const FigureSize& size) {
+  return fmt::format(
+      "set terminal svg size {},{} enhanced font 'sans-serif,14' background rgb 'white'",
+      size.width, size.height);
+}
+
+std::string png_terminal(const FigureSize& size) {
+  const double scale = png_scale(size.medium);
+  const std::string scaled =
+      scale == 1 ? ""
+                 : fmt::format(" fontscale {0:.4g} linewidth {0:.4g} pointscale {0:.4g}", scale);
+  return fmt::format(
+      "pngcairo size {:.0f},{:.0f} enhanced font 'sans-serif,11'{} background rgb "
+      "'white'",
+      scale * size.width, scale * size.height, scaled);
+}
+
+// The sizes are in inches. The factor 2 compensates that Cairo draws lines at half of their width.
+std::string cairo_scale(const FigureSize& size) {
+  return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
+                     size.width * kPointsPerPixel / kPointsPerInch,
+                     size.height * kPointsPerPixel / kPointsPerInch, 2 * kPointsPerPixel,
+                     kPointsPerPixel);
+}
 
 // Left margin, in pixels, of a panel with tics and axis label, and of a panel with tics only.
 constexpr int kLeft = 92, kTicsAlone = 52;
@@ -30,6 +71,99 @@ int columns(const Legend& legend, int width) {
 }
 
 }  // namespace
+
+int figure_width(FigureWidth medium, int screen_width_pixels) {
+  if (medium == FigureWidth::screen) return screen_width_pixels;
+  return static_cast<int>(printed_width_mm(medium) / kMillimetresPerInch * kPointsPerInch /
+                          kPointsPerPixel);
+}
+
+double printed_width_mm(FigureWidth medium) {
+  switch (medium) {
+    case FigureWidth::screen:
+      return 0;
+    case FigureWidth::two_columns:
+      return 170;
+    case FigureWidth::one_column:
+      return 85;
+  }
+  return 0;
+}
+
+std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size) {
+  return fmt::format(
+      "# Drawn by: gnuplot {0}.gp, or gnuplot -e \"format='svg'\" {0}.gp; likewise pdf, and tex\n"
+      "# for LaTeX: {0}.tex with a {0}.pdf that it includes\n"
+      "if (!exists(\"format\")) format = 'png'\n"
+      "if (format ne 'png' && format ne 'svg' && format ne 'pdf' && format ne 'tex') "
+      "exit error \"format = '\".format.\"' (must be png, svg, pdf or tex)\"\n"
+      "if (!exists(\"target\")) target = {1}.'.'.format\n"
+      "say(enhanced, latex) = format eq 'tex' ? latex : enhanced\n"
+      "set encoding utf8\n"
+      "set minussign\n"
+      "set format x say('%h', '$%h$')\n"
+      "if (format eq 'svg') {{\n"
+      "  {2}\n"
+      "}}\n"
+      "if (format eq 'pdf') {{\n"
+      "  set terminal pdfcairo {3} enhanced font 'sans-serif,11' fontscale {4:.4g} background rgb "
+      "'white'\n"
+      "}}\n"
+      "if (format eq 'tex') {{\n"
+      "  set terminal cairolatex pdf input header '\\fontsize{{{5:g}}}{{{9:g}}}\\selectfont' {3} "
+      "font ',{5:g}' background rgb 'white'\n"
+      "}}\n"
+      "if (format eq 'png') {{\n"
+      "  if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) {{\n"
+      "    set terminal {6}\n"
+      "  }} else {{\n"
+      "    set terminal png size {7},{8} enhanced\n"
+      "  }}\n"
+      "}}\n"
+      "set output target\n\n",
+      file_stem, gnuplot_string(file_stem), svg_terminal(size), cairo_scale(size), kPointsPerPixel,
+      kLetterPoints, png_terminal(size), size.width, size.height, 1.2 * kLetterPoints);
+}
+
+FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
+  constexpr int kLine = 24, kFirstLine = 36;
+  // A smaller font on paper saves space.
+  const int points = size.medium == FigureWidth::screen ? 14 : 11;
+  const double letter = 0.6 * points * 96 / kPointsPerInch;
+  std::vector<std::string> lines{""};
+  for (const auto& part : parts) {
+    const auto letters = static_cast<double>(lines.back().size() + part.size());
+    if (!lines.back().empty() && letters * letter > size.width) lines.emplace_back();
+    lines.back() += part;
+  }
+  // gnuplot reads \n as a line break only within double quotes.
+  std::vector<std::string> shown;
+  for (auto& line : lines) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    shown.push_back(gnuplot_literal(line));
+  }
+  return {
+      fmt::format("set multiplot title {} font ',{}'\n\n", fmt::join(shown, ".\"\\n\"."), points),
+      kFirstLine + static_cast<int>(lines.size() - 1) * kLine};
+}
+
+// All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
+// font.
+std::vector<std::string> problem_title(const problem::Problem& problem) {
+  std::vector<std::string> parts{problem.name + ": "};
+  const std::string parameters = problem::parameters_text(problem, true);
+  for (std::size_t from = 0; from < parameters.size();) {
+    const auto end = parameters.find(' ', parameters.find_first_of(",;", from));
+    const auto to = end == std::string::npos ? parameters.size() : end + 1;
+    parts.push_back(parameters.substr(from, to - from));
+    from = to;
+  }
+  return parts;
+}
+
+FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
+  return figure_title(problem_title(problem), size);
+}
 
 FigureSize PanelGrid::size() const {
   const int row = above + panel_height + below;

@@ -8,8 +8,7 @@
 #include <cmath>
 
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/script_parts.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,5 +1,5 @@
 #include "report/page/budget_view.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "report/budget/part_style.hpp"
 #include "report/figure/ranges.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

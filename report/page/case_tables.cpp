@@ -1,5 +1,5 @@
 #include "report/page/case_tables.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,11 +12,10 @@
 
 #include "report/page/family_tables.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
 #include "report/references.hpp"
 #include "report/status_reasons.hpp"
-#include "report/text/round_outward.hpp"
+#include "report/text/number_text.hpp"
 #include "report/wall_atoms.hpp"
 
 namespace fpkcheck::report {

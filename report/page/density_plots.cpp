@@ -1,5 +1,5 @@
 #include "report/page/density_plots.hpp"
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <set>
 
 #include "report/figure/content.hpp"
-#include "report/page/encoding.hpp"
+#include "report/page/html.hpp"
 #include "report/references.hpp"
 
 namespace fpkcheck::report {

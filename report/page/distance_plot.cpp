@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,15 +1,14 @@
 #include "report/page/error_maps.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "report/page/encoding.hpp"
 #include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "report/families.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -9,11 +9,10 @@
 
 #include "compare/assessment.hpp"
 #include "compare/rest_atoms.hpp"
-#include "report/page/encoding.hpp"
 #include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
 #include "report/references.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -3,11 +3,111 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "report/page/html.hpp"
 
 namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Converts gnuplot's enhanced text to the HTML of plotly.js: italics, one-letter subscripts, and
+// escaped characters.
+std::string plotly_markup(std::string_view enhanced) {
+  constexpr std::string_view kItalic = "{/:Italic ";
+  std::string html;
+  while (!enhanced.empty()) {
+    std::size_t length = 1;
+    if (enhanced.starts_with(kItalic)) {
+      const auto end = std::min(enhanced.find('}'), enhanced.size() - 1);
+      const auto symbol = enhanced.substr(kItalic.size(), end - kItalic.size());
+      html += "<i>" + plotly_text(symbol) + "</i>";
+      length = end + 1;
+    } else if (enhanced.size() > 1 && (enhanced[0] == '\\' || enhanced[0] == '_')) {
+      const std::string letter = plotly_text(enhanced.substr(1, 1));
+      html += enhanced[0] == '_' ? "<sub>" + letter + "</sub>" : letter;
+      length = 2;
+    } else {
+      html += enhanced[0] == '\'' ? "\u2032" : plotly_text(enhanced.substr(0, 1));
+    }
+    enhanced.remove_prefix(length);
+  }
+  return html;
+}
+
+// The position of the label beside a mark. The position differs between neighbouring marks of a
+// series and between series, so that fewer labels overlap.
+const char* label_position(std::size_t series, std::size_t point) {
+  constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
+  return kSides[(series + point) % kSides.size()];
+}
+
+Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::size_t number) {
+  Json x = Json::array(), y = x, names = x, labels = x, positions = x, symbols = x, colours = x;
+  const auto number_or_null = [](double value, const FigureAxis& axis) {
+    const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
+    return is_drawn ? Json(value) : Json();
+  };
+  for (const auto& point : series.points) {
+    x.push_back(number_or_null(point.x, panel.x));
+    y.push_back(number_or_null(point.y, panel.y));
+    names.push_back(plotly_text(point.name));
+    labels.push_back(plotly_text(point.label));
+    positions.push_back(label_position(number, positions.size()));
+    symbols.push_back(series.symbol + (point.open ? "-open" : ""));
+    colours.push_back(point.colour.empty() ? series.colour : point.colour);
+  }
+  const bool has_labels =
+      std::ranges::any_of(series.points, [](const auto& point) { return !point.label.empty(); });
+  std::string mode = series.dash.empty() ? "" : "lines";
+  if (!series.symbol.empty()) mode += mode.empty() ? "markers" : "+markers";
+  if (has_labels) mode += "+text";
+  Json trace{{"type", "scatter"},           {"mode", mode}, {"name", plotly_text(series.name)},
+             {"legendgroup", series.group}, {"x", x},       {"y", y},
+             {"hovertemplate", "%{y:.3g}"}};
+  if (!series.dash.empty()) {
+    trace["line"] = {
+        {"color", series.colour}, {"width", series.line_width}, {"dash", plotly_dash(series.dash)}};
+  }
+  if (!series.symbol.empty()) {
+    constexpr double kPixelsPerPointSize = 7;
+    trace["marker"] = {{"color", colours},
+                       {"symbol", symbols},
+                       {"size", std::round(kPixelsPerPointSize * series.mark_size)}};
+    trace["customdata"] = names;
+    trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
+  }
+  if (has_labels) {
+    trace["text"] = labels;
+    trace["textposition"] = positions;
+    trace["textfont"] = {{"size", 10}};
+    trace["cliponaxis"] = false;
+    trace["hovertemplate"] = "%{customdata}: %{y:.3g} at %{x:.2g}<extra></extra>";
+  }
+  return trace;
+}
+
+Json axis_json(const FigureAxis& axis) {
+  Json json{{"title", {{"text", plotly_markup(axis.label)}}}};
+  if (axis.is_logarithmic) {
+    json.update({{"type", "log"},
+                 {"range", {std::log10(axis.from), std::log10(axis.to)}},
+                 {"exponentformat", "power"},
+                 {"dtick", 1},
+                 {"automargin", true}});
+  } else {
+    json["range"] = {axis.from, axis.to};
+    if (axis.tic_step > 0) json.update({{"dtick", axis.tic_step}, {"tick0", 0}});
+  }
+  return json;
+}
+
+}  // namespace
 
 std::string plots_html(const std::vector<Plot>& plots) {
   std::string html = "<div class=\"plots\">\n";
@@ -55,6 +155,24 @@ std::string plotly_dash(const std::string& gnuplot_dash) {
     if (c != '(' && c != ')') dash += c;
   }
   return dash;
+}
+
+std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix) {
+  std::vector<Plot> plots;
+  for (const auto& panel : figure.panels) {
+    Json data = Json::array();
+    for (const auto& series : panel.series)
+      data.push_back(series_trace(series, panel, data.size()));
+    const Json json{
+        {"height", 340},
+        {"arrays", Json::object()},
+        {"data", data},
+        {"layout",
+         {{"hovermode", "closest"}, {"xaxis", axis_json(panel.x)}, {"yaxis", axis_json(panel.y)}}}};
+    plots.push_back({prefix + '-' + panel.id, panel.caption,
+                     json.dump(-1, ' ', false, Json::error_handler_t::replace)});
+  }
+  return plots;
 }
 
 }  // namespace fpkcheck::report

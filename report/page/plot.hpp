@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/figure/figure.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::report {
@@ -36,5 +37,9 @@ std::string legend_name(const transform::Solution& solution);
 
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
+
+/// Writes a figure for the page: a plot for each panel.
+/// @param prefix prefix of the ids of the plots
+std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix);
 
 }  // namespace fpkcheck::report

@@ -9,8 +9,8 @@
 
 #include "report/families.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
 #include "report/page/problem_statement.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,15 +1,15 @@
 #include "report/page/verdict_view.hpp"
-#include "report/figure/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "report/figure/script_text.hpp"
 #include "report/page/distance_plot.hpp"
 #include "report/page/html.hpp"
-#include "report/page/number_text.hpp"
 #include "report/page/plot.hpp"
+#include "report/text/number_text.hpp"
 #include "report/verdict/verdict.hpp"
 
 namespace fpkcheck::report {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "report/text/columns.hpp"
-#include "report/text/l1_text.hpp"
+#include "report/text/number_text.hpp"
 #include "report/text/wrap_text.hpp"
 #include "workflows/paper/criteria.hpp"
 #include "workflows/paper/measured_text.hpp"

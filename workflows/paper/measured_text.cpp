@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/text/l1_text.hpp"
+#include "report/text/number_text.hpp"
 
 namespace fpkcheck::paper {
 namespace {

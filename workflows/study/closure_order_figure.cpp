@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/frame.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/script_parts.hpp"
+#include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
 #include "workflows/study/closure_order.hpp"
 #include "workflows/study/plot_series.hpp"
 

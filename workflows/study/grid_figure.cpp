@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "methods/plot_style.hpp"
-#include "report/figure/frame.hpp"
-#include "report/figure/script_parts.hpp"
+#include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
 #include "workflows/study/grid.hpp"
 #include "workflows/study/plot_series.hpp"
 

@@ -5,7 +5,7 @@
 #include "../external_family.hpp"
 #include "../page/made_up_page.hpp"
 #include "report/figure/pictures.hpp"
-#include "report/page/figure_plots.hpp"
+#include "report/page/plot.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::report {
@@ -50,12 +50,16 @@ TEST(ConvergenceFigure, HasOneSeriesForEachFamilyByOrder) {
     }
   }
   EXPECT_TRUE(figure.panels[0].series[1].points[1].open);
+  EXPECT_EQ(figure.panels[0].x.from, 1.5);
+  EXPECT_EQ(figure.panels[0].x.to, 6.5);
+  EXPECT_EQ(figure.panels[0].series[3].points[0].y, 2e-5);
 }
 
 TEST(ConvergenceFigure, HasTheSameSeriesInAScript) {
   const auto case_result = tests::case_with_external_family({6, 2});
   const std::string script = figure_script(convergence_figure(case_result), "case1-order");
-  for (const char* text : {"title 'chi'", "title 'epc-gaussian'", "$data0 << EOD\n2 ", "$data7 << EOD"}) {
+  for (const char* text :
+       {"title 'chi'", "title 'epc-gaussian'", "$data0 << EOD\n2 ", "$data7 << EOD"}) {
     EXPECT_TRUE(tests::contains(script, text)) << text;
   }
 }

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "report/figure/frame.hpp"
+#include "report/figure/layout.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 

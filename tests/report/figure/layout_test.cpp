@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "paper_cases.hpp"
+#include "report/figure/drawing.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -11,9 +13,62 @@
 namespace fpkcheck::report {
 namespace {
 
-namespace fs = std::filesystem;
 using tests::contains;
 
+TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
+  auto problem = tests::paper_case(1);
+  problem.name = "it's a_b";
+  const auto title = figure_title(problem, {.width = 1500, .height = 900});
+  EXPECT_TRUE(title.command.starts_with(
+      "set multiplot title say('it''s a\\_b: c = 0.1, k = 1, μ = 0.1, r = 0.98;"))
+      << title.command;
+}
+
+TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
+  const auto problem = tests::paper_case(1);
+  const auto wide = figure_title(problem, {.width = 1500, .height = 900});
+  const auto narrow =
+      figure_title(problem, {.width = 471, .height = 900, .medium = FigureWidth::one_column});
+  EXPECT_EQ(wide.command.find("\"\\n\""), std::string::npos) << wide.command;
+  EXPECT_NE(narrow.command.find(";').\"\\n\".say('gaussian impulses"), std::string::npos)
+      << narrow.command;
+  EXPECT_GT(narrow.height, wide.height);
+}
+
+TEST(Frame, SizesBothFormats) {
+  const std::string text = gnuplot_output_commands("stem", {.width = 12, .height = 34});
+  EXPECT_NE(text.find("set terminal svg size 12,34 "), std::string::npos) << text;
+  EXPECT_NE(text.find("set terminal pngcairo size 12,34 "), std::string::npos) << text;
+  EXPECT_NE(text.find("target = 'stem'.'.'.format"), std::string::npos) << text;
+}
+
+TEST(Frame, DrawsMinusSignsNotHyphens) {
+  if (!tests::gnuplot_exists()) GTEST_SKIP() << "no gnuplot";
+  const tests::TemporaryDirectory directory;
+  const std::string script = gnuplot_output_commands("stem", {.width = 400, .height = 300}) +
+                             "unset key\nplot [-2:2] [-2:2] x\n";
+  const auto warnings =
+      write_pictures(directory.path(), "stem", script, {.formats = {FigureFormat::svg}}, "gnuplot");
+  ASSERT_TRUE(warnings.empty()) << warnings.front();
+  const std::string svg = tests::contents(directory.path() / "stem.svg");
+  EXPECT_TRUE(tests::contains(svg, ">−2</tspan>"));
+  EXPECT_FALSE(tests::contains(svg, ">-2</tspan>"));
+}
+
+// 85 mm are 241 points, or 1004 pixels at 300 dots per inch; letters have 7.5 points.
+TEST(Frame, DrawsForPrintInItsSize) {
+  constexpr auto kColumn = FigureWidth::one_column;
+  EXPECT_EQ(figure_width(kColumn, 1500), 471);
+  EXPECT_EQ(figure_width(FigureWidth::two_columns, 1500), 942);
+  EXPECT_EQ(figure_width(FigureWidth::screen, 1500), 1500);
+  const std::string text =
+      gnuplot_output_commands("stem", {.width = 471, .height = 200, .medium = kColumn});
+  EXPECT_NE(text.find("pngcairo size 1004,426 "), std::string::npos) << text;
+  EXPECT_NE(text.find("pdfcairo size 3.3452,1.4205 "), std::string::npos) << text;
+  EXPECT_NE(text.find("font ',7.5'"), std::string::npos) << text;
+}
+
+namespace fs = std::filesystem;
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;

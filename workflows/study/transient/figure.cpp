@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/frame.hpp"
+#include "report/figure/layout.hpp"
 
 namespace fpkcheck::study {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/script_parts.hpp"
+#include "report/figure/script_text.hpp"
 #include "workflows/sweep/report/figure/figures.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 

@@ -9,9 +9,7 @@
 #include <span>
 #include <tuple>
 
-#include "report/page/encoding.hpp"
 #include "report/page/html.hpp"
-#include "report/page/parts.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 #include "workflows/sweep/report/figure/sweep_view.hpp"
 #include "workflows/sweep/report/tables.hpp"

@@ -1,9 +1,44 @@
-#include "report/figure/text.hpp"
+#include "report/figure/script_text.hpp"
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "made_up_solutions.hpp"
+
 namespace fpkcheck::report {
 namespace {
+
+TEST(ScriptParts, SeriesHaveTheStyleOfTheirMethods) {
+  auto moment = tests::closure_identity("moment", 2);
+  moment.plot_style.symbol = "square";
+  moment.plot_style.dash = "(2,4)";
+  const auto looks = series_styles(std::vector{tests::closure_identity("gaussian", 2), moment});
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_EQ(looks[0].colour, "#D55E00");
+  EXPECT_EQ(looks[1].colour, "#CC79A7");
+  EXPECT_EQ(looks[0].dash, "(10,4)");
+  EXPECT_EQ(looks[1].dash, "(2,4)");
+  EXPECT_EQ(looks[1].filled, 5);  // point type of gnuplot
+  EXPECT_EQ(looks[1].open, 4);
+}
+
+TEST(ScriptParts, EveryShapeIsFilledOrOpen) {
+  std::set<int> types;
+  for (const char* symbol :
+       {"circle", "square", "triangle-up", "triangle-down", "diamond", "pentagon", "anything"}) {
+    const auto [filled, open] = point_types(symbol);
+    EXPECT_TRUE(types.insert(filled).second) << symbol;
+    EXPECT_TRUE(types.insert(open).second) << symbol;
+  }
+}
+
+TEST(ScriptParts, PartsAreLinesOfAScript) {
+  EXPECT_EQ(data_block("a", "1 2\n"), "$a << EOD\n1 2\nEOD\n");
+  EXPECT_EQ(panel_position_commands({0.1, 0.9, 0.8, 0.2}),
+            "set lmargin at screen 0.1\nset rmargin at screen 0.9\n"
+            "set tmargin at screen 0.8\nset bmargin at screen 0.2\n");
+}
 
 TEST(FigureText, IsConvertedToLatex) {
   EXPECT_EQ(to_latex("{/:Italic p}({/:Italic y}')"), "$p$($y$')");

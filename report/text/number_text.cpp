@@ -1,11 +1,10 @@
-#include "report/page/number_text.hpp"
+#include "report/text/number_text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
-
-#include "report/page/html.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -57,6 +56,29 @@ std::string seconds_text(const std::optional<double>& seconds) {
   if (!is_finite_number(seconds)) return std::string(kNoValue);
   if (*seconds < 10) return number_text(seconds, 2);
   return fmt::format("{:.{}f}", *seconds, *seconds < 100 ? 1 : 0);
+}
+
+std::string l1_text(double l1) {
+  constexpr double kTwoDigits = 1e-4;
+  if (l1 == 0) return "0";
+  return l1 < kTwoDigits ? fmt::format("{:.1e}", l1) : fmt::format("{:.5f}", l1);
+}
+
+IntervalText round_outward(double lower, double upper) {
+  constexpr int kMostDecimals = 15;  // all digits of a double of order 1
+  const double width = upper - lower;
+  if (!std::isfinite(width)) return {fmt::format("{}", lower), fmt::format("{}", upper)};
+  const int decimals =
+      width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
+                : kMostDecimals;
+  const double unit = std::pow(10.0, decimals);
+  // The exact product may lie above or below the integer to which the product is rounded: fma gives
+  // the sign of the rounding error.
+  double down = std::floor(lower * unit), up = std::ceil(upper * unit);
+  if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
+  if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;
+  return {fmt::format("{:.{}f}", down / unit, decimals),
+          fmt::format("{:.{}f}", up / unit, decimals)};
 }
 
 }  // namespace fpkcheck::report
