@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "compare/assessment.hpp"
 #include "compare/rest_atoms.hpp"
 #include "report/page/heat_map_values.hpp"
 #include "report/page/html.hpp"
@@ -67,20 +65,18 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
-// The reference of the joint densities: the solution of the full problem with the smallest error
-// estimate. A simulation with control variates has the lowest priority, since control variates
-// reduce the sampling error of smooth bins but not of cells.
+// The reference of the joint densities: the reference of the case. If the reference has no joint
+// density, or is a simulation with control variates, another solution of the full problem replaces
+// the reference if possible: control variates reduce the sampling error of smooth bins, by which
+// the case selects its reference, but not the sampling error of cells.
 const transform::Solution* joint_reference(const results::CaseResult& one) {
-  const transform::Solution* best = nullptr;
-  const auto error = [](const transform::Solution& solution) {
-    return solution.smooth_sampling ? std::numeric_limits<double>::infinity()
-                                    : compare::l1_error_estimate(solution);
-  };
+  const transform::Solution* selected = nullptr;
   for (const auto* solution : references(one)) {
     if (find(one, solution->id()) == nullptr) continue;
-    if (best == nullptr || error(*solution) < error(*best)) best = solution;
+    if (selected == nullptr || (selected->smooth_sampling && !solution->smooth_sampling))
+      selected = solution;
   }
-  return best;
+  return selected;
 }
 
 }  // namespace
