@@ -91,6 +91,7 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
                      .cut_off = support.cut_off_probability()};
   summary.frame = {.variables = problem.system.left_wall() ? ExponentCoordinates::plane
                                                            : ExponentCoordinates::physical,
+                   .coordinates = problem.frame,
                    .log_constant = log_normalising_constant(support),
                    .deviations = sigma};
 
