@@ -24,9 +24,7 @@ inline constexpr base::EnumEntry<Approximation> kApproximationNames[] = {
     {Approximation::white_noise, "white noise", "white noise in place of impulses"},
     {Approximation::discretisation, "discretisation", "the discretisation of the reference"},
     {Approximation::sampling, "sampling", "the sampling error of the reference"}};
-constexpr std::span<const base::EnumEntry<Approximation>> enumerator_names(Approximation) {
-  return kApproximationNames;
-}
+constexpr const auto& enumerator_names(Approximation) { return kApproximationNames; }
 constexpr std::string_view name(Approximation approximation) {
   return base::name_of(approximation);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,9 +29,7 @@ inline constexpr base::EnumEntry<Formulation> kFormulationNames[] = {
     {Formulation::gaussian, "gaussian", "the paper's projections under Gaussian weights"},
     {Formulation::moment, "moment", "exact moment equations on the half-plane"},
     {Formulation::polar, "polar", "exact moment equations in amplitude and phase, or velocity"}};
-constexpr std::span<const base::EnumEntry<Formulation>> enumerator_names(Formulation) {
-  return kFormulationNames;
-}
+constexpr const auto& enumerator_names(Formulation) { return kFormulationNames; }
 constexpr std::string_view name(Formulation formulation) { return base::name_of(formulation); }
 
 /// Monomials x1^p x2^q in Q_n and in the projections of the formulation gaussian.
@@ -42,9 +39,7 @@ enum class MonomialSet {
 };
 inline constexpr base::EnumEntry<MonomialSet> kMonomialSetNames[] = {
     {MonomialSet::point_symmetric, "point_symmetric"}, {MonomialSet::general, "general"}};
-constexpr std::span<const base::EnumEntry<MonomialSet>> enumerator_names(MonomialSet) {
-  return kMonomialSetNames;
-}
+constexpr const auto& enumerator_names(MonomialSet) { return kMonomialSetNames; }
 constexpr std::string_view name(MonomialSet set) { return base::name_of(set); }
 
 /// Treatment of the density beyond the confinement level, the energy up to which Q_n is reliable.
@@ -54,9 +49,7 @@ enum class TailTreatment {
 };
 inline constexpr base::EnumEntry<TailTreatment> kTailTreatmentNames[] = {
     {TailTreatment::confined, "confined"}, {TailTreatment::cut, "cut"}};
-constexpr std::span<const base::EnumEntry<TailTreatment>> enumerator_names(TailTreatment) {
-  return kTailTreatmentNames;
-}
+constexpr const auto& enumerator_names(TailTreatment) { return kTailTreatmentNames; }
 constexpr std::string_view name(TailTreatment tail) { return base::name_of(tail); }
 
 struct Options {

@@ -49,9 +49,7 @@ inline constexpr base::EnumEntry<SolutionBranchEnd> kSolutionBranchEndNames[] = 
     {SolutionBranchEnd::white_noise, "white_noise"},
     {SolutionBranchEnd::far_away, "far_away"},
     {SolutionBranchEnd::lost, "lost"}};
-constexpr std::span<const base::EnumEntry<SolutionBranchEnd>> enumerator_names(SolutionBranchEnd) {
-  return kSolutionBranchEndNames;
-}
+constexpr const auto& enumerator_names(SolutionBranchEnd) { return kSolutionBranchEndNames; }
 constexpr std::string_view name(SolutionBranchEnd end) { return base::name_of(end); }
 
 struct SolutionBranch {

@@ -22,9 +22,7 @@ enum class StationarySolver {
 inline constexpr base::EnumEntry<StationarySolver> kStepperNames[] = {
     {StationarySolver::cvode, "cvode", "pseudo-transient steps to stationarity"},
     {StationarySolver::direct, "direct", "null vector of the operator alone"}};
-constexpr std::span<const base::EnumEntry<StationarySolver>> enumerator_names(StationarySolver) {
-  return kStepperNames;
-}
+constexpr const auto& enumerator_names(StationarySolver) { return kStepperNames; }
 constexpr std::string_view name(StationarySolver stepper) { return base::name_of(stepper); }
 
 /// Discretisation of the transport between two impulses.
@@ -36,9 +34,7 @@ inline constexpr base::EnumEntry<TransportScheme> kTransportNames[] = {
     {TransportScheme::upwind, "upwind", "finite volumes of high order"},
     {TransportScheme::characteristics, "characteristics",
      "along the characteristics of the motion"}};
-constexpr std::span<const base::EnumEntry<TransportScheme>> enumerator_names(TransportScheme) {
-  return kTransportNames;
-}
+constexpr const auto& enumerator_names(TransportScheme) { return kTransportNames; }
 constexpr std::string_view name(TransportScheme transport) { return base::name_of(transport); }
 
 struct Options {

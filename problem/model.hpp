@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
 #include "base/options/enum_names.hpp"
@@ -22,9 +21,7 @@ inline constexpr base::EnumEntry<Equation> kEquationNames[] = {
     {Equation::km4, "km4", "Kramers-Moyal series to the fourth derivative"},
     {Equation::km4_pade, "km4-pade", "Pade approximant of the Kramers-Moyal series"},
     {Equation::kf, "kf", "full jump integral"}};
-constexpr std::span<const base::EnumEntry<Equation>> enumerator_names(Equation) {
-  return kEquationNames;
-}
+constexpr const auto& enumerator_names(Equation) { return kEquationNames; }
 constexpr std::string_view name(Equation equation) { return base::name_of(equation); }
 
 /// The impact condition at a wall.
@@ -37,7 +34,7 @@ inline constexpr base::EnumEntry<Impact> kImpactNames[] = {
     {Impact::map, "map", "exact"},
     {Impact::delta, "delta", "to first order in 1-r"},
     {Impact::exact, "exact", "simulated"}};
-constexpr std::span<const base::EnumEntry<Impact>> enumerator_names(Impact) { return kImpactNames; }
+constexpr const auto& enumerator_names(Impact) { return kImpactNames; }
 constexpr std::string_view name(Impact impact) { return base::name_of(impact); }
 
 }  // namespace fpkcheck::problem

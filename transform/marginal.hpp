@@ -15,9 +15,7 @@ inline constexpr Variable kVariables[] = {Variable::y, Variable::ydot};
 /// Names of the variables in tables and files.
 inline constexpr base::EnumEntry<Variable> kVariableNames[] = {
     {Variable::y, "y", "displacement"}, {Variable::ydot, "ydot", "velocity"}};
-constexpr std::span<const base::EnumEntry<Variable>> enumerator_names(Variable) {
-  return kVariableNames;
-}
+constexpr const auto& enumerator_names(Variable) { return kVariableNames; }
 constexpr std::string_view name(Variable variable) { return base::name_of(variable); }
 
 /// A marginal density, given by its averages over bins. Densities on cells, histograms and

@@ -22,9 +22,7 @@ inline constexpr base::EnumEntry<BoundsStatus> kBoundsStatusNames[] = {
     {BoundsStatus::width_not_met, "width_not_met", "guaranteed, but wider than requested"},
     {BoundsStatus::failed, "failed", "not bounded"},
     {BoundsStatus::not_offered, "not_offered", "not supported"}};
-constexpr std::span<const base::EnumEntry<BoundsStatus>> enumerator_names(BoundsStatus) {
-  return kBoundsStatusNames;
-}
+constexpr const auto& enumerator_names(BoundsStatus) { return kBoundsStatusNames; }
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
 
 /// Guaranteed bounds: value.lower <= E[functional] <= value.upper.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,9 +16,7 @@ inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFo
                                                                        {FigureFormat::svg, "svg"},
                                                                        {FigureFormat::pdf, "pdf"},
                                                                        {FigureFormat::tex, "tex"}};
-constexpr std::span<const base::EnumEntry<FigureFormat>> enumerator_names(FigureFormat) {
-  return kFigureFormatNames;
-}
+constexpr const auto& enumerator_names(FigureFormat) { return kFigureFormatNames; }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
 /// The medium and width of a figure. A narrow figure has fewer panels side by side.
@@ -28,9 +25,7 @@ inline constexpr base::EnumEntry<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
     {FigureWidth::two_columns, "170", "both columns of a journal, in mm"},
     {FigureWidth::one_column, "85", "one column of a journal, in mm"}};
-constexpr std::span<const base::EnumEntry<FigureWidth>> enumerator_names(FigureWidth) {
-  return kFigureWidthNames;
-}
+constexpr const auto& enumerator_names(FigureWidth) { return kFigureWidthNames; }
 constexpr std::string_view name(FigureWidth width) { return base::name_of(width); }
 
 struct FigureOptions {

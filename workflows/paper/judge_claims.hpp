@@ -18,9 +18,7 @@ inline constexpr base::EnumEntry<ClaimOutcome> kOutcomeNames[] = {
      "the numbers are as the claim states, but the solution is no probability density"},
     {ClaimOutcome::not_established, "not established", "the numbers are not as the claim states"},
     {ClaimOutcome::unjudged, "unjudged", "a number that decides the claim is missing"}};
-constexpr std::span<const base::EnumEntry<ClaimOutcome>> enumerator_names(ClaimOutcome) {
-  return kOutcomeNames;
-}
+constexpr const auto& enumerator_names(ClaimOutcome) { return kOutcomeNames; }
 constexpr std::string_view name(ClaimOutcome outcome) { return base::name_of(outcome); }
 
 /// A measured number and its limit.

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,9 +25,7 @@ inline constexpr base::EnumEntry<PlanDesign> kPlanDesignNames[] = {
     {PlanDesign::product, "product", "every value with every other"},
     {PlanDesign::list, "list", "the k-th values of all keys together"},
     {PlanDesign::sobol, "sobol", "N points of a Sobol sequence in the box of the ranges"}};
-constexpr std::span<const base::EnumEntry<PlanDesign>> enumerator_names(PlanDesign) {
-  return kPlanDesignNames;
-}
+constexpr const auto& enumerator_names(PlanDesign) { return kPlanDesignNames; }
 constexpr std::string_view name(PlanDesign design) { return base::name_of(design); }
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
@@ -49,10 +46,7 @@ enum class ClosureErrorSource {
 };
 inline constexpr base::EnumEntry<ClosureErrorSource> kClosureErrorSourceNames[] = {
     {ClosureErrorSource::reference, "reference"}, {ClosureErrorSource::residuals, "residuals"}};
-constexpr std::span<const base::EnumEntry<ClosureErrorSource>> enumerator_names(
-    ClosureErrorSource) {
-  return kClosureErrorSourceNames;
-}
+constexpr const auto& enumerator_names(ClosureErrorSource) { return kClosureErrorSourceNames; }
 constexpr std::string_view name(ClosureErrorSource errors) { return base::name_of(errors); }
 
 /// The plan of a sweep: a base case, the varied keys with their values, and the methods that solve
