@@ -115,7 +115,7 @@ int advise_command(const CommandCall& call) {
     throw InputError(fmt::format("--accuracy {:g} (must be above 0 and at most 2)", accuracy));
   }
   const auto problem = load_cases(common).front();
-  if (!problem::is_paper_oscillator(problem)) {
+  if (!problem::has_equivalent_linearisation(problem)) {
     throw InputError(fmt::format(
         "{}: not in the validity map, which has one wall at equilibrium, constant damping and no "
         "noise; use fpkcheck run {}",

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "problem/impulse_train.hpp"
-#include "problem/named_cases.hpp"
+#include "problem/case_file.hpp"
+#include "problem/excitation.hpp"
 #include "problem/system.hpp"
 #include "workflows/study/closure_order.hpp"
 

@@ -17,10 +17,10 @@
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
 #include "epc/closed_form_density.hpp"
-#include "methods/external/closed_form_file.hpp"
+#include "methods/external/density_file.hpp"
 #include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
-#include "results/external_json.hpp"
+#include "results/json.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/terminal.hpp"
-#include "problem/named_cases.hpp"
+#include "problem/case_file.hpp"
 #include "workflows/paper/claims.hpp"
 #include "workflows/paper/claims_files.hpp"
 #include "workflows/paper/claims_table.hpp"

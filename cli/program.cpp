@@ -21,11 +21,11 @@
 #include "cli/terminal.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin.hpp"
-#include "methods/out_of_memory.hpp"
-#include "problem/unsupported_features.hpp"
+#include "methods/run_cases.hpp"
+#include "problem/features.hpp"
 #include "report/text/wrap_text.hpp"
-#include "results/library_versions.hpp"
 #include "results/run.hpp"
+#include "results/saved_run.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/program.hpp"
 #include "cli/solve_and_report.hpp"
 #include "methods/external/external_methods.hpp"
-#include "problem/named_cases.hpp"
+#include "problem/case_file.hpp"
 
 namespace fpkcheck::cli {
 namespace {

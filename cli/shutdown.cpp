@@ -15,7 +15,6 @@
 #include <mutex>
 #include <vector>
 
-#include "base/process/exit_blocker.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"

@@ -17,7 +17,7 @@
 /// Therefore the solvers contain no code for the shutdown. Usually a command ends by itself,
 /// between two solutions or after a round of the simulation. If the command is still running a
 /// fraction of a second after the signal, the thread of a ShutdownWatchdog ends the process. This
-/// thread waits for the end of writes in progress (base/process/exit_blocker.hpp), runs the actions
+/// thread waits for the end of writes in progress (base/process/stop_request.hpp), runs the actions
 /// that the command registered (ShutdownHook), and exits without stack unwinding. The operating
 /// system releases memory and threads; ExitBlocker, ShutdownHook and OutputDirectory leave the
 /// files on disk in a consistent state.

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <optional>
 
-#include "base/process/exit_blocker.hpp"
 #include "base/process/stop_request.hpp"
 #include "cli/program.hpp"
 #include "cli/shutdown.hpp"

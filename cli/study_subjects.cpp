@@ -7,7 +7,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/options.hpp"
 #include "cli/program.hpp"

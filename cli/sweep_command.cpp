@@ -9,8 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/mpi/communicator.hpp"
-#include "base/options/parse_enum.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"

@@ -14,7 +14,7 @@
 #include "epc/gaussian/density_support.hpp"
 #include "epc/moment/density.hpp"
 #include "epc/polar/coordinates.hpp"
-#include "problem/frame.hpp"
+#include "problem/walls.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/marginal.hpp"
 

@@ -3,7 +3,6 @@
 #include "fd_fpk/characteristics/rest_points.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "problem/features.hpp"
-#include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> library_versions();
 ///   limit for a resolved density (kStationaryLimits);
 /// - `failed`: the box is too small, the grid is too large, or KLU fails. The status is `failed`
 ///   also under white noise if impacts accumulate at the restitution coefficient
-///   (problem/inelastic_collapse.hpp).
+///   (problem/features.hpp).
 /// @throws InputError for invalid options
 Result solve(const problem::Problem& problem, const Options& options);
 

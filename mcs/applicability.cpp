@@ -2,7 +2,6 @@
 
 #include "mcs/motion/oscillator.hpp"
 #include "problem/features.hpp"
-#include "problem/inelastic_collapse.hpp"
 
 namespace fpkcheck::mcs {
 

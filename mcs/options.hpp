@@ -13,7 +13,7 @@
 #include "transform/identity.hpp"
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
-/// (problem/frame.hpp). The paper's domain is y >= 0. Other problems have no, one or two walls,
+/// (problem/walls.hpp). The paper's domain is y >= 0. Other problems have no, one or two walls,
 /// other forces, other damping and Gaussian noise. The simulation uses no transformation of the
 /// variables, no density equation and no code of the other solvers.
 namespace fpkcheck::mcs {

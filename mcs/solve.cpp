@@ -18,9 +18,8 @@
 #include "mcs/simulation/checkpoint.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation_runs.hpp"
-#include "problem/energy_balance.hpp"
-#include "problem/inelastic_collapse.hpp"
-#include "problem/motion_balances.hpp"
+#include "problem/balances.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

@@ -27,14 +27,14 @@ struct Result {
 /// is_duffing_at_wall(), else the energy-averaged law, with the mass of each well
 /// (InitialStateSampler).
 ///
-/// Problems, densities, marginal densities and atoms are in wall coordinates (problem/frame.hpp).
+/// Problems, densities, marginal densities and atoms are in wall coordinates (problem/walls.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
 ///
 /// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
 /// interruptions. The status is not_converged if the simulation ends before its goal, or if the
 /// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
 /// white noise with a restitution coefficient at which impacts accumulate
-/// (problem/inelastic_collapse.hpp).
+/// (problem/features.hpp).
 /// @throws InputError as make_simulation_plan(); for a checkpoint file that cannot be read, or could
 ///        never be written
 Result solve(const problem::Problem& problem, const Options& options);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "methods/method.hpp"
 #include "methods/registry.hpp"
-#include "methods/solver.hpp"
 
 namespace fpkcheck::methods {
 

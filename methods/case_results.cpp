@@ -1,7 +1,16 @@
 #include "methods/case_results.hpp"
 
-#include "methods/guaranteed_bounds.hpp"
-#include "methods/moment_error_estimates.hpp"
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "backward/residual/density_residuals.hpp"
+#include "base/input_error.hpp"
+#include "base/process/parallel_for.hpp"
+#include "methods/run_cases.hpp"
+#include "transform/change_of_frame.hpp"
 
 namespace fpkcheck::methods {
 
@@ -26,6 +35,109 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
     poll();
   }
   return cases;
+}
+
+compare::GuaranteedBounds guaranteed_bounds(const problem::Problem& problem,
+                                            const backward::Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  compare::GuaranteedBounds bounds{.reason = {}, .seconds = 0, .each = {}};
+  const bool completed = try_within_memory([&] {
+    const backward::GuaranteedBounds computed = backward::compute_bounds(problem, options);
+    bounds.reason = computed.reason;
+    for (const auto& [functional, value] : computed.each) {
+      bounds.each.push_back({backward::name(functional), value.lower, value.upper});
+    }
+  });
+  if (!completed) bounds = {.reason = kOutOfMemory, .seconds = 0, .each = {}};
+  bounds.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return bounds;
+}
+
+void add_guaranteed_bounds(results::CaseResult& case_result, int thread_count) {
+  backward::Options options{.relative_half_width = 1e-5, .seconds = 1};
+  if (thread_count > 0) options.threads = thread_count;
+  case_result.bounds = guaranteed_bounds(case_result.problem, options);
+}
+
+namespace {
+
+using results::CaseResult;
+using transform::Moments;
+
+/// The moment error estimates and error sources of one solution.
+struct SolutionErrors {
+  results::MomentErrorEstimate error;
+  std::vector<results::ErrorSource> sources;
+};
+
+results::ErrorSource error_source(const backward::DensityResiduals& residuals,
+                                  const problem::Frame& frame, const std::string& solution,
+                                  const transform::NamedMoment& moment,
+                                  const Eigen::MatrixXd& contributions,
+                                  const transform::GridDensity& cells) {
+  Eigen::MatrixXd values =
+      residuals.contributions_per_cell(contributions, transform::to_x_edges(frame, cells.y_edges),
+                                       transform::transform_v_edges(frame, cells.v_edges));
+  if (frame.mirrored) values = values.reverse().eval();
+  results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
+  for (const auto& row : values.rowwise()) {
+    // The values are rounded to single precision, the precision of the files.
+    for (const double value : row) {
+      result.density.averages.push_back(static_cast<float>(value));
+    }
+  }
+  return result;
+}
+
+/// @param cells of the error sources; null for none
+std::optional<SolutionErrors> estimate_moment_errors(const backward::DensityResiduals& residuals,
+                                                     const problem::Frame& frame,
+                                                     const transform::Solution& solution,
+                                                     const transform::GridDensity* cells) try {
+  const auto weighted =
+      residuals.estimate_errors(transform::to_wall_coordinates(frame, *solution.density));
+  SolutionErrors found{.error = {solution.id(), weighted.corrected, {}}, .sources = {}};
+  for (std::size_t k = 0; k < backward::kMomentCount; ++k) {
+    const auto& named = transform::kMoments[k];
+    found.error.error.*named.moment =
+        solution.moments.*named.moment - weighted.corrected.*named.moment;
+    const bool has_error_source = named.moment == &Moments::y2 || named.moment == &Moments::v2;
+    if (!has_error_source || cells == nullptr) continue;
+    found.sources.push_back(
+        error_source(residuals, frame, solution.id(), named, weighted.contributions[k], *cells));
+  }
+  return found;
+} catch (const InputError&) {
+  return std::nullopt;  // the density has no mean
+}
+
+}  // namespace
+
+void add_moment_error_estimates(CaseResult& case_result, const ResidualErrorEstimator& estimator,
+                                int thread_count) {
+  std::vector<const transform::Solution*> densities;
+  for (const auto& solution : case_result.solutions) {
+    if (solution.density && solution.identity.role != transform::SolutionRole::simulation) {
+      densities.push_back(&solution);
+    }
+  }
+  if (densities.empty()) return;
+  const auto* cells = case_result.joints.empty() ? nullptr : &case_result.joints.front().density;
+  std::vector<std::optional<SolutionErrors>> found(densities.size());
+  const bool completed = try_within_memory([&] {
+    const auto* residuals = estimator.density_residuals();
+    if (residuals == nullptr) return;
+    base::parallel_for(densities.size(), thread_count, [&](std::size_t k) {
+      found[k] =
+          estimate_moment_errors(*residuals, estimator.wall_coordinates(), *densities[k], cells);
+    });
+  });
+  if (!completed) return;
+  for (auto& each : found) {
+    if (!each) continue;
+    case_result.moment_error_estimates.push_back(std::move(each->error));
+    std::ranges::move(each->sources, std::back_inserter(case_result.error_sources));
+  }
 }
 
 }  // namespace fpkcheck::methods

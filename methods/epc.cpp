@@ -68,11 +68,7 @@ Solver epc_solver() {
                           "As epc-moment, but with a polynomial of amplitude and phase, or of "
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"}, kOlive, "diamond")},
-      .run_options = {"accuracy"},
-      .option_descriptions = nullptr,
-      .default_options = {},
-      .options_of = {},
-      .method = {}};
+      .run_options = {"accuracy"}};
   return with_traits<epc::Options>(
       std::move(entry),
       {.description = epc::description(),

@@ -44,11 +44,7 @@ Solver fd_solver() {
                     .meaning = "Finite volumes for the density equation that the id names.",
                     .default_ids = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
                     .plot_style = equation_style}},
-      .run_options = {"max_seconds"},
-      .option_descriptions = nullptr,
-      .default_options = {},
-      .options_of = {},
-      .method = {}};
+      .run_options = {"max_seconds"}};
   return with_traits<fd_fpk::Options>(
       std::move(entry),
       {.description = fd_fpk::description(),

@@ -9,8 +9,8 @@
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin.hpp"
+#include "methods/method.hpp"
 #include "methods/plot_style.hpp"
-#include "methods/solve_in_wall_coordinates.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -101,11 +101,7 @@ Solver mcs_solver() {
                              .default_ids = {"mcs"},
                              .plot_style = simulation_style}},
                .uses_all_processors = true,
-               .run_options = {"time", "seed", "threads"},
-               .option_descriptions = nullptr,
-               .default_options = {},
-               .options_of = {},
-               .method = {}};
+               .run_options = {"time", "seed", "threads"}};
   return with_traits<mcs::Options>(std::move(entry),
                                    {.description = mcs::description(),
                                     .validate = mcs::validate,

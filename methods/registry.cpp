@@ -12,6 +12,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
+#include "methods/builtin.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -179,6 +180,14 @@ std::string selectable_items_text(const Registry& registry) {
     }
   }
   return fmt::format("{}, or ids such as {}", fmt::join(names, ", "), fmt::join(examples, ", "));
+}
+
+Registry builtin_registry() {
+  Registry registry;
+  registry.add(epc_solver());
+  registry.add(fd_solver());
+  registry.add(mcs_solver());
+  return registry;
 }
 
 }  // namespace fpkcheck::methods

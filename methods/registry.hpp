@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "methods/method.hpp"
-#include "methods/solver.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::methods {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <new>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "compare/comparison.hpp"
 #include "methods/method.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
@@ -61,5 +65,56 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
                                            const ProgressListener& listener,
                                            const std::vector<ResidualErrorEstimator>& estimators,
                                            const CaseListener& case_listener);
+
+/// The `reason` of a solution, or of guaranteed bounds, that could not be computed for lack of
+/// memory.
+inline constexpr const char* kOutOfMemory =
+    "out of memory: the machine or the limit of this process has too little; use coarser grids or "
+    "fewer threads";
+
+/// Calls a function, one of the tasks of a run, and catches exceptions due to a lack of memory. The
+/// other tasks of the run can then continue, since unwinding the stack frees the memory of this
+/// task. The failure to start a thread, whose stack cannot be allocated, is also a lack of memory.
+/// @return whether the function returned without a lack of memory
+/// @throws any other exception of the function
+template <class Function>
+bool try_within_memory(const Function& function) {
+  try {
+    function();
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again &&
+        error.code() != std::errc::not_enough_memory) {
+      throw;
+    }
+    return false;
+  }
+}
+
+/// The largest L1 error with which a closure has the status `ok`. Empty if the options of the
+/// closure set no such limit, and for methods other than closures.
+std::optional<double> required_accuracy(const Method& method);
+
+/// Completes the error estimates of all solutions of one problem. Afterwards every solution with
+/// the status `ok` has an error estimate. The triangle inequality gives an error estimate from the
+/// reference: the L1 distance of a solution from the reference plus the error estimate of the
+/// reference.
+/// - A closure with a required accuracy lacks an error estimate if the residual method was
+///   unsupported, not requested, or gave no result. The closure then gets the error estimate from
+///   the reference. If only the missing estimate made the closure `inaccurate`, the status is set
+///   back to `ok`. If the new estimate exceeds the required accuracy, the status becomes
+///   `inaccurate`. Without a reference, an `ok` closure gets its residual-based error estimate.
+/// - Any other `ok` solution without an error estimate (an external density, a closure without a
+///   required accuracy) gets the error estimate from the reference. Without a reference, a closure
+///   gets its residual-based error estimate, and any other solution becomes `inaccurate`.
+/// @param methods methods that computed the solutions, in the same order
+/// @param comparison the comparison of the solutions, if already computed; else null
+void complete_error_estimates(const std::vector<Method>& methods,
+                              const compare::ComparisonAxes& axes,
+                              const ResidualErrorEstimator& estimator,
+                              std::vector<transform::Solution>& solutions,
+                              const compare::Comparison* comparison = nullptr);
 
 }  // namespace fpkcheck::methods

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 
@@ -225,6 +226,22 @@ std::string amplitude_table_summary(std::string_view text) {
   return fmt::format("{} {} from {:g} to {:g}", table.amplitude.size(),
                      table.kind == WeightType::probability ? "probabilities" : "densities",
                      table.amplitude.front(), table.amplitude.back());
+}
+
+std::string table_literal_from_setting(const std::string& setting,
+                                       const std::filesystem::path& folder) {
+  constexpr std::size_t kMostBytes = 1 << 17;
+  if (is_amplitude_table_literal(setting))
+    return amplitude_table_literal(parse_amplitude_table_literal(setting));
+  const std::filesystem::path file = folder / setting;
+  const auto csv = base::read_input_file(file, kMostBytes);
+  if (!csv) {
+    throw InputError(
+        fmt::format("impulse.table = {}: the file cannot be read; name a CSV file with the columns "
+                    "amplitude,probability or amplitude,density",
+                    base::in_quotes(file.string())));
+  }
+  return amplitude_table_literal(parse_amplitude_csv(*csv, base::sanitise(file.string())));
 }
 
 }  // namespace fpkcheck::problem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,5 +48,15 @@ AmplitudeTable parse_amplitude_table_literal(std::string_view text);
 
 /// A short description of a table literal for reports: "37 probabilities from -1 to 3".
 std::string amplitude_table_summary(std::string_view table_text);
+
+/// Converts the value of `impulse.table` in a case file to a table literal, which contains the
+/// whole table (problem/amplitude_table.hpp). A problem that was read therefore needs no further
+/// file. A value that is a table literal is returned unchanged; any other value is the name of a
+/// CSV file.
+/// @param folder directory to which relative file names refer; if empty, the working directory
+/// @throws InputError with a one-line message if the file cannot be read, is too large or has an
+/// invalid line
+std::string table_literal_from_setting(const std::string& setting,
+                                       const std::filesystem::path& folder);
 
 }  // namespace fpkcheck::problem

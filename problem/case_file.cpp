@@ -13,14 +13,11 @@
 #include <set>
 #include <sstream>
 
-#include "base/files/ini_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/amplitude_table.hpp"
-#include "problem/named_cases.hpp"
-#include "problem/table_setting.hpp"
-#include "problem/unsupported_features.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::problem {
 

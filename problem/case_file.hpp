@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files/ini_file.hpp"
+#include "base/files/input_file.hpp"
 #include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
 
@@ -47,5 +47,20 @@ Problem case_from_settings(const std::vector<base::IniSetting>& lines, const std
 /// @param where beginning of the error message
 /// @throws InputError "WHERE: unknown key .." with a list of the known keys
 const base::Parameter& case_parameter(std::string_view key, const std::string& where);
+
+/// A case file that is compiled into the program.
+struct BuiltInCase {
+  std::string name;
+  std::string text;  ///< the contents of cases/NAME.ini
+};
+
+/// The four cases of Table 1 of the paper, in the order of the table.
+const std::vector<BuiltInCase>& paper_cases();
+
+/// Example oscillators. Each example is the simplest oscillator of its type in docs/systems.md.
+const std::vector<BuiltInCase>& example_systems();
+
+/// The case with this name that is compiled into the program; null if there is none.
+const BuiltInCase* find_built_in_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -1,9 +1,11 @@
 #include "problem/energy_averaging.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace fpkcheck::problem {
 namespace {
@@ -19,6 +21,7 @@ constexpr std::size_t kMaxBranches = 4;
 
 EnergyAveraging::EnergyAveraging(const Problem& problem)
     : orbits_(problem), diffusion_(total_intensity(problem) / 2) {
+  assert(orbits_.is_confining());
   double low = 0, high = 0;
   if (find_energy_range(low, high)) compute_bands(low, high);
 }
@@ -126,75 +129,77 @@ void EnergyAveraging::compute_bands(double low, double high) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// Solves the eigenvalue problem K u = gamma M u on the tree of bands by inverse iteration. M is the
-// diagonal matrix of the probabilities; K contains the conductances between each band and the band
-// above. There is no flux at the ends of the tree, so that the kernel of K consists of the constant
-// vectors; the iteration projects these vectors out. Equations with the matrix K are solved by
-// elimination from the leaves of the tree, which creates no new nonzeros.
-double EnergyAveraging::relaxation_rate() const {
-  const std::size_t n = bands_.size();
-  // Conductances are divided by the same normalisation constant as the probabilities. Bands with a
-  // weight below exp(-60) are excluded, since such bands would only add rounding errors.
-  std::vector<double> conductance(n, 0);
-  const double unit = [&] {
-    double total = 0;
-    for (const EnergyBand& band : bands_) total += band.orbit.period * std::exp(-band.potential);
-    return total;
-  }();
-  for (std::size_t b = 0; b < n; ++b) {
-    const EnergyBand& band = bands_[b];
-    if (band.above == b) continue;
-    const EnergyBand& upper = bands_[band.above];
-    conductance[b] = diffusion_ * (band.orbit.action + upper.orbit.action) / 2 *
-                     std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) / unit;
-  }
-  std::vector<double> u(n);
-  for (std::size_t b = 0; b < n; ++b) u[b] = bands_[b].orbit.half_cycle.left + bands_[b].energy;
+// Inverse iteration. Equations with the matrix K are solved by elimination from the leaves of the
+// tree, which creates no new nonzeros.
+double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> u) {
+  const auto& mass = tree.mass;
+  const auto& conductance = tree.conductance;
+  const auto& above = tree.above;
+  const std::size_t n = mass.size();
   const auto centre_and_scale = [&] {
     double mean = 0, square = 0;
-    for (std::size_t b = 0; b < n; ++b) mean += bands_[b].mass * u[b];
+    for (std::size_t b = 0; b < n; ++b) mean += mass[b] * u[b];
     for (double& value : u) value -= mean;
-    for (std::size_t b = 0; b < n; ++b) square += bands_[b].mass * u[b] * u[b];
+    for (std::size_t b = 0; b < n; ++b) square += mass[b] * u[b] * u[b];
     for (double& value : u) value /= std::sqrt(square);
     return std::sqrt(square);
   };
   centre_and_scale();
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    // The upward flux from a band is the sum of the sources below the band, and also minus the sum
+    // The upward flux from a node is the sum of the sources below the node, and also minus the sum
     // of all other sources. The two sums agree only up to rounding errors; the sum over the side of
     // smaller probability is used, since its rounding errors are smaller.
-    std::vector<double> below(n), mass_below(n), elsewhere(n);
+    std::vector<double> below(n), mass_below(n), elsewhere(n), next(n);
     for (std::size_t b = 0; b < n; ++b) {
-      below[b] += bands_[b].mass * u[b];
-      mass_below[b] += bands_[b].mass;
-      const std::size_t above = bands_[b].above;
-      if (above == b) continue;
-      below[above] += below[b];
-      mass_below[above] += mass_below[b];
+      below[b] += mass[b] * u[b];
+      mass_below[b] += mass[b];
+      if (above[b] == b) continue;
+      below[above[b]] += below[b];
+      mass_below[above[b]] += mass_below[b];
     }
-    std::vector<double> next(n);
     for (std::size_t b = n; b-- > 0;) {
-      const std::size_t above = bands_[b].above;
-      if (above == b) continue;
-      double beside = 0;  // sum over the other branches of the tree that merge at the same band
+      const std::size_t parent = above[b];
+      if (parent == b) continue;
+      double beside = 0;  // sum over the other branches of the tree that merge at the same node
       for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
-        if (bands_[other].above == above) beside += below[other];
+        if (above[other] == parent) beside += below[other];
       }
       for (std::size_t other = b + 1; other < n && other - b < kMaxBranches; ++other) {
-        if (other != above && bands_[other].above == above) beside += below[other];
+        if (other != parent && above[other] == parent) beside += below[other];
       }
-      elsewhere[b] = elsewhere[above] + bands_[above].mass * u[above] + beside;
+      elsewhere[b] = elsewhere[parent] + mass[parent] * u[parent] + beside;
       const double flux = mass_below[b] < 0.5 ? below[b] : -elsewhere[b];
-      next[b] = next[above] + flux / conductance[b];
+      next[b] = next[parent] + (conductance[b] > 0 ? flux / conductance[b] : 0);
     }
     u = next;
-    const double grown = centre_and_scale();
     const double before = gamma;
-    gamma = 1 / grown;
+    gamma = 1 / centre_and_scale();
     if (std::abs(gamma - before) < 1e-6 * gamma) break;
   }
   return gamma;
+}
+
+double EnergyAveraging::relaxation_rate() const {
+  assert(!unconfined_reason_);
+  const std::size_t n = bands_.size();
+  DiffusionTree tree;
+  // Conductances are divided by the same normalisation constant as the probabilities. Bands with a
+  // weight below exp(-60) are excluded, since such bands would only add rounding errors.
+  double unit = 0;
+  for (const EnergyBand& band : bands_) unit += band.orbit.period * std::exp(-band.potential);
+  std::vector<double> start(n);
+  for (std::size_t b = 0; b < n; ++b) {
+    const EnergyBand& band = bands_[b];
+    const EnergyBand& upper = bands_[band.above];
+    tree.mass.push_back(band.mass);
+    tree.above.push_back(band.above);
+    tree.conductance.push_back(diffusion_ * (band.orbit.action + upper.orbit.action) / 2 *
+                               std::exp(-(band.potential + upper.potential) / 2) / (step_ * step_) /
+                               unit);
+    start[b] = band.orbit.half_cycle.left + band.energy;
+  }
+  return slowest_relaxation_rate(tree, std::move(start));
 }
 
 }  // namespace fpkcheck::problem

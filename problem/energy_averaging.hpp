@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +41,10 @@ class EnergyAveraging {
     std::size_t above;  ///< index of the band above in the tree; for the top band its own index
   };
   /// All bands, sorted by energy. @pre the motion is confined
-  const std::vector<EnergyBand>& bands() const { return bands_; }
+  const std::vector<EnergyBand>& bands() const {
+    assert(!unconfined_reason_);
+    return bands_;
+  }
 
   /// The smallest positive eigenvalue of the averaged diffusion of the energy, per unit time. This
   /// is the decay rate of the slowest deviation from the stationary law: a deviation of the energy,
@@ -60,5 +65,20 @@ class EnergyAveraging {
   std::vector<EnergyBand> bands_;
   double step_ = 0;
 };
+
+/// A diffusion process on the nodes of a tree: each node exchanges probability with the node above.
+/// The nodes are numbered such that every node stands before the node above.
+struct DiffusionTree {
+  std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
+  std::vector<double> conductance;  ///< conductance between each node and the node above
+  std::vector<std::size_t> above;   ///< index of the node above; for the top node its own index
+};
+
+/// The smallest positive eigenvalue gamma of K u = gamma M u, the decay rate of the slowest deviation
+/// from the stationary probabilities. M is the diagonal matrix of the probabilities; K contains the
+/// conductances. There is no flux at the ends of the tree, so that the kernel of K consists of the
+/// constant vectors; the iteration projects these vectors out.
+/// @param start vector from which the inverse iteration starts
+double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> start);
 
 }  // namespace fpkcheck::problem

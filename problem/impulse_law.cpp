@@ -152,16 +152,4 @@ std::vector<double> ImpulseLaw::density_breakpoints() const {
   return std::visit([](const auto& law) { return law.density_breakpoints(); }, kind_);
 }
 
-std::complex<double> ImpulseLaw::characteristic_function(double u) const {
-  return std::visit([&](const auto& law) { return law.centred_characteristic_function(u); },
-                    kind_) *
-         std::polar(1.0, u * mean());
-}
-
-double ImpulseLaw::moment_generating_function(double u) const {
-  return std::visit([&](const auto& law) { return law.centred_moment_generating_function(u); },
-                    kind_) *
-         std::exp(u * mean());
-}
-
 }  // namespace fpkcheck::problem

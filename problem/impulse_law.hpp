@@ -1,20 +1,14 @@
 #pragma once
 
 #include <array>
-#include <complex>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "problem/laws/exponential.hpp"
-#include "problem/laws/gamma.hpp"
-#include "problem/laws/gaussian.hpp"
-#include "problem/laws/laplace.hpp"
+#include "problem/laws/parametric.hpp"
 #include "problem/laws/shape_parameters.hpp"
 #include "problem/laws/tabulated.hpp"
-#include "problem/laws/two_point.hpp"
-#include "problem/laws/uniform.hpp"
 
 namespace fpkcheck::problem {
 
@@ -70,12 +64,6 @@ class ImpulseLaw {
   /// Increasing break points between which the density is smooth. The probability outside the break
   /// points is below 1e-18. Empty for a law without a density.
   std::vector<double> density_breakpoints() const;
-
-  /// The characteristic function E[exp(i u Y)].
-  std::complex<double> characteristic_function(double u) const;
-  /// The moment generating function E[exp(u Y)]; infinite if the expectation does not exist (for
-  /// the Laplace law: |u| >= 1/scale).
-  double moment_generating_function(double u) const;
 
  private:
   LawVariant kind_;

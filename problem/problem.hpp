@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/options/value.hpp"
-#include "problem/impulse_train.hpp"
-#include "problem/noise.hpp"
+#include "base/options/parameter.hpp"
+#include "problem/excitation.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::problem {
@@ -40,7 +39,7 @@ std::vector<CaseFileSection> sections(const Problem& problem);
 
 /// Builds the problem that the sections of a case file define.
 /// @throws InputError that names a key if the key is missing, unknown, of the wrong type or out of
-/// range; or that states why there is no stationary density (problem/confinement.hpp)
+/// range; or the message of require_stationary_density()
 Problem problem_from_sections(const std::string& name,
                               const std::vector<CaseFileSection>& sections);
 
@@ -63,5 +62,11 @@ base::Value display_value(const base::Parameter& parameter, const base::Value& v
 /// k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1, ..".
 /// @param typeset whether to use typeset symbols: "μ = 0.1"
 std::string parameters_text(const Problem& problem, bool typeset = false);
+
+/// Requires the conditions under which a stationary density exists: an excitation, a restoring
+/// force that confines the motion, and dissipation that exceeds the energy input at large energies
+/// (EnergyAveraging).
+/// @throws InputError that states which condition is violated and which parameters to change
+void require_stationary_density(const Problem& problem);
 
 }  // namespace fpkcheck::problem

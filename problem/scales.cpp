@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "problem/energy_averaging.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -25,55 +27,32 @@ MotionScales by_linearisation(const Problem& problem) {
           .slowest_decay_rate = slowest_decay_rate(linear)};
 }
 
-// The smallest positive eigenvalue of the overdamped motion, by inverse iteration on a uniform
-// grid. Far above critical damping the drift of the displacement is v = -V'/c. The displacement is
-// then a diffusion process with the coefficient D_eff / c^2 in the potential c V / D_eff.
+// The smallest positive eigenvalue of the overdamped motion on a uniform grid. Far above critical
+// damping the drift of the displacement is v = -V'/c. The displacement is then a diffusion process
+// with the coefficient D_eff / c^2 in the potential c V / D_eff.
 double overdamped_relaxation_rate(const Problem& problem, const MotionScales& scales,
                                   double damping) {
-  constexpr int kCells = 200;
+  constexpr std::size_t kCells = 200;
   const double diffusion = total_intensity(problem) / 2;
   const numerics::Polynomial potential = effective_potential(problem);
   const double step = (scales.y_high - scales.y_low) / kCells;
   const double over = diffusion / (damping * damping) / (step * step);
-  std::vector<double> level(kCells), mass(kCells), u(kCells);
-  for (int n = 0; n < kCells; ++n) {
-    const double y = scales.y_low + (n + 0.5) * step;
-    level[n] = damping / diffusion * potential(y);
-    u[n] = y;
+  std::vector<double> level(kCells), y(kCells);
+  for (std::size_t n = 0; n < kCells; ++n) {
+    y[n] = scales.y_low + (static_cast<double>(n) + 0.5) * step;
+    level[n] = damping / diffusion * potential(y[n]);
   }
   const double least = *std::ranges::min_element(level);
-  for (int n = 0; n < kCells; ++n) mass[n] = std::exp(least - level[n]);
-  const double total = [&] {
-    double sum = 0;
-    for (const double m : mass) sum += m;
-    return sum;
-  }();
-  double gamma = 0;
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    double mean = 0, square = 0;
-    for (int n = 0; n < kCells; ++n) mean += mass[n] * u[n] / total;
-    for (double& value : u) value -= mean;
-    for (int n = 0; n < kCells; ++n) square += mass[n] * u[n] * u[n] / total;
-    for (double& value : u) value /= std::sqrt(square);
-    const double before = gamma;
-    if (iteration > 0) gamma = 1 / std::sqrt(square);
-    if (iteration > 1 && std::abs(gamma - before) < 1e-6 * gamma) break;
-    // The flux is the sum over one side, and minus the sum over the other side. The two agree only
-    // up to rounding errors; the side of smaller probability is summed, since its rounding errors
-    // are smaller.
-    std::vector<double> beyond(kCells + 1), next(kCells);
-    for (int n = kCells; n-- > 0;) beyond[n] = beyond[n + 1] + mass[n] * u[n];
-    double before_here = 0, mass_before = 0;
-    for (int n = 0; n + 1 < kCells; ++n) {
-      before_here += mass[n] * u[n];
-      mass_before += mass[n];
-      const double flux = mass_before < total / 2 ? before_here : -beyond[n + 1];
-      const double between = std::exp(least - (level[n] + level[n + 1]) / 2);
-      next[n + 1] = next[n] - (between > 0 ? flux / (over * between) : 0);
-    }
-    u = next;
+  double total = 0;
+  for (const double one : level) total += std::exp(least - one);
+  DiffusionTree chain;
+  for (std::size_t n = 0; n < kCells; ++n) {
+    const std::size_t next = std::min(n + 1, kCells - 1);
+    chain.mass.push_back(std::exp(least - level[n]) / total);
+    chain.conductance.push_back(over * std::exp(least - (level[n] + level[next]) / 2) / total);
+    chain.above.push_back(next);
   }
-  return gamma;
+  return slowest_relaxation_rate(chain, std::move(y));
 }
 
 MotionScales by_averaging(const Problem& problem) {

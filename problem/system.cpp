@@ -1,7 +1,6 @@
 #include "problem/system.hpp"
 
-#include "problem/magnitude.hpp"
-#include "problem/restitution_range.hpp"
+#include "problem/parameter_ranges.hpp"
 
 namespace fpkcheck::problem {
 

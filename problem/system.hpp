@@ -4,7 +4,6 @@
 
 #include "base/options/description.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-#include "problem/frame.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::problem {

@@ -1,7 +1,8 @@
 #include "problem/undamped_orbits.hpp"
 
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -71,6 +72,7 @@ bool UndampedOrbits::is_confining_on_left() const {
 }
 
 double UndampedOrbits::deepest_minimum() const {
+  assert(is_confining());
   return *std::ranges::min_element(minima_, {}, [&](double y) { return potential_(y); });
 }
 
@@ -86,6 +88,7 @@ double UndampedOrbits::half_cycle_end(double knot, double outwards, double energ
 }
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
+  assert(is_confining());
   std::vector<double> knots = extrema_;
   if (system_.left_wall()) knots.insert(knots.begin(), system_.left_wall()->position);
   if (system_.right_wall()) knots.push_back(system_.right_wall()->position);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "problem/magnitude.hpp"
-#include "problem/restitution_range.hpp"
+#include "problem/parameter_ranges.hpp"
+#include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
 
@@ -77,6 +77,21 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
                                  walls.left->position, walls.right->position));
   }
   return walls;
+}
+
+Frame wall_frame(const System& system) {
+  if (system.left_wall()) return {.origin = system.left_wall()->position, .mirrored = false};
+  if (system.right_wall()) return {.origin = system.right_wall()->position, .mirrored = true};
+  return {};
+}
+
+Problem to_wall_coordinates(const Frame& frame, const Problem& problem) {
+  if (frame.is_identity()) return problem;
+  Problem transformed = problem;
+  transformed.system = problem.system.to_wall_coordinates(frame);
+  transformed.frame = frame;
+  if (frame.mirrored) transformed.impulses = problem.impulses.mirror_image();
+  return transformed;
 }
 
 }  // namespace fpkcheck::problem

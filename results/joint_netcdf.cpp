@@ -8,11 +8,11 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/output_directory.hpp"
@@ -88,7 +88,7 @@ void write_case(NetCdfWriter& file, const CaseResult& case_result,
   const int ydot = file.write_cell_coordinate("ydot_" + name, "velocity y'", bounds, cells.v_edges);
   const auto write = [&](const std::string& prefix, const std::string& meaning,
                          const SolutionArray& over) {
-    const int variable = file.write_compressed_floats(prefix + '_' + name, {solution, y, ydot},
+    const int variable = file.write_compressed<float>(prefix + '_' + name, {solution, y, ydot},
                                                       meaning, over.values());
     file.write_attribute("cell_methods", fmt::format("y_{0}: ydot_{0}: mean", name), variable);
     write_problem(file, case_result.problem, variable);
@@ -134,6 +134,22 @@ void read_variable(NetCdfReader& file, const std::string& name,
     use(file.text_attribute(name, "case"), solutions[s],
         transform::GridDensity{y_edges, v_edges, {averages.begin(), averages.end()}});
   }
+}
+
+bool has_coordinates(const NetCdfReader& file, const std::vector<std::string>& names,
+                     const std::string& variable) {
+  const auto axes = file.dimension_names(variable);
+  return axes.size() == 2 && std::ranges::all_of(axes, [&](const std::string& axis) {
+           return std::ranges::find(names, axis) != names.end() &&
+                  file.dimension_names(axis) == std::vector{axis};
+         });
+}
+
+std::vector<double> every_second_edge(const std::vector<double>& edges) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k < edges.size(); k += 2) result.push_back(edges[k]);
+  if (edges.size() % 2 == 0) result.push_back(edges.back());
+  return result;
 }
 
 }  // namespace
@@ -192,6 +208,56 @@ JointFileContent read_joint_netcdf(const fs::path& path,
     throw InputError(fmt::format("{} is not a complete file of joint densities: {}; run again",
                                  base::sanitise(path.string()), base::sanitise(error.what())));
   }
+}
+
+GriddedVariable read_gridded_variable(std::string bytes, const std::string& where) {
+  try {
+    NetCdfReader file(std::move(bytes));
+    const auto names = file.variable_names();
+    GriddedVariable variable;
+    for (const auto& name : names) {
+      if (!has_coordinates(file, names, name)) continue;
+      if (!variable.name.empty()) {
+        throw std::runtime_error(
+            fmt::format("{} and {} both have two coordinates", variable.name, name));
+      }
+      variable.name = name;
+    }
+    if (variable.name.empty()) throw std::runtime_error("no variable has two coordinates");
+    const auto axes = file.dimension_names(variable.name);
+    variable.first_name = axes[0];
+    variable.second_name = axes[1];
+    variable.first = file.read_values(axes[0]);
+    variable.second = file.read_values(axes[1]);
+    variable.values = file.read_values(variable.name);
+    if (variable.values.size() != variable.first.size() * variable.second.size()) {
+      throw std::runtime_error(
+          fmt::format("{}: the shape differs from that of the axes", variable.name));
+    }
+    return variable;
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format(
+        "{}: {} (must be netCDF-4 with p(y, v) and its coordinates y and v, or a joint.nc)", where,
+        base::sanitise(error.what())));
+  }
+}
+
+std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
+                                          std::span<const transform::Solution> solutions) {
+  std::vector<JointDensity> joints;
+  const auto even = compare::uniform_axes(axes);
+  const auto y_edges = every_second_edge(even.y_edges);
+  for (const auto& solution : solutions) {
+    if (!solution.density) continue;
+    auto density = std::visit(
+        [&](const auto& form) {
+          return transform::average_over_cells(form, y_edges, even.v_edges);
+        },
+        *solution.density);
+    for (double& average : density.averages) average = static_cast<float>(average);
+    joints.push_back({solution.id(), std::move(density)});
+  }
+  return joints;
 }
 
 }  // namespace fpkcheck::results

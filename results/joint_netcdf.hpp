@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "compare/comparison_axes.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
@@ -56,5 +58,30 @@ bool is_joint_netcdf(const std::string& bytes);
 /// @throws InputError with a message of one line: the name of the file and the problem
 JointFileContent read_joint_netcdf(const std::filesystem::path& file,
                                    const std::function<void(std::string_view bytes)>& inspect = {});
+
+/// An external joint density from a netCDF-4 file: a variable with two coordinates. The names of
+/// the coordinates show which coordinate is y and which is y'.
+struct GriddedVariable {
+  std::string name;                     ///< name of the variable
+  std::string first_name, second_name;  ///< names of the coordinates
+  std::vector<double> first, second;    ///< values of the coordinates
+  std::vector<double> values;           ///< row-major, shape (first, second)
+};
+
+/// Reads the only variable of a netCDF-4 file that has two dimensions and a coordinate for each of
+/// them. The coordinate of a dimension is the variable with the name of the dimension.
+/// @param bytes contents of the file
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the file is corrupt, or has no such variable,
+///         or has several
+GriddedVariable read_gridded_variable(std::string bytes, const std::string& where);
+
+/// The joint densities of all solutions with a joint density, of any status, in the order of the
+/// solutions. The widths of the cells are a tenth of a standard deviation in both directions. Each
+/// cell joins two adjacent cells of the comparison axes along y, so that the histogram of a
+/// simulation is summed and not interpolated. The averages are rounded to single precision, as in
+/// joint.nc.
+std::vector<JointDensity> joint_densities(const compare::ComparisonAxes& axes,
+                                          std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::results

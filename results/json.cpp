@@ -1,11 +1,12 @@
 #include "results/json.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <charconv>
 #include <cmath>
 #include <istream>
-#include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -23,7 +24,7 @@ using transform::Metrics;
 // for far deeper nesting.
 constexpr int kMaxDepth = 32;
 // Largest number of values: sufficient for hundreds of cases, and far below the capacity of memory.
-constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxJsonValues = 2'000'000;
 constexpr std::size_t kMaxTextLength = 1 << 20;  // sufficient for a very long command line
 
 // The JSON value at a path; creates missing objects and lists along the path.
@@ -213,9 +214,9 @@ Json parse_json(std::istream& in, const std::string& where) {
       throw InputError(fmt::format("{} is nested more than {} deep: not a file of this program",
                                    where, kMaxDepth));
     }
-    if (++count > kMaxValues) {
-      throw InputError(
-          fmt::format("{} has more than {} values: not a file of this program", where, kMaxValues));
+    if (++count > kMaxJsonValues) {
+      throw InputError(fmt::format("{} has more than {} values: not a file of this program", where,
+                                   kMaxJsonValues));
     }
     // Texts are sanitised: any text may be printed, and a terminal executes control characters.
     const bool text = event == Json::parse_event_t::key || event == Json::parse_event_t::value;
@@ -242,6 +243,23 @@ std::string exception_text(const std::exception& error) {
   const std::string text = error.what();
   const auto end = text.find("] ");
   return base::sanitise(end == std::string::npos ? text : text.substr(end + 2));
+}
+
+bool is_run_summary(const std::string& text, const std::string& where) {
+  std::istringstream in(text);
+  const Json json = parse_json(in, where);
+  return json.is_object() && json.contains("schema");
+}
+
+transform::Metrics metrics_from_external_json(const std::string& text, const std::string& where) {
+  std::istringstream in(text);
+  const Json json = parse_json(in, where);
+  if (!json.is_object()) throw InputError(fmt::format("{} contains no JSON object", where));
+  try {
+    return metrics_from_json(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
 }
 
 }  // namespace fpkcheck::results

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <exception>
 #include <iosfwd>
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
 #include "transform/metric.hpp"
@@ -80,5 +81,16 @@ Json parse_json(std::istream& in, const std::string& where);
 
 /// The message of a JSON exception, without a prefix such as "[json.exception.out_of_range.403] ".
 std::string exception_text(const std::exception& error);
+
+/// Whether a JSON text is the summary of a run (summary_text): an object with the key "schema".
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON
+bool is_run_summary(const std::string& text, const std::string& where);
+
+/// Reads an external JSON object as metrics. The name of a metric is the path of its value, such as
+/// "coefficients[2].a".
+/// @param where name of the file, for messages
+/// @throws InputError with a message of one line, if the text is not JSON or not an object
+transform::Metrics metrics_from_external_json(const std::string& text, const std::string& where);
 
 }  // namespace fpkcheck::results

@@ -10,7 +10,6 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/csv_field.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -137,6 +136,16 @@ std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view sou
     row.read(line, line_number, curves);
   }
   return curves;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
 }
 
 }  // namespace fpkcheck::results

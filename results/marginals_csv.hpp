@@ -38,4 +38,8 @@ using NonFinitePredicate =
 std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
                                           const NonFinitePredicate& allows_non_finite = {});
 
+/// The field of a CSV file for a text. A text with separators, quotes or line breaks is quoted
+/// (RFC 4180).
+std::string csv_field(const std::string& text);
+
 }  // namespace fpkcheck::results

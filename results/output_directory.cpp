@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files/atomic_file.hpp"
-#include "base/files/journal.hpp"
+#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
 
 namespace fpkcheck::results {

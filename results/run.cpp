@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "results/joint_density.hpp"
+#include "results/joint_netcdf.hpp"
 #include "results/make_curve.hpp"
 
 namespace fpkcheck::results {

@@ -1,6 +1,9 @@
 #include "results/saved_run.hpp"
 
 #include <fmt/format.h>
+#include <netcdf.h>
+#include <boost/crc.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -9,10 +12,9 @@
 #include <sstream>
 
 #include "base/files/input_file.hpp"
-#include "base/files/journal.hpp"
+#include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/crc32.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
@@ -192,6 +194,24 @@ Run load_run(const fs::path& directory) {
     load_smooth_curves(directory / kSmoothMarginalsFile, run);
   if (fs::exists(directory / kJointFile)) load_joint_densities(directory / kJointFile, run);
   return run;
+}
+
+std::string crc32(std::string_view bytes) {
+  boost::crc_32_type crc;
+  while (!bytes.empty()) {
+    const std::string_view part = bytes.substr(0, bytes.find('\r'));
+    crc.process_bytes(part.data(), part.size());
+    bytes.remove_prefix(std::min(part.size() + 1, bytes.size()));
+  }
+  return fmt::format("{:08x}", crc.checksum());
+}
+
+std::vector<std::pair<std::string, std::string>> library_versions() {
+  // "4.9.0 of Oct 15 2022 22:59:31 $"
+  const std::string netcdf = nc_inq_libvers();
+  return {{"netCDF", netcdf.substr(0, netcdf.find(' '))},
+          {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                                        NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 }
 
 }  // namespace fpkcheck::results

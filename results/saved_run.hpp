@@ -2,6 +2,9 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "base/files/pending_files.hpp"
 #include "results/run.hpp"
@@ -48,5 +51,14 @@ void load_smooth_curves(const std::filesystem::path& file, Run& run);
 ///         invalid or has another schema, or the marginals or joint densities are those of another
 ///         run
 Run load_run(const std::filesystem::path& directory);
+
+/// CRC-32 checksum of the bytes of a file, as eight hexadecimal digits. A run identifies its files
+/// by their checksums. The checksum skips carriage returns, since version control may change line
+/// ends.
+std::string crc32(std::string_view bytes);
+
+/// Names and versions of the libraries that write files. For netCDF, the version of the loaded
+/// library; for nlohmann-json, the version of the headers that the program was compiled with.
+std::vector<std::pair<std::string, std::string>> library_versions();
 
 }  // namespace fpkcheck::results

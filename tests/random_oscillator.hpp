@@ -8,7 +8,6 @@
 #include <cstdint>
 
 #include "base/input_error.hpp"
-#include "problem/confinement.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::tests {

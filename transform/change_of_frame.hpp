@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "problem/frame.hpp"
+#include "problem/walls.hpp"
 #include "transform/density.hpp"
 #include "transform/solution.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,9 +21,7 @@ inline constexpr base::EnumEntry<SolutionRole> kSolutionRoleNames[] = {
     {SolutionRole::closure, "closure"},
     {SolutionRole::equation, "equation"},
     {SolutionRole::simulation, "simulation"}};
-constexpr std::span<const base::EnumEntry<SolutionRole>> enumerator_names(SolutionRole) {
-  return kSolutionRoleNames;
-}
+constexpr const auto& enumerator_names(SolutionRole) { return kSolutionRoleNames; }
 constexpr std::string_view name(SolutionRole role) { return base::name_of(role); }
 
 /// Colour, line and marker of a solution, the same in all plots and on the report page.
@@ -70,7 +67,7 @@ bool is_external(const SolutionIdentity& identity);
 
 /// Whether the solutions of the same family differ in their closure order. This is the case for a
 /// closure, and for an external density that belongs to a family of external densities
-/// (methods/external/families.hpp).
+/// (methods/external/labels.hpp).
 bool is_distinguished_by_order(const SolutionIdentity& identity);
 
 /// The names in files of the density equation and the impact condition that were solved:

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 
 namespace fpkcheck::transform {
 
@@ -77,7 +77,7 @@ inline base::Value value_from_optional(const std::optional<double>& number) {
   return number ? base::Value(*number) : base::Value();
 }
 
-/// Relative residuals of the two balances of problem/motion_balances.hpp. A residual is 0 for the
+/// Relative residuals of the two balances of problem/balances.hpp. A residual is 0 for the
 /// exact stationary density of any density equation and impact condition, and empty if the solution
 /// lacks a quantity of the balance. A zero residual is a necessary but not a sufficient condition
 /// for the exact density: a wrong density may satisfy both balances.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 #include "transform/density.hpp"
 #include "transform/identity.hpp"
 #include "transform/marginal.hpp"
@@ -37,7 +37,7 @@ inline constexpr base::EnumEntry<Status> kStatusNames[] = {
      "the equations are satisfied, but the solution is no probability density"},
     {Status::failed, "failed", "the solver failed"},
     {Status::not_offered, "not_offered", "the solver does not support the problem"}};
-constexpr std::span<const base::EnumEntry<Status>> enumerator_names(Status) { return kStatusNames; }
+constexpr const auto& enumerator_names(Status) { return kStatusNames; }
 constexpr std::string_view name(Status status) { return base::name_of(status); }
 
 /// Richardson extrapolation from the last two grids: limit = fine + factor (fine - coarser), where

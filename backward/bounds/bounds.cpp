@@ -14,8 +14,8 @@
 #include "backward/bounds/bounds_from_grid.hpp"
 #include "backward/generator/normal_equations.hpp"
 #include "base/input_error.hpp"
-#include "base/process/processors.hpp"
-#include "problem/frame.hpp"
+#include "base/process/parallel_for.hpp"
+#include "problem/walls.hpp"
 
 namespace fpkcheck::backward {
 namespace {

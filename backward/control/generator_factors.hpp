@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "numerics/splines/quintic_bsplines.hpp"
-#include "problem/impulse_train.hpp"
+#include "problem/excitation.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::backward {

@@ -4,7 +4,7 @@
 
 #include "backward/control/control_functions.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
-#include "problem/frame.hpp"
+#include "problem/walls.hpp"
 
 namespace fpkcheck::backward {
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -20,39 +21,24 @@ constexpr std::string_view kPartialMarker = ".partial-";
 
 [[noreturn]] void throw_system_error() { throw std::system_error(errno, std::generic_category()); }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {
-    if (number_ < 0) throw_system_error();
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
+int checked_descriptor(int number) {
+  if (number < 0) throw_system_error();
+  return number;
+}
 
-  void write_all(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t count = write(number_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count < 0) throw_system_error();
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+void write_all(const FileDescriptor& file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(file.number(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw_system_error();
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  // Some file systems do not support fsync of directories.
-  void flush() const {
-    if (fsync(number_) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_error();
-  }
-  // The result of close() is checked, since some systems report a full disk only in close().
-  void close_checked() {
-    const int number = number_;
-    number_ = -1;
-    if (close(number) != 0 && errno != EINTR) throw_system_error();
-  }
+}
 
- private:
-  int number_;
-};
+// Some file systems do not support fsync of directories.
+void flush_to_disk(const FileDescriptor& file) {
+  if (fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_error();
+}
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -82,6 +68,15 @@ long partial_writer_pid(const std::string& name) {
 
 }  // namespace
 
+FileDescriptor::~FileDescriptor() {
+  if (number_ >= 0) close(number_);
+}
+
+bool FileDescriptor::is_regular_file() const {
+  struct stat status = {};
+  return number_ >= 0 && fstat(number_, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 WriterProcess WriterProcess::current_process() {
   static const std::string host = host_name();
   return {host, getpid()};
@@ -110,12 +105,13 @@ void remove_abandoned_partial_files(const fs::path& directory) {
 
 void write_new_file(const fs::path& file, std::string_view bytes) {
   // O_NOFOLLOW: a symbolic link that another user placed here must not redirect the writing.
-  Descriptor out(
-      open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode));
+  FileDescriptor out(checked_descriptor(
+      open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kFileMode)));
   try {
-    out.write_all(bytes);
-    out.flush();
-    out.close_checked();
+    write_all(out, bytes);
+    flush_to_disk(out);
+    // The result of close() is checked, since some systems report a full disk only in close().
+    if (close(out.release()) != 0 && errno != EINTR) throw_system_error();
   } catch (const std::system_error&) {
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -124,7 +120,8 @@ void write_new_file(const fs::path& file, std::string_view bytes) {
 }
 
 void flush(const fs::path& path) {
-  Descriptor(open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC)).flush();
+  flush_to_disk(FileDescriptor(
+      checked_descriptor(open(path.empty() ? "." : path.c_str(), O_RDONLY | O_CLOEXEC))));
 }
 
 }  // namespace fpkcheck::base

@@ -3,10 +3,29 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// Atomic replacement of files: the new contents are written to a partial file beside the target,
 /// and the partial file is then renamed to the target.
 namespace fpkcheck::base {
+
+/// Owner of a file descriptor: the destructor closes the descriptor.
+class FileDescriptor {
+ public:
+  /// @param number an open file descriptor, or a negative number if the file could not be opened
+  explicit FileDescriptor(int number) : number_(number) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor();
+
+  int number() const { return number_; }
+  bool is_regular_file() const;
+  /// Returns the file descriptor, which the caller must close.
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
 
 /// Path of the partial file beside the target: .NAME.partial-HOST-PID. The file is hidden, and its
 /// name is unique to this process, so that two runs with the same output directory do not write the

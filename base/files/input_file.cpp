@@ -2,48 +2,35 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
+#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <cerrno>
+#include <istream>
 
+#include "base/files/atomic_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
 
-/// Owner of a file descriptor: the destructor closes the descriptor.
-class Descriptor {
- public:
-  // O_NONBLOCK: without this flag, opening a pipe that has no writer would block. Pipes cannot be
-  // excluded before, as the type of the file is known only after opening.
-  explicit Descriptor(const std::filesystem::path& file)
-      : number_(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-
-  bool is_regular() const {
-    struct stat status = {};
-    return number_ >= 0 && fstat(number_, &status) == 0 && S_ISREG(status.st_mode);
-  }
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
+std::string without_comment(std::string line, int line_number) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (line_number == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
+  return boost::algorithm::trim_copy(line.substr(0, line.find_first_of("#;")));
+}
 
 }  // namespace
 
 std::optional<std::string> read_input_file(const std::filesystem::path& file,
                                            std::size_t max_bytes) {
   constexpr std::size_t kChunkBytes = 1 << 20;
-  const Descriptor descriptor(file);
-  if (!descriptor.is_regular()) return std::nullopt;
+  // O_NONBLOCK: without this flag, opening a pipe that has no writer would block. Pipes cannot be
+  // excluded before, as the type of the file is known only after opening.
+  const FileDescriptor descriptor(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!descriptor.is_regular_file()) return std::nullopt;
   std::string bytes;
   for (;;) {
     // The bytes are counted while reading, since a file may grow during reading and special files
@@ -60,6 +47,30 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file,
     if (count == 0) return bytes;
     if (count < 0 && errno != EINTR) return std::nullopt;
   }
+}
+
+std::vector<IniSetting> read_ini_settings(std::istream& ini, const std::string& where) {
+  std::vector<IniSetting> settings;
+  std::string section;
+  int line_number = 0;
+  for (std::string line; std::getline(ini, line);) {
+    ++line_number;
+    const std::string content = without_comment(line, line_number);
+    if (content.empty()) continue;
+    const std::string location = fmt::format("{}:{}", where, line_number);
+    if (content.front() == '[' && content.back() == ']') {
+      section = boost::algorithm::trim_copy(content.substr(1, content.size() - 2));
+      continue;
+    }
+    const auto equals = content.find('=');
+    if (equals == std::string::npos) {
+      throw InputError(fmt::format("{}: {} is not a setting; write [section] or key = value",
+                                   location, in_quotes(content)));
+    }
+    settings.push_back({section, boost::algorithm::trim_copy(content.substr(0, equals)),
+                        boost::algorithm::trim_copy(content.substr(equals + 1)), location});
+  }
+  return settings;
 }
 
 }  // namespace fpkcheck::base

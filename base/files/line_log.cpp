@@ -3,14 +3,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
 
-#include "base/files/atomic_file.hpp"
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
 
@@ -28,13 +26,10 @@ LineLog::LineLog(const std::filesystem::path& file)
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileMode)) {
-  const bool a_file = descriptor_ >= 0 || (errno != ELOOP && errno != EISDIR && errno != ENXIO);
-  if (descriptor_ < 0 && a_file) fail("opened");
-  struct stat status = {};
-  const bool regular = a_file && fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-  const bool ours = regular && flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
-  if (ours) return;
-  if (a_file) close(descriptor_);
+  if (descriptor_.number() < 0 && errno != ELOOP && errno != EISDIR && errno != ENXIO)
+    fail("opened");
+  const bool regular = descriptor_.is_regular_file();
+  if (regular && flock(descriptor_.number(), LOCK_EX | LOCK_NB) == 0) return;
   throw InputError(
       regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
                             "directory",
@@ -43,15 +38,13 @@ LineLog::LineLog(const std::filesystem::path& file)
                             base::sanitise(file_.string())));
 }
 
-LineLog::~LineLog() { close(descriptor_); }
-
 std::vector<std::string> LineLog::read() {
   constexpr std::size_t kChunkBytes = 1 << 20;
   std::string text;
   std::string buffer(kChunkBytes, '\0');
   for (;;) {
     const ssize_t count =
-        pread(descriptor_, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+        pread(descriptor_.number(), buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail("read");
     if (count == 0) break;
@@ -65,7 +58,7 @@ std::vector<std::string> LineLog::read() {
   }
   removed_partial_line_ = begin < text.size();
   length_ = static_cast<long long>(begin);
-  if (removed_partial_line_ && ftruncate(descriptor_, length_) != 0) fail("written");
+  if (removed_partial_line_ && ftruncate(descriptor_.number(), length_) != 0) fail("written");
   return lines;
 }
 
@@ -73,11 +66,11 @@ void LineLog::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   std::string_view rest = text;
   while (!rest.empty()) {
-    const ssize_t count = write(descriptor_, rest.data(), rest.size());
+    const ssize_t count = write(descriptor_.number(), rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int why = errno;
-      if (ftruncate(descriptor_, length_) != 0) errno = why;
+      if (ftruncate(descriptor_.number(), length_) != 0) errno = why;
       errno = why;
       fail("written");
     }
@@ -88,7 +81,7 @@ void LineLog::append(std::string_view line) {
 
 void LineLog::flush() const {
   // Some file systems do not support fdatasync.
-  if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
+  if (fdatasync(descriptor_.number()) != 0 && errno != EINVAL && errno != ENOTSUP) fail("written");
 }
 
 }  // namespace fpkcheck::base

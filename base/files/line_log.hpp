@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files/atomic_file.hpp"
+
 namespace fpkcheck::base {
 
 /// An append-only text file with an exclusive lock, so that one process at a time writes the file.
@@ -16,9 +18,6 @@ class LineLog {
   /// @throws InputError with a one-line message if another process has locked the file or if the
   /// file is not a regular file; std::runtime_error if the file cannot be opened
   explicit LineLog(const std::filesystem::path& file);
-  LineLog(const LineLog&) = delete;
-  LineLog& operator=(const LineLog&) = delete;
-  ~LineLog();
 
   /// Reads the existing lines, without line ends, and removes an incomplete last line. Must be
   /// called once, before append().
@@ -39,7 +38,7 @@ class LineLog {
   [[noreturn]] void fail(const char* what) const;
 
   std::filesystem::path file_;
-  int descriptor_;
+  FileDescriptor descriptor_;
   long long length_ = 0;
   bool removed_partial_line_ = false;
 };

@@ -1,12 +1,20 @@
 #include "base/files/pending_files.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "base/files/atomic_file.hpp"
-#include "base/files/journal.hpp"
+#include "base/files/input_file.hpp"
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -15,6 +23,71 @@ namespace fs = std::filesystem;
 
 std::runtime_error cannot_write(const fs::path& target, const std::error_code& why) {
   return std::runtime_error(fmt::format("cannot write {}: {}", target.string(), why.message()));
+}
+
+constexpr const char* kFirstLine = "fpkcheck commit 1";
+constexpr const char *kRename = "rename", *kRemove = "remove";
+
+// Each file name is on a separate line of the journal, because names may contain spaces. Names with
+// a line end or a slash are rejected, since a forged journal could name files of other directories.
+bool is_plain_file_name(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
+}
+
+std::string text_of(const Journal& journal) {
+  std::string text =
+      fmt::format("{}\n{}\n{}\n", kFirstLine, journal.writer.host, journal.writer.pid);
+  for (const auto& [from, to] : journal.renames) {
+    text += fmt::format("{}\n{}\n{}\n", kRename, from, to);
+  }
+  for (const auto& name : journal.removals) text += fmt::format("{}\n{}\n", kRemove, name);
+  return text + "end\n";
+}
+
+// Parses the text of a journal; returns nothing if the journal is incomplete.
+std::optional<Journal> parse_journal(std::istream& in) {
+  Journal journal;
+  journal.writer.pid = 0;
+  std::string line;
+  const auto next = [&] { return static_cast<bool>(std::getline(in, line)); };
+  if (!next() || line != kFirstLine || !next()) return std::nullopt;
+  journal.writer.host = line;
+  if (!next()) return std::nullopt;
+  std::istringstream(line) >> journal.writer.pid;
+  while (next()) {
+    if (line == "end") return journal.writer.pid > 0 ? std::optional(journal) : std::nullopt;
+    if (line == kRename) {
+      Journal::FileRename rename;
+      if (!std::getline(in, rename.from) || !std::getline(in, rename.to)) return std::nullopt;
+      if (!is_plain_file_name(rename.from) || !is_plain_file_name(rename.to)) return std::nullopt;
+      journal.renames.push_back(std::move(rename));
+    } else if (line == kRemove && next() && is_plain_file_name(line)) {
+      journal.removals.push_back(line);
+    } else {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Journal> read_journal(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
+  // A journal of another user is rejected: in a shared directory, the journal could make this
+  // process remove files that belong to the user of this process.
+  struct stat status = {};
+  if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
+  constexpr std::size_t kMostBytes = 1 << 20;
+  const auto text = base::read_input_file(file, kMostBytes);
+  if (!text) return std::nullopt;
+  std::istringstream in(*text);
+  return parse_journal(in);
+}
+
+bool path_exists(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
 }
 
 }  // namespace
@@ -110,6 +183,77 @@ void write_file(const fs::path& target, std::string_view bytes) {
   PendingFiles file;
   file.add(target, bytes);
   file.commit();
+}
+
+void Journal::write_to_directory(const fs::path& directory) const {
+  // The journal is written under a temporary name and then linked to its final name. Other
+  // processes therefore never see an incomplete journal.
+  const fs::path file = directory / kFileName, partial = partial_file_path(file);
+  write_new_file(partial, text_of(*this));
+  std::error_code error;
+  // a hard link, unlike a rename, never replaces the journal of another process
+  fs::create_hard_link(partial, file, error);
+  if (error == std::errc::file_exists) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw std::system_error(error);
+  }
+  if (error) {
+    fs::rename(partial, file);  // fallback for file systems without hard links
+  } else {
+    fs::remove(partial);
+  }
+  flush(directory);
+}
+
+// Renames a file. A missing source file means that an earlier process has already renamed the file.
+void Journal::apply(const fs::path& directory) const {
+  for (const auto& [from, to] : renames) {
+    std::error_code error;
+    fs::rename(directory / from, directory / to, error);
+    if (error && error != std::errc::no_such_file_or_directory) throw std::system_error(error);
+  }
+  for (const auto& name : removals) {
+    std::error_code ignored;
+    fs::remove(directory / name, ignored);
+  }
+  flush(directory);
+  fs::remove(directory / kFileName);
+}
+
+void complete_interrupted_commit(const fs::path& directory) {
+  const fs::path file = directory / Journal::kFileName;
+  // A running process removes its journal after some milliseconds; wait up to 2 s for the removal.
+  constexpr int kMaxAttempts = 20;
+  constexpr std::chrono::milliseconds kRetryInterval(100);
+  for (int attempt = 0; path_exists(file); ++attempt) {
+    const auto journal = read_journal(file);
+    if (!journal) {
+      if (!path_exists(file)) return;
+      throw InputError(fmt::format(
+          "{} is not a journal of this user, or damaged: an interrupted run may have left it; "
+          "remove it and run again",
+          sanitise(file.string())));
+    }
+    if (!journal->writer.may_be_running()) {
+      try {
+        journal->apply(directory);
+      } catch (const std::system_error& error) {
+        throw InputError(fmt::format(
+            "the files in {} are incomplete: an interrupted run could not be completed ({}); make "
+            "the directory writable",
+            in_quotes(directory.string()), error.code().message()));
+      }
+      return;
+    }
+    if (attempt == kMaxAttempts) {
+      throw InputError(fmt::format(
+          "process {} on {} is writing files into {}, or was interrupted there; wait, or remove {}",
+          journal->writer.pid, sanitise(journal->writer.host), in_quotes(directory.string()),
+          sanitise(file.string())));
+    }
+    std::this_thread::sleep_for(kRetryInterval);
+  }
 }
 
 }  // namespace fpkcheck::base

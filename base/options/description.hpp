@@ -11,7 +11,6 @@
 
 #include "base/options/enum_names.hpp"
 #include "base/options/parameter.hpp"
-#include "base/options/value.hpp"
 
 namespace fpkcheck::base {
 

@@ -2,7 +2,11 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+
+#include "base/input_error.hpp"
+#include "base/text/sanitise.hpp"
 
 namespace fpkcheck::base {
 
@@ -18,7 +22,7 @@ struct EnumEntry {
 /// `enumerator_names(Enum)`, defined in the namespace of the enum.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
-///     constexpr std::span<const EnumEntry<Stepper>> enumerator_names(Stepper) { return kStepperNames; }
+///     constexpr const auto& enumerator_names(Stepper) { return kStepperNames; }
 ///     constexpr std::string_view name(Stepper value) { return base::name_of(value); }
 template <class Enum>
 constexpr const EnumEntry<Enum>* enum_entry(Enum value) {
@@ -47,6 +51,21 @@ constexpr std::optional<Enum> enum_from_name(std::string_view name) {
     if (entry.name == name) return entry.value;
   }
   return std::nullopt;
+}
+
+/// Converts a name that a user typed to the enum value with this name.
+/// @param label start of the error message: "--design", "plan mine.ini, line 3: design"
+/// @param choices accepted enum values with their names
+/// @throws InputError if no accepted value has the name `text`
+template <class Enum>
+Enum parse_enum(const std::string& label, const std::string& text,
+                std::span<const EnumEntry<Enum>> choices = enumerator_names(Enum{})) {
+  std::string known;
+  for (const auto& entry : choices) {
+    if (entry.name == text) return entry.value;
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw InputError(label + ' ' + in_quotes(text) + " (must be one of " + known + ')');
 }
 
 }  // namespace fpkcheck::base

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
@@ -47,6 +48,12 @@ std::string rejection_reason(const Parameter& parameter, std::string_view text) 
   }
   return fmt::format("must be {}", parameter.requirement_text());
 }
+
+std::string held_text(std::monostate) { return "automatic"; }
+std::string held_text(bool value) { return value ? "true" : "false"; }
+std::string held_text(std::int64_t value) { return fmt::format("{}", value); }
+std::string held_text(double value) { return fmt::format("{}", value); }
+std::string held_text(const std::string& value) { return in_quotes(value); }
 
 }  // namespace
 
@@ -103,6 +110,37 @@ Value parse_value(const Parameter& parameter, std::string_view text, const std::
   if (const auto value = parameter.parse(text)) return *value;
   throw InputError(
       fmt::format("{} {} ({})", label, in_quotes(text), rejection_reason(parameter, text)));
+}
+
+std::string text_of(const Value& value) {
+  return std::visit([](const auto& held) { return held_text(held); }, value);
+}
+
+AdmissibleRange finite_numbers() {
+  return {[](double x) { return std::isfinite(x); }, "a finite number"};
+}
+
+AdmissibleRange positive_numbers() {
+  return {[](double x) { return std::isfinite(x) && x > 0; }, "a positive number"};
+}
+
+AdmissibleRange non_negative_numbers() {
+  return {[](double x) { return std::isfinite(x) && x >= 0; }, "zero or positive"};
+}
+
+AdmissibleRange closed_interval(double least, double greatest) {
+  return {[=](double x) { return x >= least && x <= greatest; },
+          fmt::format("between {} and {}", least, greatest)};
+}
+
+AdmissibleRange open_interval(double least, double greatest) {
+  return {[=](double x) { return x > least && x < greatest; },
+          fmt::format("above {} and below {}", least, greatest)};
+}
+
+AdmissibleRange even_integers_between(int least, int greatest) {
+  return {[=](double x) { return x >= least && x <= greatest && std::fmod(x, 2) == 0; },
+          fmt::format("an even number from {} to {}", least, greatest)};
 }
 
 }  // namespace fpkcheck::base

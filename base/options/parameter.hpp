@@ -1,15 +1,57 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "base/options/range.hpp"
-#include "base/options/value.hpp"
-
 namespace fpkcheck::base {
+
+/// The value of a parameter. std::monostate represents an automatic or absent value.
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct NamedParameterValue {
+  std::string name;
+  Value value;
+
+  bool operator==(const NamedParameterValue&) const = default;
+};
+using Values = std::vector<NamedParameterValue>;
+
+inline bool contains(const Values& values, std::string_view name) {
+  return std::ranges::find(values, name, &NamedParameterValue::name) != values.end();
+}
+
+inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }
+
+/// The text of a value for messages and tables. A number has all the digits that are needed to read
+/// back the same number, a word is in quotes, and an unset value is "automatic".
+std::string text_of(const Value& value);
+
+/// The set of admissible values of a numerical parameter.
+struct AdmissibleRange {
+  std::function<bool(double)> contains;
+  std::string requirement;  ///< text that follows "must be": "a positive number"
+
+  /// The same set of values, with a reason appended to the requirement: "a positive number: without
+  /// damping ..."
+  AdmissibleRange with_appended_reason(const std::string& reason) const {
+    return {contains, requirement + ": " + reason};
+  }
+};
+
+/// The range of all finite numbers.
+AdmissibleRange finite_numbers();
+AdmissibleRange positive_numbers();
+AdmissibleRange non_negative_numbers();
+AdmissibleRange closed_interval(double least, double greatest);  ///< closed interval
+AdmissibleRange open_interval(double least, double greatest);    ///< open interval
+AdmissibleRange even_integers_between(int least,
+                                      int greatest);  ///< even integers from least to greatest
 
 /// Type of a parameter's value.
 enum class Type { flag, integer, number, word };

@@ -1,6 +1,9 @@
 #include "base/process/stop_request.hpp"
 
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 namespace fpkcheck::base {
 namespace {
@@ -9,10 +12,46 @@ std::atomic<int> stopping_signal = 0;
 // Signal handlers may use lock-free atomics only.
 static_assert(std::atomic<int>::is_always_lock_free);
 
+// The shared state is never destroyed, since a thread may still wait for the condition variable
+// while the process exits.
+struct GuardState {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int guard_count = 0;
+  std::thread::id owner{};  // default id: no thread
+};
+
+GuardState& guard_state() {
+  static GuardState& state = *new GuardState;
+  return state;
+}
+
 }  // namespace
 
 int stop_signal() { return stopping_signal.load(std::memory_order_relaxed); }
 
 void request_stop(int signal) { stopping_signal.store(signal, std::memory_order_relaxed); }
+
+ExitBlocker::ExitBlocker() {
+  GuardState& d = guard_state();
+  std::unique_lock lock(d.mutex);
+  d.changed.wait(
+      lock, [&] { return d.owner == std::thread::id() || d.owner == std::this_thread::get_id(); });
+  ++d.guard_count;
+}
+
+ExitBlocker::~ExitBlocker() {
+  GuardState& d = guard_state();
+  const std::lock_guard lock(d.mutex);
+  --d.guard_count;
+  d.changed.notify_all();
+}
+
+void stop_writes_of_other_threads() {
+  GuardState& d = guard_state();
+  std::unique_lock lock(d.mutex);
+  d.changed.wait(lock, [&] { return d.guard_count == 0; });
+  d.owner = std::this_thread::get_id();
+}
 
 }  // namespace fpkcheck::base

@@ -4,8 +4,7 @@
 
 #include "epc/amplitude/half_circle.hpp"
 #include "epc/amplitude/impulse_means.hpp"
-#include "problem/energy_balance.hpp"
-#include "problem/motion_balances.hpp"
+#include "problem/balances.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::epc::contact {

@@ -2,12 +2,11 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "base/options/enum_names.hpp"
 #include "epc/form/polynomial.hpp"
-#include "problem/frame.hpp"
+#include "problem/walls.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::epc {
@@ -27,10 +26,7 @@ inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[
     {ExponentCoordinates::physical, "y,v"},
     {ExponentCoordinates::polar, "amplitude,phase"},
     {ExponentCoordinates::contact, "amplitude,velocity"}};
-constexpr std::span<const base::EnumEntry<ExponentCoordinates>> enumerator_names(
-    ExponentCoordinates) {
-  return kExponentCoordinatesNames;
-}
+constexpr const auto& enumerator_names(ExponentCoordinates) { return kExponentCoordinatesNames; }
 constexpr std::string_view name(ExponentCoordinates variables) { return base::name_of(variables); }
 
 /// Bounding box in the (y, v) plane outside of which the density is 0.
@@ -43,7 +39,7 @@ struct BoundingBox {
 struct ClosedFormParameters {
   ExponentCoordinates variables = ExponentCoordinates::plane;
   /// Origin and direction, on the physical axes, of the coordinates y and v of Q_n. They are x and
-  /// x' of problem/frame.hpp.
+  /// x' of problem/walls.hpp.
   problem::Frame coordinates = {};
   /// ln C, the logarithm of the constant factor; empty for a density that was not normalised.
   std::optional<double> log_constant = {};

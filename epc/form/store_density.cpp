@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "problem/motion_balances.hpp"
+#include "problem/balances.hpp"
 
 namespace fpkcheck::epc {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "epc/summary.hpp"
-#include "problem/energy_balance.hpp"
+#include "problem/balances.hpp"
 #include "problem/problem.hpp"
 #include "transform/marginal.hpp"
 

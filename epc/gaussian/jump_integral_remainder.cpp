@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "numerics/quadrature/gauss_rule.hpp"
+#include "problem/excitation.hpp"
 #include "problem/impulse_law.hpp"
-#include "problem/impulse_train.hpp"
 
 namespace fpkcheck::epc::gaussian {
 

@@ -14,7 +14,7 @@ struct Problem;
 namespace fpkcheck::epc::moment {
 
 /// Set of the states below an energy in the half-plane y >= 0, or in the region between other walls
-/// (problem/frame.hpp),
+/// (problem/walls.hpp),
 ///
 ///     h(y, v) = v^2/2 + V(y) - min V <= level,     V(y) = U(y) - lambda E[Y] y,
 ///

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "fd_fpk/axis/jump_matrix.hpp"
-#include "problem/impulse_train.hpp"
+#include "problem/excitation.hpp"
 
 namespace fpkcheck::fd_fpk {
 

@@ -10,7 +10,7 @@
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "numerics/roots/bracketed_root.hpp"
-#include "problem/inelastic_collapse.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

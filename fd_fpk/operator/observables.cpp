@@ -8,7 +8,7 @@
 
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/operator/discretisation.hpp"
-#include "problem/motion_balances.hpp"
+#include "problem/balances.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

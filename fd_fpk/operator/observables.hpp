@@ -4,7 +4,7 @@
 
 #include "fd_fpk/axis/grid.hpp"
 #include "fd_fpk/operator/operator.hpp"
-#include "problem/energy_balance.hpp"
+#include "problem/balances.hpp"
 #include "problem/scales.hpp"
 #include "transform/density.hpp"
 #include "transform/metric.hpp"

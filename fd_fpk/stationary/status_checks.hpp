@@ -6,7 +6,7 @@
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/summary.hpp"
-#include "problem/frame.hpp"
+#include "problem/walls.hpp"
 
 namespace fpkcheck::fd_fpk {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mcs/impulses/standard_amplitude.hpp"
-#include "problem/impulse_train.hpp"
+#include "problem/excitation.hpp"
 
 namespace fpkcheck::mcs {
 namespace {

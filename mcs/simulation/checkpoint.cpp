@@ -16,7 +16,7 @@
 #include "base/files/input_file.hpp"
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/problem.hpp"
 

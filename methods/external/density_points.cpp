@@ -112,25 +112,21 @@ transform::Moments DensityIntegrals::moments(double mass) const {
           .v4 = mean([](double, double v) { return v * v * v * v; })};
 }
 
-double DensityIntegrals::right_wall_flux(int power) const {
-  if (!points_.has_wall_at_end()) return 0;
-  const std::size_t last = points_.y_points().size() - 1;
+double DensityIntegrals::flux(std::size_t row, double direction, int power) const {
   double sum = 0;
   for (std::size_t j = 0; j < weight_v_.size(); ++j) {
-    const double v = points_.v_points()[j];
-    if (v > 0) sum += weight_v_[j] * std::pow(v, power) * value(last, j);
+    const double speed = direction * points_.v_points()[j];
+    if (speed > 0) sum += weight_v_[j] * std::pow(speed, power) * value(row, j);
   }
   return sum;
 }
 
 double DensityIntegrals::left_wall_flux(int power) const {
-  if (!points_.has_wall_at_start()) return 0;
-  double sum = 0;
-  for (std::size_t j = 0; j < weight_v_.size(); ++j) {
-    const double v = points_.v_points()[j];
-    if (v < 0) sum += weight_v_[j] * std::pow(-v, power) * value(0, j);
-  }
-  return sum;
+  return points_.has_wall_at_start() ? flux(0, -1, power) : 0;
+}
+
+double DensityIntegrals::right_wall_flux(int power) const {
+  return points_.has_wall_at_end() ? flux(points_.y_points().size() - 1, 1, power) : 0;
 }
 
 transform::GridDensity DensityIntegrals::averages() const {

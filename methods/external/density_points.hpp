@@ -81,6 +81,8 @@ class DensityIntegrals {
   transform::GridDensity averages() const;
 
  private:
+  /// The integral of |v|^power p over the velocities of one sign, at the y of one row of points.
+  double flux(std::size_t row, double direction, int power) const;
   double value(std::size_t i, std::size_t j) const { return values_[i * weight_v_.size() + j]; }
 
   const DensityPoints& points_;

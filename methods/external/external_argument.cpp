@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
-#include "base/options/parse_enum.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/text/sanitise.hpp"
 #include "results/output_directory.hpp"
 

@@ -8,9 +8,8 @@
 
 #include "base/input_error.hpp"
 #include "methods/plot_style.hpp"
-#include "problem/energy_balance.hpp"
+#include "problem/balances.hpp"
 #include "problem/features.hpp"
-#include "problem/motion_balances.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::methods {

@@ -16,7 +16,7 @@ namespace fpkcheck::methods {
 
 /// The description of an external density.
 struct ExternalDensity {
-  std::string label;  ///< label, the id of the solution (methods/external/label_requirements.hpp)
+  std::string label;  ///< label, the id of the solution (methods/external/labels.hpp)
   /// The equation that the density approximates; empty if unknown. A density with an unknown
   /// equation has no error budget.
   std::optional<problem::Equation> equation = {};

@@ -11,10 +11,9 @@
 #include "base/text/sanitise.hpp"
 #include "epc/closed_form_density.hpp"
 #include "methods/external/between_walls.hpp"
-#include "methods/external/closed_form_file.hpp"
 #include "methods/external/column_meaning.hpp"
+#include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
-#include "results/gridded_variable.hpp"
 #include "results/joint_netcdf.hpp"
 
 namespace fpkcheck::methods {

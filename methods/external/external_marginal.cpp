@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <cassert>
 #include <cmath>
 
 #include "base/input_error.hpp"
@@ -57,10 +58,6 @@ void require_not_negative(const NumberTable& table, std::size_t column, const ch
     }
   }
 }
-
-// Limit of the magnitude of abscissae and integrals. With this limit, fourth powers divided by the
-// narrowest bin width are finite.
-constexpr double kMaxMagnitude = 1e60;
 
 template <class Function>
 double integral(const Function& f, double a, double b) {
@@ -231,6 +228,7 @@ double ExternalMarginal::moment(int power) const {
 }
 
 L1SamplingError ExternalMarginal::l1_sampling_error(std::span<const double> edges) const {
+  assert(has_standard_errors());
   const auto [expected, quantile_99] =
       methods::l1_sampling_error(bin_average_errors(knots_, errors_, edges, extrapolation_));
   return {scale_ * expected, scale_ * quantile_99};

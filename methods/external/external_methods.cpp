@@ -17,10 +17,9 @@
 #include "methods/external/external_density.hpp"
 #include "methods/external/external_joint.hpp"
 #include "methods/external/external_marginal.hpp"
-#include "methods/external/families.hpp"
 #include "methods/external/joint_table.hpp"
-#include "methods/external/label_requirements.hpp"
-#include "problem/motion_balances.hpp"
+#include "methods/external/labels.hpp"
+#include "problem/balances.hpp"
 #include "transform/metric.hpp"
 
 namespace fpkcheck::methods {

@@ -14,7 +14,7 @@ namespace fpkcheck::methods {
 /// A file contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable) or
 /// a joint density as a closed form (epc::ClosedForm). Files of marginal densities with the same
 /// label are one solution. Densities of several orders form a family
-/// (methods/external/families.hpp). The name of the solver is "file". If the argument or the file
+/// (methods/external/labels.hpp). The name of the solver is "file". If the argument or the file
 /// states an equation, the density is a closure; otherwise its equation and impact condition are
 /// unknown.
 /// @param arguments arguments of the option --against, as in ExternalArgument

@@ -18,8 +18,6 @@
 namespace fpkcheck::methods {
 namespace {
 
-constexpr double kMaxMagnitude = 1e60;  // the same limit as for external marginal densities
-
 // The distinct values of a column, in increasing order.
 std::vector<double> distinct_values(const NumberTable& table, std::size_t column) {
   auto all = table.column(column);

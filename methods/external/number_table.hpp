@@ -24,6 +24,10 @@ struct NumberTable {
   [[noreturn]] void fail(std::size_t row, const std::string& problem) const;
 };
 
+/// Limit of the magnitude of abscissae, densities and integrals. With this limit, fourth powers
+/// divided by the narrowest bin width are finite.
+inline constexpr double kMaxMagnitude = 1e60;
+
 /// Reads columns of numbers.
 /// @param source name of the file, for messages
 /// @throws InputError with a message of one line: source, line number and problem

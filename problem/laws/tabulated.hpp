@@ -1,11 +1,9 @@
 #pragma once
 
-#include <complex>
 #include <memory>
 #include <string_view>
 #include <vector>
 
-#include "problem/laws/atom.hpp"
 #include "problem/laws/shape_parameters.hpp"
 
 namespace fpkcheck::problem {
@@ -33,8 +31,6 @@ struct TabulatedLaw {
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> atoms() const;
   std::vector<double> density_breakpoints() const;
-  std::complex<double> centred_characteristic_function(double u) const;
-  double centred_moment_generating_function(double u) const;
   /// The law of Z.
   TabulatedLaw standardised() const { return {0, 1, standard}; }
   /// The law of -Y.

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/options/parse_enum.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/text/sanitise.hpp"
 #include "compare/comparison_axes.hpp"
 #include "extension/options.hpp"
@@ -31,10 +31,8 @@
 #include "methods/external/external_density.hpp"
 #include "methods/external/external_methods.hpp"
 #include "methods/external/external_samples.hpp"
-#include "methods/external/families.hpp"
-#include "methods/external/label_requirements.hpp"
+#include "methods/external/labels.hpp"
 #include "problem/case_file.hpp"
-#include "problem/named_cases.hpp"
 #include "report/table.hpp"
 #include "results/run_json.hpp"
 

@@ -18,7 +18,6 @@
 #include <thread>
 #include <utility>
 
-#include "base/process/exit_blocker.hpp"
 #include "base/process/stop_request.hpp"
 #include "methods/builtin.hpp"
 #include "methods/case_results.hpp"

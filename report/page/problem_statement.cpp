@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "problem/features.hpp"
+#include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -125,9 +125,9 @@ class ProblemStatement {
 }  // namespace
 
 std::string problem_statement(std::span<const Problem* const> problems) {
-  const bool is_paper_oscillator_only = std::ranges::all_of(
-      problems, [](const Problem* p) { return problem::is_paper_oscillator(*p); });
-  if (is_paper_oscillator_only)
+  const bool all_linearisable = std::ranges::all_of(
+      problems, [](const Problem* p) { return problem::has_equivalent_linearisation(*p); });
+  if (all_linearisable)
     return fmt::format("{}<p>{}{}</p>\n", kBaseClassStatement, kImpulses, kUnknownText);
   return ProblemStatement(problems).html();
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 
 /// Texts of numbers in tables and on the page.
 namespace fpkcheck::report {

@@ -10,6 +10,9 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <variant>
 
 namespace fpkcheck::results {
 namespace {
@@ -27,19 +30,6 @@ int define_variable(int file, const std::string& name, nc_type type,
                                 dimensions.data(), &variable),
                      fmt::format("variable {}", name));
   return variable;
-}
-
-void set_deflation(int file, int variable, const std::string& name) {
-  constexpr int kCompressionLevel = 4;
-  check_write_status(nc_def_var_deflate(file, variable, NC_SHUFFLE, 1, kCompressionLevel),
-                     fmt::format("compression of {}", name));
-}
-
-template <class Number>
-void fill_with_nan(int file, int variable, const std::string& name) {
-  const auto fill = std::numeric_limits<Number>::quiet_NaN();
-  check_write_status(nc_def_var_fill(file, variable, NC_FILL, &fill),
-                     fmt::format("fill value of {}", name));
 }
 
 }  // namespace
@@ -89,41 +79,36 @@ int NetCdfWriter::write_cell_coordinate(const std::string& name, const std::stri
   return length;
 }
 
-int NetCdfWriter::write_compressed_floats(const std::string& name,
-                                          const std::vector<int>& dimensions,
-                                          const std::string& long_name,
-                                          std::span<const float> values) {
-  const int variable = define_variable(id_, name, NC_FLOAT, dimensions);
-  std::vector<std::size_t> chunk;
-  for (const int dimension : dimensions) {
-    check_write_status(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
+template <class Number>
+int NetCdfWriter::write_compressed(const std::string& name, const std::vector<int>& dimensions,
+                                   const std::string& long_name, std::span<const Number> values) {
+  constexpr int kCompressionLevel = 4;
+  constexpr bool kIsSingle = std::is_same_v<Number, float>;
+  constexpr Number kFill = std::numeric_limits<Number>::quiet_NaN();
+  const int variable = define_variable(id_, name, kIsSingle ? NC_FLOAT : NC_DOUBLE, dimensions);
+  if (kIsSingle) {
+    std::vector<std::size_t> chunk;
+    for (const int dimension : dimensions) {
+      check_write_status(nc_inq_dimlen(id_, dimension, &chunk.emplace_back()),
+                         fmt::format("chunks of {}", name));
+    }
+    chunk.front() = 1;
+    check_write_status(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
                        fmt::format("chunks of {}", name));
   }
-  chunk.front() = 1;
-  check_write_status(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()),
-                     fmt::format("chunks of {}", name));
-  set_deflation(id_, variable, name);
-  fill_with_nan<float>(id_, variable, name);
+  check_write_status(nc_def_var_deflate(id_, variable, NC_SHUFFLE, 1, kCompressionLevel),
+                     fmt::format("compression of {}", name));
+  check_write_status(nc_def_var_fill(id_, variable, NC_FILL, &kFill),
+                     fmt::format("fill value of {}", name));
   write_attribute("long_name", long_name, variable);
   write_attribute("units", "1", variable);
-  check_write_status(nc_put_var_float(id_, variable, values.data()),
-                     fmt::format("values of {}", name));
+  check_write_status(nc_put_var(id_, variable, values.data()), fmt::format("values of {}", name));
   return variable;
 }
-
-int NetCdfWriter::write_compressed_doubles(const std::string& name,
-                                           const std::vector<int>& dimensions,
-                                           const std::string& long_name,
-                                           std::span<const double> values) {
-  const int variable = define_variable(id_, name, NC_DOUBLE, dimensions);
-  set_deflation(id_, variable, name);
-  fill_with_nan<double>(id_, variable, name);
-  write_attribute("long_name", long_name, variable);
-  write_attribute("units", "1", variable);
-  check_write_status(nc_put_var_double(id_, variable, values.data()),
-                     fmt::format("values of {}", name));
-  return variable;
-}
+template int NetCdfWriter::write_compressed(const std::string&, const std::vector<int>&,
+                                            const std::string&, std::span<const float>);
+template int NetCdfWriter::write_compressed(const std::string&, const std::vector<int>&,
+                                            const std::string&, std::span<const double>);
 
 void NetCdfWriter::write_labels(const std::string& name, int dimension,
                                 std::span<const std::string> texts) {
@@ -159,6 +144,18 @@ std::string NetCdfWriter::close_and_take_bytes() {
   check_write_status(nc_close_memio(id_, &file), "cannot close the file");
   const std::unique_ptr<void, decltype(&std::free)> owner(file.memory, &std::free);
   return {static_cast<const char*>(file.memory), file.size};
+}
+
+void write_problem_attributes(NetCdfWriter& file, const problem::Problem& problem, int variable) {
+  for (const auto& parameter : problem::displayed_parameters(problem)) {
+    const std::string name =
+        parameter.section == "system" ? parameter.name : parameter.section + '_' + parameter.name;
+    if (const auto* word = std::get_if<std::string>(&parameter.value)) {
+      file.write_attribute(name, *word, variable);
+    } else if (const auto* number = std::get_if<double>(&parameter.value)) {
+      file.write_attribute(name, *number, variable);
+    }
+  }
 }
 
 }  // namespace fpkcheck::results

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "problem/problem.hpp"
+
 namespace fpkcheck::results {
 
 /// Writer of a netCDF-4 file in memory. The file is not written to disk directly, since HDF5 does
@@ -40,19 +42,13 @@ class NetCdfWriter {
   int write_cell_coordinate(const std::string& name, const std::string& long_name, int bounds,
                             std::span<const double> edges);
 
-  /// Writes a deflated variable of single precision, in chunks of one element of the first
-  /// dimension. NaN is the fill value; units are "1".
+  /// Writes a deflated variable of single or double precision. NaN is the fill value; units are "1".
+  /// A variable of single precision has chunks of one element of the first dimension.
   /// @param dimensions ids of the dimensions
   /// @return the id of the variable
-  int write_compressed_floats(const std::string& name, const std::vector<int>& dimensions,
-                              const std::string& long_name, std::span<const float> values);
-
-  /// Writes a deflated variable of double precision. NaN is the fill value; units are "1".
-  /// @param dimensions ids of the dimensions
-  /// @return the id of the variable
-  int write_compressed_doubles(const std::string& name, const std::vector<int>& dimensions,
-                               const std::string& long_name, std::span<const double> values);
-
+  template <class Number>
+  int write_compressed(const std::string& name, const std::vector<int>& dimensions,
+                       const std::string& long_name, std::span<const Number> values);
   /// Writes a variable of texts along a dimension, as UTF-8 characters padded with zeros. All
   /// netCDF readers support this form.
   /// @param dimension id of the dimension
@@ -71,5 +67,11 @@ class NetCdfWriter {
   int id_ = 0;        // id of the file in libnetcdf
   bool open_ = true;  // whether the file is open
 };
+
+/// Writes the parameters of a problem as netCDF attributes: `damping`, .., `impulse_rate`,
+/// `impulse_law`, ..
+/// @param variable id of the variable that gets the attributes, or kGlobal for the file
+void write_problem_attributes(NetCdfWriter& file, const problem::Problem& problem,
+                              int variable = NetCdfWriter::kGlobal);
 
 }  // namespace fpkcheck::results

@@ -7,7 +7,7 @@
 
 #include "cli/program.hpp"
 #include "methods/builtin.hpp"
-#include "problem/named_cases.hpp"
+#include "problem/case_file.hpp"
 
 namespace fpkcheck::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "paper_cases.hpp"
-#include "problem/energy_balance.hpp"
+#include "problem/balances.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "trapezoid.hpp"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
+#include "exact/law_transforms.hpp"
 
 namespace fpkcheck::exact {
 namespace {
@@ -87,7 +88,7 @@ double LinearCharacteristicFunction::max_beyond(double radius) const {
 // The integral lambda int_0^end ( M(wave(t)) - 1 ) dt.
 double LinearCharacteristicFunction::integrate_wave(const DecayingWave& wave, double end) const {
   const auto excess = [this](double u) {
-    return impulses_.law().characteristic_function(u).real() - 1;
+    return characteristic_function(impulses_.law(), u).real() - 1;
   };
   return impulses_.arrival_rate() * integrate_along_wave(wave, excess, scale_, end);
 }

@@ -8,6 +8,7 @@
 
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
+#include "exact/law_transforms.hpp"
 #include "linear_problem.hpp"
 
 namespace fpkcheck::exact {
@@ -23,7 +24,7 @@ double log_phi(const Problem& problem, double u1, double u2) {
   const auto integrand = [&](double t) {
     const double decay = std::exp(-c * t / 2), sine = std::sin(w * t) / w;
     const double h = decay * sine, h_dot = decay * (std::cos(w * t) - c / 2 * sine);
-    return problem.impulses.law().characteristic_function(u1 * h + u2 * h_dot).real() - 1;
+    return characteristic_function(problem.impulses.law(), u1 * h + u2 * h_dot).real() - 1;
   };
   constexpr double kPanel = 0.02;
   double sum = 0;

@@ -12,6 +12,7 @@
 #include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/decaying_wave.hpp"
+#include "exact/law_transforms.hpp"
 
 namespace fpkcheck::exact {
 namespace {
@@ -31,8 +32,8 @@ double range(const problem::Problem& problem, double u1, double u2, double proba
   double smallest = HUGE_VAL;
   for (double theta = 1 / deviation;; theta *= 1.02) {
     const DecayingWave wave = impulse_response(problem.system, theta * u1, theta * u2);
-    if (!std::isfinite(law.moment_generating_function(wave.peak()))) return smallest;
-    const auto excess = [&](double a) { return law.moment_generating_function(a) - 1; };
+    if (!std::isfinite(moment_generating_function(law, wave.peak()))) return smallest;
+    const auto excess = [&](double a) { return moment_generating_function(law, a) - 1; };
     const double exponent = problem.impulses.arrival_rate() *
                             integrate_along_wave(wave, excess, law.deviation(), HUGE_VAL);
     const double bound = (exponent - std::log(probability / 2)) / theta;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "problem/inelastic_collapse.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::exact {
 namespace {

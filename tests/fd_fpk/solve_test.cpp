@@ -198,7 +198,7 @@ TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
   }
 }
 
-// For any equation, law and impact: problem/motion_balances.hpp. A wrong sign of the mean or factor
+// For any equation, law and impact: problem/balances.hpp. A wrong sign of the mean or factor
 // of the impact would leave a residual of a few per cent or more.
 TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
   for (const double mean : {0.1, -0.1}) {

@@ -5,7 +5,7 @@
 #include "epc/closed_form_density.hpp"
 #include "fuzz_helpers.hpp"
 #include "methods/external/between_walls.hpp"
-#include "methods/external/closed_form_file.hpp"
+#include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
 #include "problem/case_file.hpp"
 

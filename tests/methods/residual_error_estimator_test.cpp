@@ -10,7 +10,6 @@
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
-#include "methods/complete_error_estimates.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "transform/change_of_frame.hpp"

@@ -13,6 +13,7 @@
 #include "report/table.hpp"
 #include "results/limiting_errors_text.hpp"
 #include "results/saved_run.hpp"
+#include "saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transform/marginal.hpp"
 #include "workflows/check/baseline.hpp"
@@ -23,6 +24,8 @@
 /// figure and file, to the error budget, the study of orders and the regression test.
 namespace fpkcheck {
 namespace {
+
+using tests::contains;
 
 struct Bell {
   int order = 2;
@@ -87,15 +90,10 @@ methods::Solver toy_solver() {
                                       .role = transform::SolutionRole::closure,
                                       .meaning = "A bell of about the right width.",
                                       .default_ids = {"toy-bell-n2", "toy-bell-n4"},
-                                      .plot_style =
-                                          [](const transform::SolutionIdentity&) {
-                                            return transform::PlotStyle{.colour = "#12AB34",
-                                                                        .dash = "(1,1)"};
-                                          }}},
-                        .option_descriptions = nullptr,
-                        .default_options = {},
-                        .options_of = {},
-                        .method = {}};
+                                      .plot_style = [](const transform::SolutionIdentity&) {
+                                        return transform::PlotStyle{.colour = "#12AB34",
+                                                                    .dash = "(1,1)"};
+                                      }}}};
   return methods::with_traits<Bell>(
       std::move(entry),
       {.description = bell_description(),
@@ -110,10 +108,6 @@ methods::Registry with_toy() {
   methods::Registry registry = methods::builtin_registry();
   registry.add(toy_solver());
   return registry;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 class ToyClosure : public testing::Test {

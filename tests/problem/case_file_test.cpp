@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "problem/impulse_law.hpp"
-#include "problem/named_cases.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -20,12 +20,7 @@ Problem read(const std::string& text, const std::vector<std::string>& overrides 
 }
 
 std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    read(text, overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { read(text, overrides); });
 }
 
 const std::string kGood =

@@ -4,18 +4,14 @@
 
 #include <string>
 
-#include "base/input_error.hpp"
+#include "general_oscillators.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
 std::string refusal(const WallParameters& walls, const std::optional<double>& restitution = {}) {
-  try {
-    make_walls(walls, restitution);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { make_walls(walls, restitution); });
 }
 
 TEST(Walls, OfSystemRestitutionAreOneAtZero) {
@@ -46,6 +42,89 @@ TEST(Walls, AreRejectedWhenIncompleteOrDuplicate) {
             std::string::npos);
   EXPECT_NE(refusal({.left = 0, .left_restitution = 1.5}).find("wall.left_restitution = 1.5"),
             std::string::npos);
+}
+
+// All coefficients of the system are nonzero, so that the test covers the transformation of each
+// term.
+const SystemCoefficients kAll{.damping = 0.1,
+                              .van_der_pol = 0.2,
+                              .rayleigh = 0.3,
+                              .constant = 0.4,
+                              .stiffness = 0.5,
+                              .quadratic = 0.6,
+                              .cubic = 0.7,
+                              .quintic = 0.8};
+
+double g(double y) {
+  return 0.4 + 0.5 * y + 0.6 * y * y + 0.7 * y * y * y + 0.8 * y * y * y * y * y;
+}
+
+TEST(Frame, OfTheLeftWallShiftsForceAndDamping) {
+  const System system(
+      kAll, {.left = -0.5, .left_restitution = 0.7, .right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  EXPECT_EQ(seen.frame, (Frame{-0.5, false}));
+  EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.7}));
+  EXPECT_EQ(seen.system.right_wall(), (Wall{2.5, 0.9}));
+  for (const double x : {0.0, 0.3, 1.7}) {
+    const double y = x - 0.5;
+    EXPECT_NEAR(seen.system.restoring_force()(x), g(y), 1e-14);
+    EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * y * y, 1e-15);
+    EXPECT_NEAR(seen.system.potential()(x), system.potential()(y) - system.potential()(-0.5),
+                1e-14);
+  }
+  EXPECT_EQ(seen.impulses.law().mean(), 0.3);
+}
+
+TEST(Frame, OfARightWallAloneIsMirrored) {
+  const System system(kAll, {.right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  EXPECT_EQ(seen.frame, (Frame{2, true}));
+  EXPECT_EQ(seen.system.left_wall(), (Wall{0, 0.9}));
+  EXPECT_FALSE(seen.system.right_wall());
+  for (const double x : {0.0, 0.3, 1.7}) {
+    EXPECT_NEAR(seen.system.restoring_force()(x), -g(2 - x), 1e-13);
+    EXPECT_NEAR(seen.system.damping_polynomial()(x), 0.1 + 0.2 * (2 - x) * (2 - x), 1e-15);
+  }
+  EXPECT_EQ(seen.impulses.law().mean(), -0.3);
+  EXPECT_EQ(seen.frame.physical_y(0.5), 1.5);
+  EXPECT_EQ(seen.frame.wall_x(1.5), 0.5);
+  EXPECT_EQ(seen.frame.physical_velocity(1), -1);
+}
+
+TEST(Frame, OfThePapersClassIsTheIdentity) {
+  const Problem problem{"test",
+                        System({.damping = 0.1, .stiffness = 1, .cubic = 0.1, .restitution = 0.9}),
+                        tests::gaussian_impulses(1, 1)};
+  EXPECT_TRUE(wall_frame(problem.system).is_identity());
+  EXPECT_EQ(tests::in_wall_coordinates(problem).system.restoring_force().coefficients(),
+            problem.system.restoring_force().coefficients());
+}
+
+TEST(Frame, OfAProblemInItsFrameChangesNothing) {
+  const System system(kAll, {.right = 2, .right_restitution = 0.9});
+  const Problem seen =
+      tests::in_wall_coordinates(tests::with_impulses(system, tests::gaussian_impulses(1, 1, 0.3)));
+  const Problem again = tests::in_wall_coordinates(seen);
+  EXPECT_EQ(again.frame, seen.frame);
+  EXPECT_EQ(again.system.left_wall(), seen.system.left_wall());
+  EXPECT_EQ(again.system.restoring_force().coefficients(),
+            seen.system.restoring_force().coefficients());
+  EXPECT_EQ(again.impulses.law().mean(), -0.3);
+}
+
+TEST(Frame, InverseRoundTrips) {
+  for (const Frame frame : {Frame{-0.5, false}, Frame{2, true}, Frame{}}) {
+    const Frame back = frame.inverse();
+    for (const double x : {0.0, 0.3, 1.7}) {
+      EXPECT_NEAR(back.physical_y(frame.physical_y(x)), x, 1e-15);
+      EXPECT_NEAR(back.wall_x(x), frame.physical_y(x), 1e-15);
+      EXPECT_EQ(back.physical_velocity(frame.physical_velocity(x)), x);
+    }
+    EXPECT_EQ(back.is_identity(), frame.is_identity());
+  }
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 
 namespace fpkcheck::check {
 

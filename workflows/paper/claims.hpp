@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,9 +45,7 @@ inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
      "L1 to the Gaussian of equivalent linearisation is 0 up to rounding"},
     {ClaimedRelation::not_found, "not_found",
      "plain Newton steps from equivalent linearisation find no root"}};
-constexpr std::span<const base::EnumEntry<ClaimedRelation>> enumerator_names(ClaimedRelation) {
-  return kRelationNames;
-}
+constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames; }
 constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 
 /// A statement of the paper that measured numbers can support or contradict.
@@ -78,7 +75,7 @@ std::string paper_closure_id(int order);
 /// Registry::select_methods.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
-/// The name that problem/named_cases.hpp gives a case of the paper.
+/// The name that problem/case_file.hpp gives a case of the paper.
 std::string paper_case_name(int number);
 
 }  // namespace fpkcheck::paper

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "results/csv_field.hpp"
 #include "results/json.hpp"
+#include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
 #include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/criteria.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 #include "problem/problem.hpp"
 #include "report/text/columns.hpp"
 #include "transform/solution.hpp"

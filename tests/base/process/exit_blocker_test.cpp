@@ -1,4 +1,4 @@
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,12 @@
 #include "base/process/parallel_for.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace fpkcheck::base {
@@ -33,6 +36,50 @@ TEST(ParallelFor, RethrowsTheFirstException) {
 TEST(ParallelFor, HasTheRequestedNumberOfThreads) {
   EXPECT_EQ(number_of_threads(5), 5);
   EXPECT_GE(number_of_threads(0), 1);
+}
+
+class Processors : public ::testing::Test {
+ protected:
+  Processors() {
+    unsetenv("SLURM_CPUS_PER_TASK");
+    unsetenv("OMP_NUM_THREADS");
+  }
+  ~Processors() override {
+    unsetenv("SLURM_CPUS_PER_TASK");
+    unsetenv("OMP_NUM_THREADS");
+  }
+};
+
+TEST_F(Processors, RespectAffinityMask) {
+  int found = 0;
+  std::thread([&] {  // affinity is a property of a thread
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    found = available_processors();
+  })
+      .join();
+  EXPECT_EQ(found, 1);
+  EXPECT_GE(available_processors(), 1);
+}
+
+TEST_F(Processors, RespectEnvironmentLimits) {
+  const int own = available_processors();
+  setenv("SLURM_CPUS_PER_TASK", "1", 1);
+  EXPECT_EQ(available_processors(), 1);
+  setenv("SLURM_CPUS_PER_TASK", "1000000", 1);
+  EXPECT_EQ(available_processors(), own);
+  setenv("OMP_NUM_THREADS", "1,4", 1);
+  EXPECT_EQ(available_processors(), 1);
+}
+
+TEST_F(Processors, IgnoreInvalidEnvironmentValues) {
+  const int own = available_processors();
+  for (const char* nonsense : {"", "0", "-2", "many", "1.5", "99999999999999999999"}) {
+    setenv("OMP_NUM_THREADS", nonsense, 1);
+    EXPECT_EQ(available_processors(), own) << nonsense;
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "epc/solve.hpp"
 #include "exact/closed_forms.hpp"
 #include "paper_cases.hpp"
-#include "problem/energy_balance.hpp"
+#include "problem/balances.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::epc::gaussian {

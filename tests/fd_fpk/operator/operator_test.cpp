@@ -13,7 +13,7 @@
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
-#include "problem/motion_balances.hpp"
+#include "problem/balances.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problem/inelastic_collapse.hpp"
+#include "problem/features.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -68,14 +68,9 @@ methods::Solver linear_solver() {
                                       .role = transform::SolutionRole::closure,
                                       .meaning = "Gaussian density of equivalent linearisation.",
                                       .default_ids = {"linear"},
-                                      .plot_style =
-                                          [](const transform::SolutionIdentity&) {
-                                            return transform::PlotStyle{.colour = "#808000"};
-                                          }}},
-                        .option_descriptions = nullptr,
-                        .default_options = {},
-                        .options_of = {},
-                        .method = {}};
+                                      .plot_style = [](const transform::SolutionIdentity&) {
+                                        return transform::PlotStyle{.colour = "#808000"};
+                                      }}}};
   return methods::with_traits<Options>(
       std::move(entry),
       {.description = description(),

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
 

@@ -6,14 +6,14 @@
 #include <functional>
 #include <random>
 
-#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "methods/builtin.hpp"
 #include "methods/external/between_walls.hpp"
 #include "methods/external/external_samples.hpp"
-#include "methods/external/label_requirements.hpp"
+#include "methods/external/labels.hpp"
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
+#include "refusal.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::methods {
@@ -21,6 +21,7 @@ namespace {
 
 using problem::Equation;
 using tests::contains;
+using tests::refusal;
 using transform::Status;
 using transform::Variable;
 using Function = std::function<double(double, double)>;
@@ -39,14 +40,6 @@ class ExternalDensities : public testing::Test {
   }
   transform::Solution solved(const Method& method) {
     return solve_with(method, problem_, {axes_, {}});
-  }
-  std::string refusal(const std::function<void()>& what) {
-    try {
-      what();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
   }
 
   problem::Problem problem_ = tests::make_problem({.restitution = 1});

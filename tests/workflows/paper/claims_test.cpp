@@ -9,7 +9,7 @@
 
 #include "epc/options.hpp"
 #include "methods/builtin.hpp"
-#include "problem/named_cases.hpp"
+#include "problem/case_file.hpp"
 #include "workflows/paper/criteria.hpp"
 
 namespace fpkcheck::paper {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "base/options/range.hpp"
+#include "base/options/parameter.hpp"
 #include "made_up_solutions.hpp"
 #include "methods/registry.hpp"
 

@@ -16,7 +16,6 @@
 #include "report/table.hpp"
 #include "report/text/wrap_text.hpp"
 #include "results/json.hpp"
-#include "results/netcdf/problem_attributes.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/output_directory.hpp"
 #include "results/run.hpp"

@@ -10,10 +10,9 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
-#include "methods/complete_error_estimates.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
 #include "results/make_curve.hpp"

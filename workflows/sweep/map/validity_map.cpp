@@ -19,7 +19,7 @@ DimensionlessGroups dimensionless_groups(const problem::Problem& problem) {
   const auto& system = problem.system.coefficients();
   const auto scales = problem::scales(problem);
   const double stiffness = scales.frequency * scales.frequency;
-  const bool original = problem::is_paper_oscillator(problem);
+  const bool original = problem::has_equivalent_linearisation(problem);
   return {.impulses_per_decay_time = problem::impulses_per_decay_time(problem, scales),
           .damping_ratio = system.damping / (2 * scales.frequency),
           .cubic_share = original ? 1 - system.stiffness / stiffness

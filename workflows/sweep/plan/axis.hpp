@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
-#include "base/options/value.hpp"
+#include "base/options/parameter.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -13,9 +13,7 @@ namespace fpkcheck::sweep {
 enum class Spacing { linear, logarithmic, listed };
 inline constexpr base::EnumEntry<Spacing> kSpacingNames[] = {
     {Spacing::linear, "linear"}, {Spacing::logarithmic, "log"}, {Spacing::listed, "list"}};
-constexpr std::span<const base::EnumEntry<Spacing>> enumerator_names(Spacing) {
-  return kSpacingNames;
-}
+constexpr const auto& enumerator_names(Spacing) { return kSpacingNames; }
 constexpr std::string_view name(Spacing spacing) { return base::name_of(spacing); }
 
 /// An axis of a plan: a key of case files that the sweep varies, and the values of this key.

@@ -8,13 +8,11 @@
 #include <map>
 #include <sstream>
 
-#include "base/files/ini_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/options/parse_enum.hpp"
+#include "base/options/enum_names.hpp"
 #include "base/text/sanitise.hpp"
 #include "problem/case_file.hpp"
-#include "problem/named_cases.hpp"
 
 namespace fpkcheck::sweep {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/files/ini_file.hpp"
+#include "base/files/input_file.hpp"
 #include "base/options/enum_names.hpp"
 #include "methods/method.hpp"
 #include "problem/problem.hpp"

@@ -9,9 +9,9 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/process/exit_blocker.hpp"
+#include "base/process/stop_request.hpp"
 #include "base/text/sanitise.hpp"
-#include "results/crc32.hpp"
+#include "results/saved_run.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {

@@ -11,8 +11,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "results/csv_field.hpp"
-#include "results/netcdf/problem_attributes.hpp"
+#include "results/marginals_csv.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/run.hpp"
 #include "workflows/sweep/map/validity_map.hpp"
@@ -143,7 +142,7 @@ class SweepNetcdfFile {
     }
     auto dimensions = dimensions_;
     dimensions.push_back(solution_);
-    return file_.write_compressed_doubles(column.variable, dimensions, column.meaning, values);
+    return file_.write_compressed<double>(column.variable, dimensions, column.meaning, values);
   }
   void write_variables(const std::vector<ResultColumn>& columns) {
     for (const auto& column : columns) write_variable(column);
@@ -159,7 +158,7 @@ class SweepNetcdfFile {
         values[point.point] = static_cast<double>(found - methods.begin());
       }
     }
-    file_.write_compressed_doubles("reference", dimensions_,
+    file_.write_compressed<double>("reference", dimensions_,
                                    "index of the reference solution, or -1", values);
   }
 

@@ -1,0 +1,30 @@
+#include "methods/method.hpp"
+
+#include "problem/walls.hpp"
+#include "transform/change_of_frame.hpp"
+
+namespace fpkcheck::methods {
+
+transform::Solution solve_in_wall_coordinates(
+    const problem::Problem& problem, const SolveContext& context,
+    const std::function<std::string(const problem::Problem&)>& unsupported_reason,
+    const std::function<transform::Solution(const problem::Problem&, const SolveContext&)>& solve) {
+  const problem::Frame frame = problem::wall_frame(problem.system);
+  const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
+  if (const std::string reason = unsupported_reason(transformed); !reason.empty()) {
+    transform::Solution solution;
+    solution.status = transform::Status::not_offered;
+    solution.reason = reason;
+    return solution;
+  }
+  if (frame.is_identity()) return solve(transformed, context);
+  const compare::ComparisonAxes axes{transform::to_x_edges(frame, context.axes.y_edges),
+                                     transform::transform_v_edges(frame, context.axes.v_edges),
+                                     context.axes.divisions};
+  return transform::to_physical_coordinates(
+      frame,
+      solve(transformed, {axes, context.progress, context.error_estimator, context.estimate_error}),
+      context.axes.y_edges);
+}
+
+}  // namespace fpkcheck::methods

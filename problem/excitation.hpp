@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/options/description.hpp"
+#include "problem/impulse_law.hpp"
+
+namespace fpkcheck::problem {
+
+/// Gaussian white noise sqrt(2 D) W(t) as excitation, alone or in addition to the impulses.
+struct Noise {
+  double intensity = 0;  ///< 2 D >= 0, in the same unit as lambda E[Y^2]
+
+  /// The diffusion coefficient D: the coefficient of p'' in the density equation.
+  double diffusion() const { return intensity / 2; }
+  bool is_present() const { return intensity > 0; }
+};
+
+/// The description of the parameter of the section [noise].
+const base::Description<Noise>& noise_parameter_description();
+
+/// Parameters of the Poisson impulse train, as read from a case file.
+struct ImpulseParameters {
+  double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
+  std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
+  double intensity;     ///< intensity lambda E[Y^2] > 0
+  double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
+  /// Skewness of Y, for laws that are not symmetric. If absent, the skewness is the default of the
+  /// law.
+  std::optional<double> skewness = {};
+  /// The table of a tabulated law, as a table literal (problem/amplitude_table.hpp).
+  std::optional<std::string> table = {};
+};
+
+/// The description of the parameters of the section [impulse].
+const base::Description<ImpulseParameters>& impulse_parameter_description();
+
+/// The impulsive excitation xi(t) of paper (3): impulses of random amplitudes Y_k at the times of a
+/// Poisson process.
+class ImpulseTrain {
+ public:
+  /// Constructs an excitation without impulses: the arrival rate and every rate_times_moment are 0.
+  /// (The law is a placeholder.)
+  ImpulseTrain();
+  /// Constructs the impulse train of the parameters. The variance of the law is chosen such that
+  /// E[Y^2] = intensity / arrival_rate.
+  /// @throws InputError that states the invalid parameter, its value and the allowed range
+  explicit ImpulseTrain(const ImpulseParameters& parameters);
+
+  const ImpulseParameters& parameters() const { return parameters_; }
+  bool is_present() const { return arrival_rate() > 0; }
+  double arrival_rate() const { return parameters_.arrival_rate; }
+  const ImpulseLaw& law() const { return law_; }
+
+  /// The product lambda E[Y^order], a coefficient of paper (15).
+  double rate_times_moment(int order) const { return arrival_rate() * law_.moment(order); }
+  /// The product lambda E[Y^2]: the intensity of the Gaussian white noise that has the same power
+  /// as the impulses.
+  double intensity() const { return rate_times_moment(2); }
+
+  /// The impulse train whose amplitudes are -Y.
+  ImpulseTrain mirror_image() const;
+
+ private:
+  ImpulseTrain(const ImpulseParameters& parameters, const ImpulseLaw& law)
+      : parameters_(parameters), law_(law) {}
+
+  ImpulseParameters parameters_;
+  ImpulseLaw law_;
+};
+
+}  // namespace fpkcheck::problem
