@@ -9,6 +9,7 @@
 #include "epc/solve.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
+#include "refusal.hpp"
 #include "transform/change_of_frame.hpp"
 #include "transform/marginal.hpp"
 
@@ -183,12 +184,8 @@ TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
 }
 
 std::string error_message(MetricBuilder builder, const problem::Problem* problem = nullptr) {
-  try {
-    density_of_closed_form(read_closed_form(builder.take_metrics()), problem);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal(
+      [&] { density_of_closed_form(read_closed_form(builder.take_metrics()), problem); });
 }
 
 TEST(ClosedForm, ThatIsIncompleteIsRefused) {

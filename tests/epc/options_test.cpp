@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/input_error.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -46,12 +47,7 @@ std::vector<Options> named_options() {
 }
 
 std::string error_message(const Options& options) {
-  try {
-    validate(options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal([&] { validate(options); }, "");
 }
 
 TEST(ClosureOptions, SurviveARoundTripThroughTheirValues) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/input_error.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {
@@ -81,12 +81,7 @@ TEST(Options, HaveTheNamesOfFilesAndTheFlagsOfTheCommandLine) {
 }
 
 std::string refusal(const Options& options) {
-  try {
-    validate(options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal([&] { validate(options); }, "");
 }
 
 TEST(Options, InvalidValuesAreRefusedByName) {

@@ -8,6 +8,7 @@
 #include "base/input_error.hpp"
 #include "mcs/solve.hpp"
 #include "paper_cases.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -100,12 +101,9 @@ TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
 TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
   const auto refusal = [](const char* name, const char* text) -> std::string {
     Options options;
-    try {
+    return tests::refusal([&] {
       description().parse(options, *description().find(name), text, std::string("--") + name);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    });
   };
   EXPECT_EQ(refusal("seed", "-1"), "--seed -1 (must be zero or positive)");
   EXPECT_EQ(refusal("equation", "km4"), "--equation 'km4' (must be one of kf, white)");

@@ -7,21 +7,16 @@
 #include <fstream>
 #include <string>
 
-#include "base/input_error.hpp"
 #include "laws.hpp"
 #include "problem/case_file.hpp"
+#include "refusal.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::problem {
 namespace {
 
 std::string refusal(const std::string& csv) {
-  try {
-    parse_amplitude_csv(csv, "t.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::refusal([&] { parse_amplitude_csv(csv, "t.csv"); }, "");
 }
 
 TEST(AmplitudeTable, ReadsAtomsAndDensities) {
@@ -136,12 +131,7 @@ TEST_F(TableOfACase, IsRejectedWithLocation) {
   write("kicks.csv", "amplitude,probability\n-1,0.25\n3,0.65\n");
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\n");
   const auto said = [&](const std::vector<std::string>& overrides) -> std::string {
-    try {
-      load_case(file("mine.ini"), overrides);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::refusal([&] { load_case(file("mine.ini"), overrides); }, "");
   };
   EXPECT_NE(said({}).find("mine.ini:8: "), std::string::npos) << said({});
   EXPECT_NE(said({}).find("kicks.csv:3: the table's probability"), std::string::npos) << said({});

@@ -8,7 +8,7 @@
 
 #include "base/files/atomic_file.hpp"
 #include "base/files/pending_files.hpp"
-#include "base/input_error.hpp"
+#include "refusal.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::results {
@@ -17,12 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string refusal_to_write(const fs::path& directory) {
-  try {
-    const auto made = prepare_output_directory(directory);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { const auto made = prepare_output_directory(directory); });
 }
 
 TEST(FileStem, KeepsPortableCharacters) {

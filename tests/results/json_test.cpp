@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -16,12 +17,7 @@ Json json_of(const std::string& text) {
 }
 
 std::string refusal_of(const std::string& text) {
-  try {
-    json_of(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { json_of(text); });
 }
 
 TEST(Json, IsReadWithinLimits) {

@@ -6,6 +6,7 @@
 
 #include "base/input_error.hpp"
 #include "made_up_solutions.hpp"
+#include "refusal.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {
@@ -102,12 +103,7 @@ TEST(MarginalsCsv, ReportsTheInvalidLine) {
   const std::string header = "case,solution,variable,abscissa,density,lower,upper\n";
   const auto message = [](const std::string& text) -> std::string {
     std::istringstream csv(text);
-    try {
-      read_marginals_csv(csv, "m.csv");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return tests::refusal([&] { read_marginals_csv(csv, "m.csv"); });
   };
   EXPECT_TRUE(tests::contains(message("a,b\n"), "m.csv:1: not a file of marginals"));
   EXPECT_TRUE(tests::contains(message(""), "m.csv:1: not a file of marginals"));

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "base/input_error.hpp"
 #include "general_oscillators.hpp"
+#include "refusal.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::results {
@@ -30,12 +30,7 @@ results::Run read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { read(text); });
 }
 
 TEST(RunJson, ContainsTheStopMessage) {

@@ -7,6 +7,7 @@
 
 #include "base/files/pending_files.hpp"
 #include "base/input_error.hpp"
+#include "refusal.hpp"
 #include "results/run_json.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -24,12 +25,7 @@ void save(const fs::path& directory, const results::Run& run) {
 }
 
 std::string refusal_to_load(const fs::path& directory) {
-  try {
-    load_run(directory);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { load_run(directory); });
 }
 
 TEST(SavedRun, IsReadBackWhole) {

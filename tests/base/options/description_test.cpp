@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "base/input_error.hpp"
+#include "refusal.hpp"
 
 namespace fpkcheck::base {
 
 enum class Colour { red, green };
 constexpr EnumEntry<Colour> kColourNames[] = {{Colour::red, "red"}, {Colour::green, "dark-green"}};
-constexpr std::span<const EnumEntry<Colour>> enumerator_names(Colour) { return kColourNames; }
+constexpr const auto& enumerator_names(Colour) { return kColourNames; }
 
 namespace {
 
@@ -47,15 +48,7 @@ Values with(Values values, const std::string& name, const Value& value) {
   return values;
 }
 
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+using tests::refusal;
 
 TEST(Description, ValuesRoundTrip) {
   const Paint changed{.colour = Colour::green,

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "base/input_error.hpp"
+#include "refusal.hpp"
 #include "temporary_directory.hpp"
 
 namespace fpkcheck::methods {
@@ -14,12 +14,7 @@ using problem::Equation;
 using problem::Impact;
 
 std::string refusal_of_argument(const std::string& text) {
-  try {
-    parse_external_argument(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { parse_external_argument(text); });
 }
 
 TEST(ExternalArguments, SetTheEquationOfAFile) {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <fstream>
 
-#include "base/input_error.hpp"
 #include "epc/solve.hpp"
 #include "methods/builtin.hpp"
 #include "methods/external/external_methods.hpp"
 #include "methods/run_cases.hpp"
+#include "refusal.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/run_json.hpp"
@@ -71,12 +71,7 @@ class JointDensityFiles : public testing::Test {
   }
 
   std::string refusal(const std::vector<std::string>& arguments) const {
-    try {
-      case_with(arguments);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return tests::refusal([&] { case_with(arguments); });
   }
 
   tests::TemporaryDirectory directory_;

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "base/input_error.hpp"
+#include "refusal.hpp"
 #include "saved_run.hpp"
 #include "uniform_edges.hpp"
 
@@ -26,12 +26,7 @@ ExternalMarginal read(const std::string& text, const problem::Walls& walls = kPa
 }
 
 std::string refusal(const std::string& text, const problem::Walls& walls = kPaper) {
-  try {
-    read(text, walls);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { read(text, walls); });
 }
 
 double bell(double v) { return std::exp(-v * v / 2) / std::sqrt(2 * M_PI); }

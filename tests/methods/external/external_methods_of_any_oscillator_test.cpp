@@ -7,7 +7,6 @@
 #include <functional>
 #include <sstream>
 
-#include "base/input_error.hpp"
 #include "exact/energy_law.hpp"
 #include "general_oscillators.hpp"
 #include "methods/builtin.hpp"
@@ -18,6 +17,7 @@
 #include "methods/external/external_samples.hpp"
 #include "methods/external/joint_table.hpp"
 #include "methods/run_cases.hpp"
+#include "refusal.hpp"
 #include "results/joint_netcdf.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -95,14 +95,7 @@ transform::Solution solved(const Method& method, const Problem& problem) {
   return solve_with(method, problem, {compare::comparison_axes(problem), {}});
 }
 
-std::string refusal(const std::function<void()>& what) {
-  try {
-    what();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+using tests::refusal;
 
 // L1 distance from the exact law over the comparison bins.
 double distance_from_law(const transform::Solution& solution, const Problem& problem,

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <random>
 
-#include "base/input_error.hpp"
 #include "methods/builtin.hpp"
 #include "methods/run_cases.hpp"
+#include "refusal.hpp"
 #include "report/findings.hpp"
 #include "report/report.hpp"
 #include "report/table.hpp"
@@ -52,12 +52,7 @@ class ExternalMethods : public testing::Test {
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
-    try {
-      external_methods(arguments, builtin_registry());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return tests::refusal([&] { external_methods(arguments, builtin_registry()); });
   }
 
   tests::TemporaryDirectory directory_;

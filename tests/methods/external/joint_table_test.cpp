@@ -6,10 +6,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/input_error.hpp"
 #include "exact/closed_forms.hpp"
 #include "methods/external/between_walls.hpp"
 #include "paper_cases.hpp"
+#include "refusal.hpp"
 #include "saved_run.hpp"
 
 namespace fpkcheck::methods {
@@ -26,12 +26,7 @@ JointTable read_joint(const std::string& text) {
 }
 
 std::string refusal_of_joint(const std::string& text) {
-  try {
-    read_joint(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { read_joint(text); });
 }
 
 // Joint densities at r = 1 under white noise, where the density is known exactly.

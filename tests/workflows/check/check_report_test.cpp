@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "saved_run.hpp"
 #include "solved_run.hpp"
 #include "workflows/check/check.hpp"
 
@@ -34,14 +35,11 @@ TEST(CheckJson, HasEveryChangeAndEveryKind) {
   EXPECT_EQ(json["kinds"].size(), std::size(kQuantityKindNames));
 }
 
+using tests::contains;
 using tests::paper_baseline;
 using tests::scale;
 using tests::solution;
 using tests::solved_run;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(CheckTable, ListsTheChangesAndEndsWithASentence) {
   auto changed = solved_run();

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "base/input_error.hpp"
 #include "made_up_studies.hpp"
 #include "methods/builtin.hpp"
+#include "refusal.hpp"
 #include "toy_methods.hpp"
 
 namespace fpkcheck::study {
@@ -41,12 +41,7 @@ TEST(ClosureOrderStudy, AcceptsAnExternallyRegisteredClosure) {
 }
 
 std::string refusal(const ClosureOrderStudyOptions& options, const methods::Registry& registry) {
-  try {
-    study_closure_orders(tests::paper_case(1), options, registry, {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return tests::refusal([&] { study_closure_orders(tests::paper_case(1), options, registry, {}); });
 }
 
 TEST(ClosureOrderStudy, RefusesUnknownFormulationsAndOrders) {

@@ -8,6 +8,7 @@
 #include "made_up_map.hpp"
 #include "methods/builtin.hpp"
 #include "paper_cases.hpp"
+#include "refusal.hpp"
 #include "workflows/sweep/map/validity_map.hpp"
 
 namespace fpkcheck::sweep {
