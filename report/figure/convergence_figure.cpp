@@ -216,10 +216,14 @@ Figure convergence_figure(const results::CaseResult& case_result) {
     const auto [first, last] = distances->order_range();
     const FigureAxis x{"order {/:Italic n} of the closure", first - 0.5, last + 0.5, false, 2};
     const auto series = convergence_series(*distances, x);
-    figure.panels.push_back({fmt::format("order-{}", name(variable)), panel_title(variable),
-                             fmt::format("Convergence of the closures in {}; open marks: not ok",
-                                         density_text(variable)),
-                             x, distance_axis(variable, *distances->reference, series), series});
+    figure.panels.push_back(
+        {.id = fmt::format("order-{}", name(variable)),
+         .title = panel_title(variable),
+         .caption = fmt::format("Convergence of the closures in {}; open marks: not ok",
+                                density_text(variable)),
+         .x = x,
+         .y = distance_axis(variable, *distances->reference, series),
+         .series = series});
   }
   return figure;
 }
@@ -232,10 +236,12 @@ Figure cost_figure(const results::CaseResult& case_result) {
     const auto series = cost_series(case_result, *reference, variable);
     if (series.empty()) continue;
     figure.panels.push_back(
-        {fmt::format("cost-{}", name(variable)), panel_title(variable),
-         fmt::format("L1 distance in {} against computing time", density_text(variable)),
-         logarithmic_axis("computing time in seconds", series, &FigurePoint::x),
-         distance_axis(variable, *reference, series), series});
+        {.id = fmt::format("cost-{}", name(variable)),
+         .title = panel_title(variable),
+         .caption = fmt::format("L1 distance in {} against computing time", density_text(variable)),
+         .x = logarithmic_axis("computing time in seconds", series, &FigurePoint::x),
+         .y = distance_axis(variable, *reference, series),
+         .series = series});
   }
   return figure;
 }

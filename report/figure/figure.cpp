@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
@@ -19,7 +18,7 @@ namespace fpkcheck::report {
 namespace {
 
 // Width of a colour bar, and of a colour bar with tics and label, in pixels.
-constexpr int kColourBar = 14, kBesideMap = 110;
+constexpr int kColourBarWidth = 14, kColourBarSpace = 110;
 
 /// The data blocks of a script. Series with the same points share a block.
 class DataBlocks {
@@ -50,58 +49,88 @@ bool has_points(const FigureSeries& series) {
 }
 
 bool has_open_marks(const FigureSeries& series) {
-  return !series.symbol.empty() && std::ranges::any_of(series.points, &FigurePoint::open);
+  const auto [filled, open] = point_types(series.symbol);
+  return !series.symbol.empty() && filled != open &&
+         std::ranges::any_of(series.points, &FigurePoint::open);
+}
+
+bool has_intervals(const FigureSeries& series) {
+  return std::ranges::any_of(series.points,
+                             [](const FigurePoint& point) { return std::isfinite(point.upper); });
+}
+
+std::string series_kind(const FigureSeries& series) {
+  return series.is_area          ? "filledcurves"
+         : has_intervals(series) ? "yerrorbars"
+         : series.symbol.empty() ? "lines"
+         : series.dash.empty()   ? "points"
+                                 : "linespoints";
 }
 
 // The plot style of a series, in the colour of the series or of its legend entry. Styles may come
 // from a file: quoting prevents that a quotation mark in a colour ends the string.
-std::string series_style(const FigureSeries& series, const std::string& colour) {
+// @param kind plot style of gnuplot: series_kind(), or only the lines or points of the series
+std::string series_style(const FigureSeries& series, const std::string& kind,
+                         const std::string& colour, bool is_open = false) {
   if (series.is_area) {
-    return fmt::format("with filledcurves fillstyle solid 0.4 border rgb {0} fillcolor rgb {0}",
+    return fmt::format("with {0} fillstyle solid 0.4 border rgb {1} fillcolor rgb {1}", kind,
                        gnuplot_string(colour));
   }
-  std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}",
-                                  series.symbol.empty() ? "lines"
-                                  : series.dash.empty() ? "points"
-                                                        : "linespoints",
+  std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}", kind,
                                   series.line_width, gnuplot_string(colour));
-  if (!series.dash.empty()) style += fmt::format(" dashtype {}", dash_type(series.dash));
-  if (!series.symbol.empty()) {
-    style += fmt::format(" pointtype {} pointsize {:g}", point_types(series.symbol).filled,
-                         series.mark_size);
-  }
-  return style;
+  if (kind.starts_with("lines")) style += fmt::format(" dashtype {}", dash_type(series.dash));
+  if (kind == "lines") return style;
+  const auto [filled, open] = point_types(series.symbol);
+  return style +
+         fmt::format(" pointtype {} pointsize {:g}", is_open ? open : filled, series.mark_size);
 }
 
-// An open mark is a white filled mark below the outline of the mark, so that the line does not
-// cross the mark.
-std::vector<std::string> series_plots(const FigureSeries& series, const FigurePanel& panel,
-                                      DataBlocks& blocks) {
+// The data block of a series: abscissa, ordinate, 1 for an open mark, and the ends of intervals.
+std::string series_block(const FigureSeries& series, const FigurePanel& panel, DataBlocks& blocks) {
+  const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
   std::string rows;
   for (const auto& point : series.points) {
     if (series.is_area && !std::isfinite(point.y)) {
       rows += '\n';  // an empty line separates areas
       continue;
     }
-    rows += fmt::format("{} {} {:d}\n", number_cell(point.x, panel.x.is_logarithmic),
-                        number_cell(point.y, panel.y.is_logarithmic), point.open);
+    rows += fmt::format("{} {} {:d}", number_cell(point.x, panel.x.is_logarithmic),
+                        number_cell(point.y, is_logarithmic), point.open);
+    if (with_intervals) {
+      // An interval that reaches below a logarithmic axis ends at the axis.
+      const double lower = is_logarithmic ? std::max(point.lower, panel.y.from) : point.lower;
+      rows += fmt::format(" {} {}", number_cell(lower, false), number_cell(point.upper, false));
+    }
+    rows += '\n';
   }
-  const std::string block = blocks.add(rows);
-  if (series.is_area) {
-    return {fmt::format("{} using 1:({:.6g}):2 {} notitle", block, panel.y.from,
-                        series_style(series, series.colour))};
+  return blocks.add(rows);
+}
+
+// An open mark is a white filled mark below the outline of the mark, so that the line does not
+// cross the mark.
+std::vector<std::string> series_plots(const FigureSeries& series, const FigurePanel& panel,
+                                      DataBlocks& blocks) {
+  const std::string block = series_block(series, panel, blocks), kind = series_kind(series);
+  const auto plot = [&](const std::string& every, const std::string& columns,
+                        const std::string& style) {
+    return fmt::format("{}{} using {} {} notitle", block, every, columns, style);
+  };
+  const std::string columns = series.is_area         ? fmt::format("1:({:.6g}):2", panel.y.from)
+                              : kind == "yerrorbars" ? "1:2:4:5"
+                                                     : "1:2";
+  std::string every;
+  std::vector<std::string> plots;
+  if (kind == "linespoints" && series.mark_step > 1) {
+    every = fmt::format(" every {}::{}", series.mark_step, series.first_mark);
+    plots = {plot("", columns, series_style(series, "lines", series.colour)),
+             plot(every, columns, series_style(series, "points", series.colour))};
+  } else {
+    plots = {plot("", columns, series_style(series, kind, series.colour))};
   }
-  std::vector<std::string> plots{
-      fmt::format("{} using 1:2 {} notitle", block, series_style(series, series.colour))};
   if (!has_open_marks(series)) return plots;
-  const auto [filled, open] = point_types(series.symbol);
-  for (const auto& [type, colour] :
-       {std::pair{filled, std::string("white")}, {open, series.colour}}) {
-    plots.push_back(fmt::format(
-        "{} using 1:($3 == 1 ? $2 : NaN) with points linewidth {:g} linecolor rgb {} pointtype {} "
-        "pointsize {:g} notitle",
-        block, series.line_width, gnuplot_string(colour), type, series.mark_size));
-  }
+  const std::string open_points = "1:($3 == 1 ? $2 : NaN)";
+  plots.push_back(plot(every, open_points, series_style(series, "points", "white")));
+  plots.push_back(plot(every, open_points, series_style(series, "points", series.colour, true)));
   return plots;
 }
 
@@ -190,21 +219,34 @@ std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int
                  ? fmt::format(
                        "set colorbox user origin screen {:.4f},{:.4f} size screen {:.4f},{:.4f}\n",
                        place.right + 8.0 / figure_width, place.bottom,
-                       static_cast<double>(kColourBar) / figure_width, place.top - place.bottom)
+                       static_cast<double>(kColourBarWidth) / figure_width,
+                       place.top - place.bottom)
                  : "unset colorbox\n");
 }
 
 Legend figure_legend(const Figure& figure) {
   Legend legend{{}, 4};
-  std::set<std::string> listed;
+  std::vector<const FigureSeries*> listed;
   bool any_open = false;
   for (const auto& panel : figure.panels) {
     for (const auto& series : panel.series) {
       any_open = any_open || has_open_marks(series);
-      if (!has_points(series) || !listed.insert(series.name).second) continue;
-      const auto& colour = series.legend_colour.empty() ? series.colour : series.legend_colour;
-      legend.entries.push_back({fmt::format("NaN {}", series_style(series, colour)), series.name});
+      if (!has_points(series)) continue;
+      const auto same = std::ranges::find(listed, series.name, &FigureSeries::name);
+      if (same == listed.end()) {
+        listed.push_back(&series);
+      } else if (has_intervals(series)) {
+        *same = &series;
+      }
     }
+  }
+  for (const FigureSeries* series : listed) {
+    const auto& colour = series->legend_colour.empty() ? series->colour : series->legend_colour;
+    legend.entries.push_back(
+        {fmt::format("{} {}", has_intervals(*series) ? "'+' using 1:(NaN):(0):(0)" : "NaN",
+                     series_style(*series, series_kind(*series), colour,
+                                  std::ranges::all_of(series->points, &FigurePoint::open))),
+         series->name});
   }
   const auto with_gap = std::ranges::find_if(figure.panels, [](const FigurePanel& panel) {
     return panel.map && !panel.map->no_value_name.empty() &&
@@ -219,6 +261,9 @@ Legend figure_legend(const Figure& figure) {
     legend.entries.push_back(
         {"NaN with points linecolor rgb '#444444' linewidth 2 pointtype 6 pointsize 1.3",
          "open: not ok"});
+  }
+  if (!figure.legend_note.empty()) {
+    legend.entries.push_back({"NaN with lines linetype nodraw", figure.legend_note});
   }
   return legend;
 }
@@ -243,9 +288,9 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
                       : width == FigureWidth::two_columns ? 3 * figure.panel_height / 4
                                                           : 2 * figure.panel_height / 3;
   if (has_common_colours(figure)) {
-    grid.right_margin = kBesideMap;
+    grid.right_margin = kColourBarSpace;
   } else if (figure.panels.front().map) {
-    grid.panel_right_margin = kBesideMap;
+    grid.panel_right_margin = kColourBarSpace;
   }
   grid.legend_height = legend.entries.empty() ? 0 : legend_height(legend, grid.width);
   return grid;
@@ -317,13 +362,22 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
       for (auto& plot : series_plots(series, panel, blocks)) plots.push_back(std::move(plot));
     }
     if (plots.empty()) plots.push_back("NaN notitle");
-    commands += fmt::format("set title {}\n{}{}{}plot {}\n\n",
-                            gnuplot_text(fmt::format("({}) {}", panel_letter(k), panel.title)),
-                            panel_position_commands(place), axis_commands(panel.x, "x"),
-                            axis_commands(panel.y, "y"), fmt::join(plots, ", \\\n     "));
+    if (!panel.note.empty()) {
+      commands += fmt::format("set label 1 {} at first 0, graph 0.94 offset character 1,0\n",
+                              gnuplot_literal(panel.note));
+    }
+    commands += fmt::format(
+        "set title {}\n{}{}{}plot {}\nunset label 1\n\n",
+        gnuplot_text(fmt::format("({}) {}", panel.letter.empty() ? panel_letter(k) : panel.letter,
+                                 panel.title)),
+        panel_position_commands(place), axis_commands(panel.x, "x"), axis_commands(panel.y, "y"),
+        fmt::join(plots, ", \\\n     "));
   }
   return gnuplot_output_commands(file_stem, grid.size()) +
-         "# Columns of a series: abscissa, ordinate, 1 for an open mark\n" + blocks.text() +
+         "# Columns of a series: abscissa, ordinate, 1 for an open mark, ends of the interval\n" +
+         blocks.text() +
+         // By default the box of a point type erases the lines below an interval.
+         "set pointintervalbox 0.0001\n"
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +
          fmt::format("cells = format eq 'svg' ? '{}' : ''\n", few_cells ? "pixels" : "") +

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +23,8 @@ struct FigurePoint {
   std::string name = "";    ///< name that the page shows beside the pointer
   std::string label = "";   ///< text beside the mark, on the page only
   std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
+  /// Ends of the interval at a point of a series without a line; NaN without an interval.
+  double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
 };
 
 /// Points with marks, a line through the points, or both. Series with the same name share an entry
@@ -31,9 +35,10 @@ struct FigureSeries {
   std::string colour;
   std::string dash = "";  ///< dash type of gnuplot: "solid", "(10,4)"; "" for no line
   double line_width = 2;
-  std::string symbol = "";  ///< symbol of plotly.js; "" for no marks
-  double mark_size = 1.3;   ///< in units of gnuplot's point size
-  bool is_area = false;     ///< whether the area below the line is filled, in a paler colour
+  std::string symbol = "";                    ///< symbol of plotly.js; "" for no marks
+  double mark_size = 1.3;                     ///< in units of gnuplot's point size
+  std::size_t mark_step = 1, first_mark = 0;  ///< a mark at each step-th point of a line
+  bool is_area = false;  ///< whether the area below the line is filled, in a paler colour
   std::vector<FigurePoint> points = {};
   std::string legend_colour = "";  ///< colour of an entry that series of several colours share
 };
@@ -81,6 +86,8 @@ struct FigurePanel {
   std::string id = "";       ///< part of the id of the plot on the page
   std::string title;         ///< title in a picture, after the letter; in gnuplot's enhanced text
   std::string caption = "";  ///< caption on the page, plain text
+  std::string letter = "";   ///< letter of the panel in a picture; "" for the next letter
+  std::string note = "";     ///< plain text beside the top of the line x = 0
   FigureAxis x, y;
   std::vector<FigureSeries> series = {};
   std::optional<FigureHeatMap> map = {};
@@ -90,9 +97,10 @@ struct Figure {
   /// The title in plain text; a picture breaks the title into lines between these parts.
   std::vector<std::string> title = {};
   std::vector<FigurePanel> panels = {};
-  int columns = 2;          ///< a figure for a single journal column has one column of panels
-  int screen_width = 1100;  ///< width in pixels on a screen
-  int panel_height = 300;   ///< height in pixels of the axes of a panel on a screen
+  std::string legend_note = "";  ///< entry of the legend without a sample
+  int columns = 2;               ///< a figure for a single journal column has one column of panels
+  int screen_width = 1100;       ///< width in pixels on a screen
+  int panel_height = 300;        ///< height in pixels of the axes of a panel on a screen
 };
 
 /// A gnuplot script with the data that draws the panels of a figure row by row, with a common

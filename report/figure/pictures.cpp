@@ -7,7 +7,7 @@
 #include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/figure/density_script.hpp"
+#include "report/figure/density_figure.hpp"
 #include "report/figure/drawing.hpp"
 #include "report/figure/error_source_script.hpp"
 #include "results/output_directory.hpp"
@@ -35,7 +35,8 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
     }
     if (!options.curves.empty()) content.hidden_count = 0;  // the selection is the user's own
     const auto width = options.width;
-    pictures.push_back({stem, density_script(case_result.problem, content, stem, width)});
+    pictures.push_back(
+        {stem, figure_script(density_figure(case_result.problem, content, width), stem, width)});
     if (has_budget(case_result)) {
       pictures.push_back({budget_stem(stem), budget_script(case_result, budget_stem(stem), width)});
     }

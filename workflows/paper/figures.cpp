@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "report/figure/content.hpp"
-#include "report/figure/density_script.hpp"
+#include "report/figure/density_figure.hpp"
 #include "report/figure/ranges.hpp"
 #include "report/page/density_plots.hpp"
 #include "workflows/paper/claims.hpp"
@@ -90,13 +90,14 @@ std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure)
 std::vector<report::PictureScript> paper_figures(const results::Run& run,
                                                  report::FigureWidth width) {
   std::vector<report::PictureScript> all;
-  for_each_figure(run,
-                  [&](int figure, const CaseResult& shown, const report::FigureContent& content) {
-                    const std::string stem = figure_stem(figure);
-                    problem::Problem titled = shown.problem;
-                    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
-                    all.push_back({stem, report::density_script(titled, content, stem, width)});
-                  });
+  for_each_figure(run, [&](int figure, const CaseResult& shown,
+                           const report::FigureContent& content) {
+    const std::string stem = figure_stem(figure);
+    problem::Problem titled = shown.problem;
+    titled.name = fmt::format("Fig. {} ({})", figure, shown.name());
+    all.push_back(
+        {stem, report::figure_script(report::density_figure(titled, content, width), stem, width)});
+  });
   return all;
 }
 

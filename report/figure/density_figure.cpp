@@ -1,0 +1,191 @@
+#include "report/figure/density_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <vector>
+
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using transform::Variable;
+
+/// The kind of a panel of one marginal density: the density on a linear or on a logarithmic axis,
+/// the difference from the reference, or the absolute difference from the reference over smooth
+/// bins.
+enum class Panel { linear, logarithmic, difference, smooth_difference };
+
+bool shows_differences(Panel panel) {
+  return panel == Panel::difference || panel == Panel::smooth_difference;
+}
+
+std::string panel_title(Panel panel, Variable variable, const std::string& reference,
+                        bool is_short) {
+  const std::string name(base::meaning_of(variable));
+  const auto named = [&](const std::string& what) { return is_short ? what : name + ", " + what; };
+  switch (panel) {
+    case Panel::linear:
+      return name;
+    case Panel::logarithmic:
+      return is_short ? name : named("logarithmic");
+    case Panel::difference:
+      return named("difference from " + reference);
+    case Panel::smooth_difference:
+      return named("|difference from " + reference + "|");
+  }
+  return "";
+}
+
+FigureAxis abscissa(Panel panel, const MarginalCurves& marginal) {
+  const MarginalAxisRanges& r = marginal.ranges;
+  const bool is_logarithmic = panel == Panel::logarithmic;
+  const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
+               to = is_logarithmic ? r.logarithmic_to : r.linear_to;
+  return {marginal.variable == Variable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
+          tic_step(from, to)};
+}
+
+FigureAxis ordinate(Panel panel, const MarginalCurves& marginal) {
+  const MarginalAxisRanges& r = marginal.ranges;
+  const std::string density = density_symbol(marginal.variable);
+  switch (panel) {
+    case Panel::linear:
+      return {density, 0, 1.08 * r.linear_top};
+    case Panel::logarithmic:
+      return {density, logarithmic_axis_bottom(r), logarithmic_axis_top(r), true};
+    case Panel::difference: {
+      // If all differences are 0, as for the reference alone, the range is arbitrary.
+      const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
+      return {"Δ" + density, -half, half};
+    }
+    case Panel::smooth_difference: {
+      const auto [least, most] = difference_axis_decades(r);
+      return {"|Δ" + density + "|", least, most, true};
+    }
+  }
+  return {};
+}
+
+std::string legend_label(const DrawnCurve& drawn) {
+  const auto& solution = *drawn.solution;
+  std::string label = solution.id();
+  if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
+  // A curve cannot show atoms: the label states the probabilities of the atoms.
+  for (const auto& atom : solution.atoms) {
+    label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
+  }
+  if (!drawn.curve->lower.empty()) label += ", with 95 % intervals";
+  return label;
+}
+
+// Whether the curve of a solution has marks, which distinguish curves in grey print. Closures and
+// external densities have marks; solutions of density equations have lines only.
+bool has_marks(const transform::SolutionIdentity& identity) {
+  return !identity.plot_style.as_points && (identity.role == transform::SolutionRole::closure ||
+                                            identity.role == transform::SolutionRole::external);
+}
+
+// The series of a curve; without points if the panel shows differences and the curve has none.
+FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::string& reference) {
+  const bool of_differences = shows_differences(panel);
+  const CurveDifference& difference = drawn.difference;
+  const auto& places = of_differences ? difference.abscissa : drawn.curve->abscissa;
+  const auto& values = of_differences ? difference.values : drawn.curve->density;
+  const auto& lower = of_differences ? difference.lower : drawn.curve->lower;
+  const auto& upper = of_differences ? difference.upper : drawn.curve->upper;
+  const auto& plot_style = drawn.plot_style();
+  FigureSeries series = make_series(legend_label(drawn), plot_style);
+  series.line_width = plot_style.width;
+  std::size_t step = 1;
+  if (panel == Panel::smooth_difference && drawn.solution->id() == reference) {
+    // The values are the half-widths of the reference's confidence intervals.
+    series = {.name = fmt::format("half-width of the interval of {}", reference),
+              .colour = "#444444",
+              .dash = "(1,3)"};
+  } else if (plot_style.as_points) {
+    // The number of points is limited, since more points would hide the lines of other curves.
+    constexpr std::size_t kPointsOnACurve = 35;
+    step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
+    series.dash = "";
+    series.symbol = "circle-open";
+    series.mark_size = 0.6;
+  } else if (has_marks(drawn.solution->identity)) {
+    series.mark_size = 1.1;
+  } else {
+    series.symbol = "";
+  }
+  const bool with_interval =
+      plot_style.as_points && panel != Panel::linear && !lower.empty() && !upper.empty();
+  for (std::size_t k = 0; k < places.size(); k += step) {
+    series.points.push_back({.x = places[k], .y = values[k], .open = !drawn.solution->is_ok()});
+    if (!with_interval) continue;
+    series.points.back().lower = lower[k];
+    series.points.back().upper = upper[k];
+  }
+  return series;
+}
+
+FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const FigureContent& content,
+                          bool short_title) {
+  FigurePanel result{.title = escape_enhanced_text(
+                         panel_title(panel, marginal.variable, content.reference, short_title)),
+                     .x = abscissa(panel, marginal),
+                     .y = ordinate(panel, marginal)};
+  if (panel == Panel::linear) result.note = spike_note(marginal.ranges);
+  std::vector<FigureSeries*> marked;
+  for (const auto& drawn : marginal.curves) {
+    result.series.push_back(curve_series(drawn, panel, content.reference));
+  }
+  for (auto& series : result.series) {
+    if (!series.symbol.empty() && !series.dash.empty()) marked.push_back(&series);
+  }
+  // A line has few marks. The marks of different curves have different abscissae, since the curves
+  // may nearly coincide.
+  constexpr std::size_t kMarksOnACurve = 8;
+  for (std::size_t k = 0; k < marked.size(); ++k) {
+    marked[k]->mark_step = std::max<std::size_t>(1, marked[k]->points.size() / kMarksOnACurve);
+    marked[k]->first_mark = k * marked[k]->mark_step / marked.size();
+  }
+  return result;
+}
+
+}  // namespace
+
+Figure density_figure(const problem::Problem& problem, const FigureContent& content,
+                      FigureWidth width) {
+  assert(!content.marginals.empty());
+  const bool narrow = width == FigureWidth::one_column;
+  std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
+  if (!content.reference.empty()) {
+    shown.push_back(content.smooth_differences ? Panel::smooth_difference : Panel::difference);
+    if (narrow) shown.erase(shown.begin());
+  }
+  Figure figure{.title = problem_title(problem),
+                .columns = static_cast<int>(shown.size()),
+                .screen_width = 1500,
+                .panel_height = 280};
+  for (const auto& marginal : content.marginals) {
+    const bool of_y = marginal.variable == Variable::y;
+    for (const Panel panel : shown) {
+      figure.panels.push_back(
+          density_panel(panel, marginal, content, width != FigureWidth::screen));
+      if (narrow) continue;  // the remaining panels are lettered consecutively
+      figure.panels.back().letter = panel == Panel::linear        ? (of_y ? "a" : "c")
+                                    : panel == Panel::logarithmic ? (of_y ? "b" : "d")
+                                                                  : (of_y ? "e" : "f");
+    }
+  }
+  // The hint appears only in figures for a screen, since the hint names a command-line option.
+  if (content.hidden_count > 0 && width == FigureWidth::screen) {
+    figure.legend_note = fmt::format("{} more curves: --curves all", content.hidden_count);
+  }
+  return figure;
+}
+
+}  // namespace fpkcheck::report
