@@ -186,7 +186,7 @@ class DistanceSeries {
                         .legend_colour = "#444444"};
     for (std::size_t k = 0; k < slice_.points.size(); ++k) {
       const auto* result = view_.method_result(slice_.points[k], m);
-      const auto& [x, y, open, name, label, colour] = distances.points[k];
+      const double x = distances.points[k].x, y = distances.points[k].y;
       const bool is_known = result != nullptr && result->error && std::isfinite(y);
       if (curves_.has_words()) series.points.push_back({x, y});
       series.points.push_back({x, is_known ? value_of(*result->error, variable_) : kGap});
