@@ -11,6 +11,7 @@
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 #include "workflows/sweep/report/advice_text.hpp"
 

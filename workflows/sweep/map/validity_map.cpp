@@ -10,6 +10,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/sanitise.hpp"
+#include "problem/equivalent_linearisation.hpp"
 #include "problem/features.hpp"
 #include "problem/scales.hpp"
 
