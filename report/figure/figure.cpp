@@ -245,7 +245,8 @@ Legend figure_legend(const Figure& figure) {
     legend.entries.push_back(
         {fmt::format("{} {}", has_intervals(*series) ? "'+' using 1:(NaN):(0):(0)" : "NaN",
                      series_style(*series, series_kind(*series), colour,
-                                  std::ranges::all_of(series->points, &FigurePoint::open))),
+                                  series->dash.empty() &&
+                                      std::ranges::all_of(series->points, &FigurePoint::open))),
          series->name});
   }
   const auto with_gap = std::ranges::find_if(figure.panels, [](const FigurePanel& panel) {

@@ -59,9 +59,10 @@ def checkpoints(fpkcheck):
     with open("state", "rb") as file:
         whole = file.read()
     text = whole[:-8]
-    # Format after two lines: the number of rounds; for each stream y, y', the time until the next
-    # impulse, its amplitude, the time until the next sample, the remaining time, two levels of the
-    # splitting, the number of splits, the number of impulses, fourteen sums of powers and other sums.
+    # Format after two lines: the number of rounds; for each stream eleven words of the branch (y, y',
+    # the time until the next impulse, its amplitude, the time until the next sample, the remaining
+    # time, three times of noise and rest, two levels and the thresholds of the splitting), two numbers
+    # of random numbers, fourteen sums of powers, fourteen other sums, and lists with their lengths.
     numbers = text.index(b"\n", text.index(b"\n") + 1) + 1
 
     def put(name, text):
@@ -80,8 +81,8 @@ def checkpoints(fpkcheck):
     number("far", 1, "d", 1e300)
     number("infinite", 3, "d", float("inf"))
     number("nan", 2, "d", float("nan"))
-    number("counts", 10, "d", float("inf"))
-    number("lists", 10 + 14 + 8, "Q", 2**63)
+    number("counts", 14, "d", float("inf"))
+    number("lists", 14 + 14 + 14, "Q", 2**63)
     put("cut", text[:numbers + 400])
     put("tail", text + b"more")
 

@@ -95,6 +95,7 @@ TEST(DensityFigure, HasDifferencesWhereThereIsAReference) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
   solution_of(case_result, "mcs").status = transform::Status::failed;
+  case_result.assess();
   EXPECT_EQ(figure_of(case_result).panels.size(), 4u);
 }
 
@@ -107,6 +108,7 @@ TEST(DensityFigure, RunsNoCommandOfAnIdOrAStyle) {
     if (curve.solution == "mcs") curve.solution = id;
   }
   solution_of(case_result, "mcs").identity.id = id;
+  case_result.assess();
   auto& plot_style = solution_of(case_result, "fd-kf").identity.plot_style;
   plot_style.colour = "x'; system('rm')\n#";
   plot_style.dash = "solid; system('rm')";

@@ -36,6 +36,7 @@ TEST(SavedProblem, IsReadBackFromASummary) {
   for (const auto& problem : problems) {
     auto saved = tests::case_of({});
     saved.problem = problem;
+    saved.assess();
     std::istringstream file(results::summary_text({results::this_program(""), {saved}}));
     const auto again = results::read_summary(file, "summary.json").cases.at(0).problem;
     EXPECT_EQ(again.name, problem.name);
