@@ -47,14 +47,14 @@ struct Refinement {
 
 using FunctionalIndices = std::vector<std::size_t>;
 
-// A grid, and the functionals whose grid sequences have this grid next.
+// A grid, and the functionals whose sequences of grids continue with this grid.
 struct GridGroup {
   SplineGrid grid;
   FunctionalIndices indices;
 };
 
-// Groups the functionals with too wide bounds by their grid at this grid level. Records a
-// StopReason for functionals without a further grid.
+// Groups the functionals whose bounds are too wide by the next grid of their sequences. Stores a
+// StopReason for each functional whose sequence has no further grid.
 std::vector<GridGroup> next_grid_groups(std::size_t level, const Options& options,
                                         Refinement& refinement) {
   std::vector<GridGroup> groups;
@@ -83,7 +83,8 @@ double round_up_to_two_digits(double value) {
   return std::ceil(value / unit) * unit;
 }
 
-// The same expectation as a functional of the mirrored problem, up to the sign.
+// The functional of the mirrored problem whose expectation equals, up to the sign, the expectation
+// of a given functional.
 Functional mirrored(const Functional& functional) {
   if (const SmoothBin* const bin = std::get_if<SmoothBin>(&functional)) {
     SmoothBin other = *bin;
@@ -155,8 +156,8 @@ Refinement refinement(const problem::Problem& problem, const Options& options) {
         previous_seconds[indices[n]] = record.seconds;
         numerics::Enclosure& value = result.bounds.each[indices[n]].value;
         value = value.intersection(record.values[n]);
-        // Both enclosures contain the expectation. An empty intersection means an error in the
-        // program or in the rounding of the processor.
+        // The enclosures from two grids contain the same expectation. An empty intersection of the
+        // enclosures means an error in the program or in the rounding of the processor.
         if (value.lower > value.upper) {
           throw std::logic_error("bounds of " + name(functionals[n]) +
                                  " from two grids are disjoint");
@@ -188,7 +189,7 @@ Refinement mirrored_refinement(const problem::Problem& problem, const Options& o
   return result;
 }
 
-// Names of the functionals that stopped for this cause.
+// Names of the functionals for which the refinement of the grids stopped by a given cause.
 std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
                                                 const Refinement& refinement) {
   std::vector<std::string> names;
@@ -199,7 +200,8 @@ std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
   return names;
 }
 
-// Message of bounds wider than requested: the cause, and an option that the caller can change.
+// Message about bounds that are wider than requested: the cause, and an option that the caller can
+// change.
 std::string width_reason(const Refinement& refinement, const Options& options) {
   const auto& ends = refinement.ends;
   if (const auto names = functionals_stopped_by(StopReason::Cause::time, refinement);

@@ -50,9 +50,9 @@ struct GuaranteedBounds {
 
 /// Guaranteed bounds of stationary expectations of the oscillator with the exact impact and
 /// impulses (equation `kf`, impact `map`), by the backward equation (docs/bounds.md: theorem and
-/// proof). The bounds are valid for the problem whose parameters are the stored doubles. The
-/// functional w1 is the impact momentum at the only wall; without a wall or with two walls w1 is
-/// omitted.
+/// proof). The bounds hold for the problem whose parameters are exactly the stored floating-point
+/// numbers. The functional w1 is the impact momentum at the only wall; without a wall or with two
+/// walls w1 is omitted.
 /// @param problem in physical coordinates
 /// @throws InputError when an option is invalid; std::runtime_error when the rounding mode of the
 /// processor cannot be set; std::logic_error when bounds from two grids are disjoint

@@ -42,27 +42,29 @@ std::vector<Functional> default_functionals();
 /// Name of a functional in tables and messages: "E[y^2]", "w1", "p(y) near 0.5".
 std::string name(const Functional& functional);
 
-/// Value at (y, v) of the integrand f, where the functional is determined by E[f]; rounded, no
-/// enclosure. For w1 f is k y + mu y^3. For a smooth bin f omits the factor 4/(k_4 - k_0) of the
-/// B-spline, so that the peak of f is of order 1.
+/// Rounded value at (y, v) of the integrand f, whose mean E[f] determines the functional. For w1
+/// the integrand is k y + mu y^3. For a smooth bin the integrand omits the factor 4/(k_4 - k_0) of
+/// the B-spline, so that the peak of f is of order 1.
 double integrand(const Functional& functional, const problem::Problem& problem, double y, double v);
 
 /// Points at which the integrand is not smooth; empty for polynomials.
 std::vector<double> non_smooth_points(const Functional& functional);
 Axis axis_of(const Functional& functional);
 
-/// @throws InputError when the power or the knots violate the conditions above
+/// @throws InputError when the power violates the conditions of PowerMoment, or the knots violate
+///   those of SmoothBin
 void validate(const Functional& functional);
 
 /// Enclosed Bernstein coefficients of the integrand on the segment from `from` to `to` of its axis.
-/// The segment lies within a smooth piece of the integrand, except for rounding of the ends.
+/// The integrand is smooth on the segment, except for rounding of the ends of the segment.
 numerics::BernsteinCoefficients integrand_enclosure(const Functional& functional,
                                                     const problem::Problem& problem,
                                                     const numerics::Interval& from,
                                                     const numerics::Interval& to, int degree);
 
-/// An upper bound of |f| for 0 <= y <= `y`, |v| <= `v` and k y + mu y^3 <= `force`. The bound is a
-/// polynomial of degree <= 4 in these arguments with nonnegative coefficients.
+/// Upper bound of the integrand's magnitude |f| for 0 <= y <= `y`, |v| <= `v` and k y + mu y^3 <=
+/// `force`. The bound is a polynomial of degree <= 4 in these arguments with nonnegative
+/// coefficients.
 numerics::Interval integrand_magnitude_bound(const Functional& functional,
                                              const numerics::Interval& y,
                                              const numerics::Interval& v,

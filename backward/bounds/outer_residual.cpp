@@ -9,8 +9,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// A region outside the box: the least G in the region, bounds of the slopes of V, and a bound of
-// the oscillation of V in v.
+// A region outside the box of the splines: the least energy G in the region, bounds of the slopes
+// of the certificate V, and a bound of the oscillation of V in v.
 struct Region {
   numerics::Interval energy;
   double y_slope, v_slope, oscillation;
@@ -76,15 +76,16 @@ class OuterResidual {
     return slope;
   }
 
-  // The least G for |v| >= u and |y| >= `y`. Since |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k y^2)/2, G =
-  // (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu y^4/4.
+  // The least energy G for |v| >= u and |y| >= `y`. Since |c v y|/2 <= (c/(2 sqrt k)) (v^2 + k
+  // y^2)/2, G = (v^2 + k y^2)/2 + c v y/2 + mu y^4/4 >= (1 - c/(2 sqrt k)) (u^2 + k y^2)/2 + mu
+  // y^4/4.
   numerics::Interval least_incoming_energy(const numerics::Interval& u,
                                            const numerics::Interval& y) const {
     return (1.0 - c() / (2.0 * sqrt(k()))) * (square(u) + k() * square(y)) / 2.0 +
            cubic() * power(y, 4) / 4.0;
   }
-  // The least G for v >= `v` >= 0 and y >= `y` >= 0, or for both negative: |w| = |v| + c |y|/2
-  // increases with both.
+  // The least energy G for v >= `v` >= 0 and y >= `y` >= 0, or for v <= `v` <= 0 and y <= `y` <= 0:
+  // |w| = |v| + c |y|/2 increases with |v| and with |y|.
   numerics::Interval least_outgoing_energy(const numerics::Interval& v,
                                            const numerics::Interval& y) const {
     return square(v + c() * y / 2.0) / 2.0 + potential(y);
@@ -99,27 +100,27 @@ class OuterResidual {
     }
     return region;
   }
-  // The region v > r u_end, y in a span.
+  // The region outside the box with velocities v > r u_end and with y in a knot span.
   Region region_above(int span) const {
     const double y = s_.displacement.breaks()[span];
     return region_beside(span, last_column(),
                          y >= 0 ? least_outgoing_energy(r() * u_end(), y)
                                 : least_incoming_energy(r() * u_end(), least_displacement(span)));
   }
-  // The region v < -u_end, y in a span.
+  // The region outside the box with velocities v < -u_end and with y in a knot span.
   Region region_below(int span) const {
     return region_beside(span, 0, least_incoming_energy(u_end(), least_displacement(span)));
   }
-  // The least |y| of a span.
+  // The least distance |y| from the origin in a knot span.
   double least_displacement(int span) const {
     const auto breaks = s_.displacement.breaks();
     return std::max({0.0, breaks[span], -breaks[span + 1]});
   }
-  // |y| at an open end: y > 0 at the right end, y < 0 at the left end.
+  // The distance |y| of an open end from the origin: y > 0 at the right end, y < 0 at the left end.
   numerics::Interval end(bool at_right) const {
     return at_right ? s_.displacement.end() : -s_.displacement.breaks().front();
   }
-  // The region past an open end in y, v in a span.
+  // The region beyond an open end of the box in y, with v in a knot span.
   Region region_past_end(bool at_right, int span, bool outgoing) const {
     const ImpactBasis& velocity = s_.velocity;
     const numerics::Interval u = velocity.speeds().breaks()[span];
@@ -135,14 +136,14 @@ class OuterResidual {
     const double slope = outgoing ? (numerics::Interval(in_speed) / r()).upper() : in_speed;
     return {energy, 0, slope, oscillation(row)};
   }
-  // The region past the ends in both y and v, where V is constant in each.
+  // The region beyond the ends of the box in y and in v, where the certificate V is constant.
   Region corner_region(bool at_right) const {
     return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
   }
 
-  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the numerator is
-  // bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0. The ratio of
-  // this polynomial to G^m is largest at the least G.
+  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the residual |f
+  // + L V - U| is bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0.
+  // The ratio of this polynomial to G^m is largest at the least G.
   double region_bound(const Region& region) const {
     const double least = region.energy.lower();
     if (!(least > 0)) return HUGE_VAL;

@@ -11,13 +11,13 @@
 namespace fpkcheck::backward {
 
 /// The certificate V of a bound (docs/bounds.md): an approximate solution of L V = U - f. The
-/// coefficients c_{ab} give V = sum c_{ab} A_a(y) B_b(v), and the mean is U.
+/// coefficients c_{ab} define V = sum c_{ab} A_a(y) B_b(v); the member `mean` is the constant U.
 struct Certificate {
   const Eigen::MatrixXd& coefficients;
   double mean;
 };
 
-/// What the checks of a certificate need besides the certificate: the problem, the spline bases,
+/// Inputs of the checks of a certificate, besides the certificate: the problem, the spline bases,
 /// the enclosed factors of the generator, the weight tau and the kinds of the ends of the box.
 struct CertificateCheckInputs {
   const problem::Problem& problem;
@@ -29,8 +29,9 @@ struct CertificateCheckInputs {
   BoxEnds ends = {};
 };
 
-/// An upper bound of |f + L V - U| / tau outside the box of the splines. Beyond the ends of an axis
-/// V is constant along this axis (docs/bounds.md, "Outside the box").
+/// Returns an upper bound of the weighted residual |f + L V - U| / tau outside the box of the
+/// splines. Beyond the ends of an axis the certificate V is constant along this axis
+/// (docs/bounds.md, "Outside the box").
 /// @pre inside call_with_upward_rounding
 double outer_residual_bound(const CertificateCheckInputs& context, const Functional& functional,
                             const Certificate& certificate);
@@ -42,10 +43,10 @@ struct ResidualRange {
   long boxes = 0;  ///< number of sub-boxes processed by the bisection
 };
 
-/// Encloses the range of (f + L V - U) / tau over the box of the splines. On each product of a y
-/// piece and a v piece the range is bounded by the Bernstein coefficients of the residual, divided
-/// by the least tau. The bisection stops when the bounds of the range differ from attained values
-/// by less than the relative tolerance.
+/// Encloses the range of the weighted residual (f + L V - U) / tau over the box of the splines. On
+/// each product of a y piece and a v piece the range is bounded by the Bernstein coefficients of
+/// the residual, divided by the least tau. The bisection stops when the bounds of the range differ
+/// from attained values by less than the relative tolerance.
 /// @param expected_range (least, largest) values that are probably attained. Good values reduce the
 /// number of bisections; wrong values do not make the range invalid
 /// @pre inside call_with_upward_rounding

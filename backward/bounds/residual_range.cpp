@@ -17,8 +17,9 @@ struct Box {
   std::vector<numerics::Interval> residual;  // shape (rows, columns): degrees in y and v, plus 1
 };
 
-// Contractions of the three factors in v with the coefficients, on every piece of v, for each
-// function a of y: the factor of A with c_a, of S' with c_a - c_{a-1}, of the force with c_a.
+// Sums over the splines of v of the generator's three velocity factors times spline coefficients,
+// on every piece of v, for each spline a of y. The factors of A and of the force are multiplied by
+// the coefficients c_a, the factor of S' by the differences c_a - c_{a-1}.
 struct ContractedFactors {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };
@@ -76,7 +77,8 @@ class RangeSearch {
 
   void process(Box box) {
     ++range_.boxes;
-    // The coefficients enclose the residual on the box; the corner coefficients are attained.
+    // The range of the Bernstein coefficients encloses the residual on the box. The residual
+    // attains the corner coefficients at the corners of the box.
     double least = box.residual[0].lower(), largest = box.residual[0].upper();
     double noise = 0;  // bound of the rounding errors, which bisection does not reduce
     bool is_finite = true;
@@ -112,7 +114,7 @@ class RangeSearch {
  private:
   static constexpr double kNegligible = 1e-13;
 
-  // Lower bound of tau on the box: the value of tau at a lower bound of G.
+  // Lower bound of the weight tau on the box: the value of tau at a lower bound of the energy G.
   numerics::Interval min_weight(const Box& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(s_.weight.damping) * y / 2.0;
@@ -136,8 +138,8 @@ class RangeSearch {
     }
   }
 
-  // Bisects in the direction of larger variation of the coefficients. Every fourth bisection is in
-  // the other direction, since the weight also varies.
+  // Bisects the box in the direction in which the coefficients vary more. Every fourth bisection is
+  // in the other direction, since the weight also varies.
   void bisect(const Box& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {
@@ -190,8 +192,8 @@ ResidualRange residual_range(const CertificateCheckInputs& s, const Functional& 
                              std::pair<double, double> expected_range, double tolerance) {
   assert(std::fegetround() == FE_UPWARD);
   const Eigen::MatrixXd& c = certificate.coefficients;
-  // Condition (1) of docs/bounds.md is checked here, since the fit does not guarantee the
-  // condition.
+  // The impact condition (1) of docs/bounds.md must be checked, since the fit does not guarantee
+  // the impact condition.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < s.velocity.size(); ++b) {
       if (c(row, b) != c(row, s.velocity.mirrored_index(b))) return false;

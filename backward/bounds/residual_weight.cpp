@@ -10,7 +10,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Bound of E[G^(n/2)] from the bounds of integer powers: E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+// Bound of the moment E[G^(n/2)] of the energy G from the bounds of its moments of integer power:
+// E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
   return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
@@ -29,13 +30,13 @@ std::vector<numerics::Interval> moment_bounds(const problem::Problem& problem, i
   for (int n = 0; n <= 2 * power; ++n) {
     impulse[n] = magnitude(moment_enclosure(problem.impulses.law(), n));
   }
-  // An impulse changes G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence
+  // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence
   //
   //   j c E[G^j] <= lambda sum_{(i,l) != (0,0)} j!/(i! l! (j-i-l)!) 2^(i/2-l) |E[Y^(i+2l)]|
   //                        E[G^(j-i/2-l)].
   //
-  // The term i = 1, l = 0 has E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which gives a quadratic
-  // inequality for sqrt(E[G^j]).
+  // The term with i = 1 and l = 0 of this sum contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which
+  // gives a quadratic inequality for sqrt(E[G^j]).
   std::vector<numerics::Interval> bounds{numerics::Interval(1)};
   for (int j = 1; j <= power; ++j) {
     numerics::Interval constant = 0, linear = 0;

@@ -11,8 +11,9 @@ namespace fpkcheck::backward {
 ///
 ///     G = (v + c y/2)^2/2 + (k - c^2/4) y^2/2 + mu y^4/4.
 ///
-/// G decreases along the flow (G' <= -c G), at impacts on a left wall at y <= 0 and at impacts on a
-/// right wall at y >= 0. With E[G^j] <= M_j and h0 = (4 M_m)^(1/m), E[tau] <= 1.25.
+/// The energy G decreases along the flow (G' <= -c G), at impacts on a left wall at y <= 0 and at
+/// impacts on a right wall at y >= 0. The bounds E[G^j] <= M_j and the scale h0 = (4 M_m)^(1/m)
+/// give E[tau] <= 1.25.
 struct ResidualWeight {
   double damping, stiffness, cubic;  ///< c, k, mu
   int power;                         ///< m
@@ -28,7 +29,7 @@ struct ResidualWeight {
 /// supported.
 std::string bounds_unsupported_reason(const problem::Problem& problem);
 
-/// Upper bounds M_j of E[G^j], j = 0 .. `power`.
+/// Upper bounds M_j of the moments E[G^j] of the energy G, j = 0 .. `power`.
 /// @pre bounds_unsupported_reason(problem) is empty
 std::vector<double> energy_moment_bounds(const problem::Problem& problem, int power);
 

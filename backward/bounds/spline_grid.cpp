@@ -26,8 +26,8 @@ numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualW
     return numerics::SplineBasis(
         numerics::graded_breaks(y, grid.y_cells, grid.finest * y, grid.even * y));
   }
-  // V is not smooth along the orbits that graze a wall. These orbits cross the whole phase plane,
-  // so the cells are graded little.
+  // The certificate V is not smooth across the orbits that graze a wall. The grazing orbits cross
+  // the whole phase plane, so the widths of the cells vary little.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cells * std::max(0.5, width / y)));
   std::vector<double> breaks =
@@ -53,8 +53,9 @@ BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::Syste
 
 ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
                            double restitution) {
-  // Without losses v^2/2 = edge h0 at v = -u. With losses the box is larger, so that G is not small
-  // at its outgoing edge v = r u either.
+  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge h0. With impact
+  // losses the box is larger, so that the energy G is also large at the outgoing edge v = r u of
+  // the box.
   const double u = std::sqrt(2 * grid.edge * weight.scale) / std::pow(restitution, 0.85);
   return ImpactBasis(numerics::SplineBasis(numerics::graded_breaks(u, grid.speed_cells,
                                                                    grid.finest * u, grid.even * u)),
@@ -69,15 +70,15 @@ WidthLimitingFeature width_limiting_feature(const Functional& functional) {
 }
 
 std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
-  // V has a conical point at the origin. Smaller cells there reduce the error as long as the cells
-  // at the origin dominate the error. Beyond the last grid the normal equations lose more digits
-  // than smaller cells gain.
+  // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
+  // error as long as these cells dominate the error. On grids finer than the last grid, rounding in
+  // the normal equations costs more accuracy than smaller cells gain.
   static constexpr SplineGrid kOrigin[] = {{16, 16, 3e-3, 0.3, 7},      {22, 22, 1e-3, 0.2, 7.5},
                                            {28, 28, 3e-4, 0.2, 8},      {40, 40, 6e-5, 0.2, 8},
                                            {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
                                            {72, 72, 2.5e-6, 0.15, 8}};
-  // For higher powers the normal equations lose digits already on coarser grids. The last grids of
-  // the sequence kTails therefore have wider cells at the origin and a larger box.
+  // For moments of higher powers the normal equations lose digits already on coarser grids. The
+  // last grids of the sequence kTails therefore have wider cells at the origin and a larger box.
   static constexpr SplineGrid kTails[] = {kOrigin[0],
                                           kOrigin[1],
                                           kOrigin[2],
@@ -85,8 +86,8 @@ std::span<const SplineGrid> grid_sequence(WidthLimitingFeature limit) {
                                           kOrigin[4],
                                           {56, 56, 6e-5, 0.1, 9.5},
                                           {64, 64, 3e-5, 0.12, 9.5}};
-  // The flow transports the knots of a bin through the whole phase plane, so the cells are graded
-  // little.
+  // The flow transports the knots of a smooth bin through the whole phase plane, so the widths of
+  // the cells vary little.
   static constexpr SplineGrid kKnots[] = {{20, 28, 3e-2, 0.1, 6},
                                           {28, 40, 3e-2, 0.1, 6},
                                           {36, 50, 3e-2, 0.1, 6},

@@ -18,21 +18,21 @@ struct SplineGrid {
 };
 
 /// Kinds of the two ends of the box in y. The motion can leave the box at an open end. Beyond an
-/// open end V is constant in y, up to the wall if there is a wall.
+/// open end the certificate V is constant in y, up to the wall if there is a wall.
 struct BoxEnds {
   bool left_wall = true, right_wall = false;
   bool left_open = false, right_open = true;
 };
 
-/// Splines of y from wall to wall. On a side without a wall the splines end where G at y' = -c y/2
-/// equals SplineGrid::edge times h0.
+/// Splines of y from wall to wall. On a side without a wall the splines end where the energy G of
+/// ResidualWeight, at y' = -c y/2, equals SplineGrid::edge times the energy scale h0.
 numerics::SplineBasis displacement_basis(const SplineGrid& grid, const ResidualWeight& weight,
                                          const problem::System& system);
 BoxEnds box_ends(const numerics::SplineBasis& displacement, const problem::System& system);
 ImpactBasis velocity_basis(const SplineGrid& grid, const ResidualWeight& weight,
                            double restitution);
 
-/// The feature of V that limits the width of the bounds on a grid.
+/// The feature of the certificate V that determines how narrow the bounds on a grid can be.
 enum class WidthLimitingFeature {
   origin,  ///< for powers up to 2 and w1: the conical point of V at the origin
   tails,   ///< for higher powers: the edges of the box, and rounding where V is large
