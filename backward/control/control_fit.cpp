@@ -38,9 +38,9 @@ constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;
 
 // Cells of a nearly Gaussian density, on fractions of the extents of MotionScales, which are seven
-// deviations: even up to five deviations in y and six in v, geometrically wider beyond. Control
-// functions on cells from cell_widths() gave larger standard errors of E[y^2], E[y'] and p(y)
-// (`ctest -R baselines.case2`).
+// deviations: of equal width up to five deviations in y and six in v, and geometrically wider at
+// larger distances. Control functions on cells from cell_widths() gave larger standard errors of
+// E[y^2], E[y'] and p(y) (`ctest -R baselines.case2`).
 constexpr double kGaussianCoreY = 5.0 / 7, kGaussianCoreV = 6.0 / 7;
 constexpr int kGradedCells = 12;          // cells that become narrower towards the wall and v = 0
 constexpr double kOffWallDeflection = 4;  // static deflection off the wall, in deviations of y
@@ -102,7 +102,7 @@ double largest_amplitude(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// Factor by which the box is wider than the extent of the energy-averaged density.
+/// Ratio of the width of the splines' box to the extent of the energy-averaged density.
 double box_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kInitialVelocity =
       2;  // velocity before the largest impulse, in deviations of y'

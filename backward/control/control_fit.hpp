@@ -32,10 +32,12 @@ enum class CellWidths {
 ///   density is exp(-9^2/2) of its peak.
 /// - The range of y' extends to 1.5 times the velocity where the energy-averaged density is
 ///   exp(-7^2/2) of its peak.
-/// - Both ranges are wider if a single impulse moves the oscillator farther.
+/// - The ranges of y and of y' are wider if a single impulse moves the oscillator beyond these
+///   limits.
 /// - The cells have about equal widths where the density is large and are wider towards an open
 ///   end.
-/// - With walls the knot at v = 0 is triple, since grazing impacts cause a corner of h there.
+/// - If there are walls, the knot at v = 0 is triple, since grazing impacts cause a corner of the
+///   control function h at v = 0.
 /// @param cells numbers of cells; without a left wall y has twice the given number of cells
 ControlSplines control_splines(const problem::Problem& problem, const ControlCells& cells,
                                CellWidths widths);

@@ -66,7 +66,7 @@ numerics::BlockBandedMatrix normal_matrix(const ControlFitProblem& p, const Gram
       }
     }
   }
-  // At a wall only one function of y differs from 0; the value of this function is 1.
+  // At a wall only one spline of y differs from 0; the value of this spline is 1.
   for (const ImpactWall& wall : impact_walls(p.problem.system)) {
     const int at = wall.rebound_sign > 0 ? 0 : p.y.size() - 1;
     matrix.block(at, at) += p.wall_weight * wall_gram(p, wall);
@@ -90,7 +90,8 @@ ControlFunctions fit_control_functions(const ControlFitProblem& problem,
       normal_matrix(problem, gram_matrices(y, in_y.weights), gram_matrices(v, in_v.weights)),
       "the control functions");
 
-  // Right-hand sides -<f, L A_i B_j> for each f, and for 1 as the last.
+  // Right-hand sides -<f, L A_i B_j> of the normal equations for each function f, and for the
+  // constant 1 in the last column.
   const auto constant_one = [](double) { return 1.0; };
   std::vector<SeparableFunction> all(functions);
   all.push_back({constant_one, constant_one});
@@ -110,8 +111,8 @@ ControlFunctions fit_control_functions(const ControlFitProblem& problem,
   }
   ControlFunctions result;
   result.coefficients = equations.solve(right);
-  // e_f is orthogonal to all L h: <e_1, e_f> = <1, f> + <1, L h_f>, where <1, L A B> is the last
-  // column of -right.
+  // The residual e_f of the fit to f is orthogonal to L h for every spline h. Therefore <e_1, e_f>
+  // = <1, f> + <1, L h_f>, where the last column of -right has the products <1, L A B>.
   const Eigen::VectorXd products = result.coefficients.transpose() * right.rightCols<1>();
   const double of_one = integrals.back() - products(count - 1);
   for (Eigen::Index f = 0; f + 1 < count; ++f) {

@@ -24,7 +24,8 @@ struct ControlFitProblem {
   /// density.
   std::function<double(double)> weight_y, weight_v;
   /// Weight of the squared jump of h at a wall, which is integrated with the flux u w(wall, u) of
-  /// impacts. The inverse of the sampling interval minimises the variance of the simulated mean.
+  /// impacts. The variance of the simulated mean is smallest if this weight is the inverse of the
+  /// sampling interval.
   double wall_weight;
 };
 
@@ -38,10 +39,10 @@ struct ControlFunctions {
 
 /// Fits the control functions of all functionals at once: minimises int w (f - U + L h)^2 +
 /// wall_weight int u w(0, u) (h(0, r u) - h(0, -u))^2 du, with the last term for each wall. The
-/// generator is a sum of products (GeneratorFactors) and the weight is a product. With three
-/// products in the generator the normal matrix is therefore a sum of nine products of a Gram matrix
-/// of v and a Gram matrix of y, and is block banded. The residuals e_f of f and e_1 of 1 give U =
-/// <e_1, e_f> / <e_1, e_1>.
+/// generator is a sum of products (GeneratorFactors) and the weight is a product. If the generator
+/// has three products, the normal matrix is therefore block banded and a sum of nine products of a
+/// Gram matrix of v and a Gram matrix of y. The residual e_f of the fit to f and the residual e_1
+/// of the fit to the constant 1 give the mean U = <e_1, e_f> / <e_1, e_1>.
 /// @throws FitFailure (backward/generator/normal_equations.hpp)
 ControlFunctions fit_control_functions(const ControlFitProblem& problem,
                                        const std::vector<SeparableFunction>& functions);
