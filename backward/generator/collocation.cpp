@@ -75,7 +75,7 @@ VelocitySamples velocity_samples(const VelocityOperators& operators, const Impac
     }
     for (std::size_t l = 0; l < operators.index[at].size(); ++l) {
       drift.emplace_back(i, operators.index[at][l], sum(operators.drift[at][l], bernstein));
-      // the term (c_l - c_{l-1}) S_l'
+      // adds the term (c_l - c_{l-1}) S_l' of a spline's derivative (VelocityOperators)
       if (l == 0) continue;
       const double slope = sum(operators.force[at][l - 1], bernstein);
       force.emplace_back(i, operators.index[at][l], slope);

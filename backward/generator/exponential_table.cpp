@@ -65,7 +65,8 @@ OneSidedSolution solve_one_sided(const std::vector<numerics::BernsteinCoefficien
   return solution;
 }
 
-// The shifted pieces in order, and further pieces between them and the ends of the basis.
+// The pieces shifted by the offset of the law, in order, and further pieces between the shifted
+// pieces and the ends of the basis.
 struct ShiftedAxis {
   std::vector<VelocityPiece> pieces;
   std::size_t first = 0;  ///< index of the shifted first piece
@@ -92,7 +93,8 @@ ShiftedAxis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPie
   return axis;
 }
 
-// The weight w of L (below) and of R (above).
+// The weights w of the integral L over amplitudes below v, and of the integral R over those above
+// v.
 struct TailWeights {
   double below, above;
 };
@@ -108,8 +110,8 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // L or R of all functions at the end of the axis: the integral over the constant beyond this
-    // end.
+    // Integral L or R of all basis functions at the end of the axis: beyond this end every basis
+    // function is constant.
     std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
     end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
@@ -141,10 +143,11 @@ ImpulseTable make_tail_table(const numerics::Interval& shift, double s, const Ta
       }
     }
   }
-  // An error of B that is bounded everywhere changes K B by at most this bound.
+  // A bound of the error of a spline B on the whole axis also bounds the error of the mean K B
+  // after an impulse.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // If all shifted pieces are beyond the basis, the pieces between are missing. No bound is valid
-  // then.
+  // If all shifted pieces lie beyond the range of the basis, the pieces between the shifted pieces
+  // and this range are missing, and no bound is valid.
   const double range_length = (pieces.back().to - pieces.front().from).lower();
   if (!(magnitude(shift) < range_length)) table.remainder = HUGE_VAL;
   return table;

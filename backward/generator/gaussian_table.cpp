@@ -85,8 +85,8 @@ Source make_source(const ImpactBasis& basis, const VelocityPiece& piece, double 
   return source;
 }
 
-// Upper bound of sum_{n >= first} a^n / sqrt(n!). For a <= 3/4 the ratio of consecutive terms is at
-// most 3/4.
+// Upper bound of the sum of a^n / sqrt(n!) over n >= first. For a <= 3/4 the ratio of consecutive
+// terms is at most 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
   if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));
@@ -100,7 +100,7 @@ ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactB
   ImpulseTable table = zero_impulse_table(basis, pieces, kOrder);
   const auto integrals = power_integrals(basis.speeds().degree());
 
-  // Source pieces beyond the ends, where the first or the last function is 1.
+  // Source pieces beyond the ends of the basis, where the first or the last basis function is 1.
   std::vector<VelocityPiece> source_pieces(pieces);
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
@@ -171,7 +171,7 @@ ImpulseTable impulse_table_of_law(const problem::GaussianLaw& law, const ImpactB
 
   const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
                            b = sqrt(numerics::Interval(2)) * largest_h / s;
-  // Total length of the sources of a target, in deviations.
+  // Total length of the source pieces of a target piece, in standard deviations of the law.
   const numerics::Interval source_length =
       2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
   const numerics::Interval sources_cut =

@@ -15,15 +15,16 @@ namespace fpkcheck::backward {
 ///
 ///     L (A B) = A(y) (lambda (K B - B) - c v B') + A'(y) v B + (k y + mu y^3) A(y) (-B').
 ///
-/// as enclosed Bernstein coefficients on every piece. Derivatives are expressed by differences of
-/// coefficients: with S_l = B_l + B_{l+1} + .. over the functions of a piece, where S_0 = 1, sum_l
-/// c_l B_l' = sum_{l>0} (c_l - c_{l-1}) S_l'. On small cells neighbouring coefficients are nearly
-/// equal. The form with S_l' keeps the rounding error small relative to the differences of
-/// coefficients.
+/// as enclosed Bernstein coefficients on every piece. The derivative of a spline with the
+/// coefficients c_l is expressed by differences of coefficients, sum_l c_l B_l' = sum_{l>0} (c_l -
+/// c_{l-1}) S_l', where S_l = B_l + B_{l+1} + .. is a sum over the functions of a piece and S_0 =
+/// 1. On small cells neighbouring coefficients are nearly equal. The sum of the derivatives S_l'
+/// keeps the rounding error small relative to the differences of coefficients.
 struct VelocityOperators {
   std::vector<VelocityPiece> pieces;
   std::vector<std::vector<int>> index;  ///< for each piece, the functions that do not vanish there
-  /// Factor lambda (K B - B) - c v B' of A. The remainder of this table includes lambda.
+  /// Factor lambda (K B - B) - c v B' of the spline A(y). The remainder of this table includes the
+  /// factor lambda.
   ImpulseTable jump;
   /// Factor v B of A', shape (pieces, functions of the piece).
   std::vector<std::vector<numerics::BernsteinCoefficients>> drift;

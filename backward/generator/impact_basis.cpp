@@ -71,8 +71,9 @@ BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
     }
     slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
   }
-  // At the end of the span the polynomial and the function are equal. On the overhang their
-  // difference is at most its length times the sum of the bounds of both slopes.
+  // At the end of the span the polynomial equals the basis function. On the overhang the difference
+  // between the polynomial and the basis function is at most the overhang's length times the sum of
+  // the bounds of the two slopes.
   functions.overhang_error =
       (numerics::Interval(piece.overhang) * (numerics::Interval(slope) + max_slope(basis))).upper();
   // If the lower bound of the length of a piece is not positive, the slope has no bound.
@@ -106,7 +107,7 @@ std::vector<double> velocity_breaks(const ImpactBasis& basis) {
 
 std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<const double> cuts,
                                            double largest_length) {
-  // Cuts closer than this distance to a break are omitted; the overhang of the pieces covers such
+  // Cuts closer than `negligible` to a break are omitted; the overhang of the pieces covers such
   // cuts.
   const double negligible = 4e-16 * basis.speeds().end();
   std::vector<VelocityPiece> pieces;

@@ -10,9 +10,9 @@ namespace fpkcheck::backward {
 
 /// Splines of v on [-u_max, r u_max], constant beyond these ends. The incoming side, v = -u, and
 /// the outgoing side, v = r u, have the same splines of the impact speed u. The two sides are
-/// joined continuously at v = 0 (an inner knot of full multiplicity). If the coefficients of `b`
-/// and `mirrored_index(b)` are equal at y = 0, the impact condition V(0, r u) = V(0, -u) therefore
-/// holds exactly for all u, even if r u is rounded.
+/// joined continuously at v = 0 (an inner knot of full multiplicity). If at y = 0 each function `b`
+/// has the same coefficient as the function `mirrored_index(b)`, the impact condition V(0, r u) =
+/// V(0, -u) therefore holds exactly for all u, even if r u is rounded.
 class ImpactBasis {
  public:
   ImpactBasis(numerics::SplineBasis speeds, double restitution)
@@ -72,9 +72,10 @@ VelocityPiece velocity_piece_of_segment(const ImpactBasis& basis, const numerics
 BasisFunctionsOnPiece basis_functions_on_piece(const ImpactBasis& basis,
                                                const VelocityPiece& piece);
 
-/// Enclosures of dS_l/dv on a piece for l = 1 .. degree. S_l = B_l + B_{l+1} + .. is a sum over the
-/// functions of the piece in the order of basis_functions_on_piece(). Each derivative is p B_{p-1}
-/// / (a knot distance), a single B-spline of degree p - 1.
+/// Enclosures on a piece of the derivatives dS_l/dv, l = 1 .. degree, of the partial sums S_l of
+/// basis functions. S_l = B_l + B_{l+1} + .. is a sum over the functions of the piece in the order
+/// of basis_functions_on_piece(). Each derivative is p B_{p-1} / (a knot distance), a single
+/// B-spline of degree p - 1.
 std::vector<numerics::BernsteinCoefficients> partial_sum_slopes(const ImpactBasis& basis,
                                                                 const VelocityPiece& piece);
 
@@ -85,9 +86,9 @@ std::vector<VelocityPiece> velocity_pieces(const ImpactBasis& basis, std::span<c
 /// The ends of all spans on the velocity axis, where the basis is not smooth; increasing.
 std::vector<double> velocity_breaks(const ImpactBasis& basis);
 
-/// Enclosures of S_l' on the segment from `from` to `to` of a knot span, where S_l = B_{span+l} +
-/// B_{span+l+1} + .. and S_0 = 1. The derivative of a spline with coefficients c is sum_{l=1}^p
-/// (c_{span+l} - c_{span+l-1}) S_l' with
+/// Enclosures of the derivatives S_l' of partial sums of B-splines on the segment from `from` to
+/// `to` of a knot span, where S_l = B_{span+l} + B_{span+l+1} + .. and S_0 = 1. The derivative of a
+/// spline with coefficients c is sum_{l=1}^p (c_{span+l} - c_{span+l-1}) S_l' with
 ///
 ///     S_l' = p N_{span+l} / (t_{span+l+p} - t_{span+l}),   N of degree p - 1 on the same knots
 ///

@@ -7,9 +7,9 @@
 
 namespace fpkcheck::backward {
 
-/// Table of K B_b, where (K V)(v) = E[V(v + Y)], for every function B_b of an ImpactBasis on every
-/// piece of the velocity axis. Each element is a polynomial of t = (v - from)/(to - from) with
-/// enclosed Bernstein coefficients.
+/// Table of the means K B_b of the basis functions B_b after an impulse, where (K V)(v) = E[V(v +
+/// Y)], for every function of an ImpactBasis on every piece of the velocity axis. Each element is a
+/// polynomial of t = (v - from)/(to - from) with enclosed Bernstein coefficients.
 struct ImpulseTable {
   int functions = 0, order = 0;  ///< order: number of coefficients of a polynomial, degree + 1
   std::vector<numerics::Interval> coefficients;  ///< shape (pieces, functions, order)
@@ -26,14 +26,14 @@ struct ImpulseTable {
   }
 };
 
-/// Whether the impulse table and the moments of a law have interval enclosures. The functions below
-/// require a law with enclosures.
+/// Whether the impulse table and the moments of a law have interval enclosures. The other functions
+/// of this header require a law with enclosures.
 bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
 /// Constraints on the velocity pieces for the table of a law.
 struct VelocityPieceConstraints {
   double longest;            ///< largest permitted length of a piece
-  std::vector<double> cuts;  ///< points besides the breaks of the basis where K B is not smooth
+  std::vector<double> cuts;  ///< points, besides breaks of the basis, where K B is not smooth
 };
 VelocityPieceConstraints velocity_piece_constraints(const ImpactBasis& basis,
                                                     const problem::ImpulseLaw& law);

@@ -10,8 +10,8 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kMaxSteps = 12;
-// Convergence threshold at the level of rounding errors, relative to the first product of gradient
-// and preconditioned gradient.
+// Convergence threshold of the size of rounding errors, relative to the product of gradient and
+// preconditioned gradient in the first step.
 constexpr double kConverged = 1e-20;
 
 // The matrix of the least-squares problem, applied to vectors as a sum of three separable terms.
@@ -71,8 +71,8 @@ class FitRows {
     return matrix;
   }
 
-  /// L V at all points, shape (v points, y points), for coefficients of shape (functions of y, of
-  /// v).
+  /// Returns the generator applied to a spline V, at all points, shape (v points, y points). The
+  /// coefficients of V have the shape (functions of y, functions of v).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = p_.v.jump * c.transpose(), drift = p_.v.drift * c.transpose(),
                           force_term = p_.v.force * c.transpose();
@@ -179,7 +179,8 @@ class FitRows {
 
 /// Conjugate gradients for min |residual + A x|, preconditioned by the factor of the normal
 /// equations. Three or four steps suffice, except on the finest grids, where rounding and the ridge
-/// degrade the preconditioner. A column stops at convergence or when rounding prevents progress.
+/// degrade the preconditioner. The iteration of a right-hand side stops at convergence or when
+/// rounding prevents progress.
 /// @param residual, x initial values, with x = 0; at the end the residuals equal f + A x up to
 /// rounding
 void minimise(const FitRows& rows, const NormalEquations& equations,
@@ -221,7 +222,7 @@ BackwardSolutions solve_backward_equations(
   const FitRows rows(problem);
   const NormalEquations equations(rows.normal_matrix(), "the fit");
 
-  // Right-hand sides: each f, and 1 as the last.
+  // Right-hand sides of the fit: each functional's integrand f, and the constant 1 as the last.
   const std::size_t count = functions.size() + 1;
   std::vector<Eigen::MatrixXd> f(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -247,7 +248,8 @@ BackwardSolutions solve_backward_equations(
     const double mean = rows.dot(one, residual[n]) / rows.dot(one, one);
     solutions.means.push_back(mean);
     Eigen::MatrixXd c = rows.coefficients_of_unknowns(x.col(n) - mean * x.rightCols<1>());
-    // V is determined up to a constant, since L 1 = 0.
+    // The equation L V = U - f determines V up to a constant, since the generator L maps constants
+    // to 0.
     c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;
     solutions.coefficients.push_back(std::move(c));
     const Eigen::MatrixXd left = residual[n] - mean * one;

@@ -12,8 +12,8 @@ namespace fpkcheck::backward {
 /// Approximate solutions of the backward equation L V = U - f, one for each functional f.
 struct BackwardSolutions {
   /// Spline coefficients c_{ab} of A_a(y) B_b(v), shape (functions of y, functions of v). At a left
-  /// wall c_{0,b} = c_{0,mirrored_index(b)} to the last bit. At a right wall the last row has the
-  /// same symmetry.
+  /// wall c_{0,b} = c_{0,mirrored_index(b)} to the last bit. At a right wall the coefficients in
+  /// the last row have this symmetry.
   std::vector<Eigen::MatrixXd> coefficients;
   std::vector<double> means;  ///< U, an estimate of E[f]
   /// Least and largest value of the residual (f + L V - U) times residual_weight at the collocation
@@ -35,8 +35,8 @@ struct LeastSquaresProblem {
 
 /// Minimises the weighted sum of (f + L V - U)^2 over the points, for all functionals at once, by
 /// conjugate gradients. The preconditioner is the block-banded Cholesky factor of the scaled normal
-/// equations with a small ridge. Both f and the constant 1 are fitted; the residuals e_f and e_1 of
-/// these two fits give U = <e_1, e_f> / <e_1, e_1>.
+/// equations with a small ridge. The function fits f and the constant 1; the residuals e_f and e_1
+/// of these two fits give the mean U = <e_1, e_f> / <e_1, e_1>.
 /// @param functions the functionals' integrands f(y, v)
 /// @throws FitFailure (backward/generator/normal_equations.hpp)
 BackwardSolutions solve_backward_equations(

@@ -1,5 +1,6 @@
-// The laws with a piecewise constant density, or with two atoms: K B is a polynomial on pieces cut
-// where v + amplitude meets a break.
+// Impulse tables of the laws with a piecewise constant density or with two atoms. The mean K B of a
+// spline B after an impulse is a polynomial on each piece; pieces end at velocities from which an
+// edge or an atom of the law leads to a break of B.
 //
 // Uniform law, Y on (m - h, m + h): K B(v) = (I(v + m + h) - I(v + m - h)) / (2h) with I' = B.
 // Two-point law, Y = m -+ s, each with probability 1/2: K B(v) = (B(v + m - s) + B(v + m + s)) / 2.
@@ -36,8 +37,8 @@ class Antiderivative {
       for (int j = 0; j < order; ++j)
         coefficients[b * order + j] += factor * at_begin_[span_index][b];
     }
-    // Integral from the beginning of the span to the piece; below the range, from the piece to the
-    // beginning of the range.
+    // Integral from the beginning of the span to the piece. For a piece below the range of the
+    // basis, the integral from the piece to the beginning of the range.
     const numerics::Interval begin =
         span_index < static_cast<int>(spans_.size()) ? spans_[span_index].from : spans_.back().to;
     const VelocityPiece gap{piece.side, piece.span, begin, piece.from, 0};
@@ -129,7 +130,8 @@ ImpulseTable impulse_table_of_law(const problem::TwoPointLaw& law, const ImpactB
       }
     }
   }
-  // At a point the error affects at most the functions of two spans, 2 (p + 1).
+  // At each velocity the error affects at most the basis functions of two spans, which are 2 (p +
+  // 1) functions.
   table.remainder = (2.0 * (basis.speeds().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
 }
