@@ -19,7 +19,7 @@ namespace fpkcheck::backward {
 namespace {
 
 // Weight of the jumps at the wall (ControlFitProblem::wall_weight), as for four samples per radian
-// of the undamped motion. The corrected moments hardly depend on this weight.
+// of the undamped motion. The corrected moments hardly depend on the weight of the jumps.
 constexpr double kWallWeight = 4;
 
 const ControlCells& cells_for(const problem::ProblemFeatures& features) {
@@ -30,8 +30,8 @@ const ControlCells& cells_for(const problem::ProblemFeatures& features) {
 // Ratio of the local error of a density to its L1 error in the regions where the fit does not
 // resolve the backward equation, since errors concentrate in these regions.
 constexpr double kConcentration = 10;
-// L1 distance of disjoint densities; also the largest (E_p - E)[e] in units of the unresolved
-// residual.
+// L1 distance of disjoint densities; also the largest error (E_p - E)[e] of the mean of the
+// residual e, in units of the unresolved residual.
 constexpr double kDisjointL1 = 2;
 
 // Largest contrast for which an error estimate is stated. In random problems with wells
@@ -39,9 +39,10 @@ constexpr double kDisjointL1 = 2;
 // contrast of 0.65 the error estimate is below the error 2 d.
 constexpr double kMaxContrast = 0.5;
 
-/// The error t that solves t = found + min(kConcentration t, kDisjointL1) unresolved + contrast t.
-/// Probabilities of wells that are wrong by d <= t/2 contribute 2 d contrast to (E_p - E)[e]. The
-/// error is infinite if the residuals do not determine these probabilities.
+/// Total error t of a density, which solves t = found + min(kConcentration t, kDisjointL1)
+/// unresolved + contrast t. Probabilities of wells that are wrong by d <= t/2 contribute 2 d
+/// contrast to (E_p - E)[e]. The error is infinite if the residuals do not determine these
+/// probabilities.
 double total_error(const ErrorComponents& error) {
   if (error.contrast > kMaxContrast) return std::numeric_limits<double>::infinity();
   const double of_wells = 1 - error.contrast;

@@ -24,7 +24,7 @@ struct ErrorComponents {
   double found = 0;  ///< error found by the dual-weighted residuals
   /// Mean residuals (UnresolvedResidual) of the functions h that weight the density's residuals
   double unresolved = 0;
-  /// Half the sum of UnresolvedResidual::well_contrasts(). The value is 0 if the residuals
+  /// Half the sum of UnresolvedResidual::well_contrasts(). The contrast is 0 if the residuals
   /// determine the probabilities of the wells, and 1 if the residuals do not depend on these
   /// probabilities.
   double contrast = 0;
@@ -47,9 +47,9 @@ struct DensityErrors {
   ErrorComponents y_l1, ydot_l1;
 
   /// The error estimate of the density. L1 errors are multiplied by kSubBinFactor, since the bins
-  /// do not resolve narrower features. The unresolved part is scaled in proportion to the error
-  /// itself, since (E_p - E)[e] is small for a nearly exact p. Empty if an L1 estimate is 2 or
-  /// more: 2 is the L1 distance of disjoint densities.
+  /// do not resolve features narrower than a bin. The unresolved part is proportional to the error,
+  /// since the error (E_p - E)[e] of the mean residual is small for a nearly exact density p. The
+  /// result is empty if an L1 estimate is 2 or more: 2 is the L1 distance of disjoint densities.
   std::optional<transform::ErrorEstimate> error_estimate() const;
 
   /// Factor of the L1 error estimates. Without this factor 1 in 20 of 1389 errors of closures in
@@ -64,8 +64,9 @@ struct DensityErrors {
 ///     E_p[f] - E[f] = -(int p L h dy dv + int u p(0, -u) [h(0, r u) - h(0, -u)] du)
 ///                   = -sum_ij h_ij rho_ij,
 ///
-/// with the weak residuals rho_ij of p (WeakResiduals). The error of p needs no other density
-/// (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves the equations L h = E[f]
+/// with the weak residuals rho_ij of p (WeakResiduals). The error of p is computed without any
+/// other density (Becker and Rannacher, Acta Numerica 10 (2001) 1). The fitted h solves the
+/// equations L h = E[f]
 /// - f only approximately (fit_control_functions); the remaining error is a product of two small
 /// quantities, the residual of h and the error of p. A constant added to h changes the
 /// contributions but not their sum; the normalisation E_p[h] = 0 makes the contributions

@@ -16,9 +16,9 @@ struct GoalFunctions {
   int moments = 0, y_bins = 0, v_bins = 0;
 };
 
-/// The goal functions that belong to given splines. The bins are the B-splines on pairs of cells.
-/// The sum of the bins is 1, the bins are narrow where the cells are narrow, and the solution of
-/// the backward equation for a bin is smooth on the scale of the cells.
+/// The goal functions that belong to given splines. The bins are B-splines whose cells are pairs of
+/// cells of the given splines. The sum of the bins is 1, the bins are narrow where the cells are
+/// narrow, and the solution of the backward equation for a bin is smooth on the scale of the cells.
 /// @param frame coordinate frame of the splines
 GoalFunctions goal_functions(const numerics::QuinticBSplines& y, const numerics::QuinticBSplines& v,
                              const problem::Frame& frame = {});

@@ -142,7 +142,8 @@ SampledDensity sample_form(const transform::SmoothDensity& density, const Integr
   for (const ImpactBreaks& wall : breaks.walls) {
     AxisQuadrature speeds = axis_from_values(composite_rule(0, density.v_max, wall.speeds, in_v));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
-    // Clamped: the density may be 0 at a wall position with a rounding error.
+    // The position of the wall is clamped to the density's range: outside this range, by a rounding
+    // error, the density may be 0.
     const double at = std::clamp(wall.position, density.y_min, density.y_max);
     for (Eigen::Index n = 0; range_y.has_end_at(wall) && n < samples.size(); ++n) {
       samples(n) =

@@ -16,7 +16,7 @@ using RowMajorSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// transform::ConservativeRemap). Each cell therefore keeps its mass, and the values of a smooth
 /// function have an error of seventh order in the cell width. No stencil crosses an edge at 0. A
 /// point on an edge belongs to the cell after this edge, and a point on the last edge to the last
-/// cell. Values beyond the ends are 0.
+/// cell. Values beyond the first and the last edge are 0.
 /// @param edges n + 1 cell edges, increasing
 /// @return shape (points, n)
 RowMajorSparseMatrix reconstruction_matrix(std::span<const double> edges,
@@ -44,8 +44,8 @@ struct SampledWallDensity {
   Eigen::VectorXd samples;
 };
 
-/// A density p, discretised for linear functionals. The integral of a(y) b(v) p is a row vector
-/// times the matrix of samples times a column vector.
+/// A density p in discretised form. The integral of a(y) b(v) p is a row vector times the matrix of
+/// samples times a column vector.
 struct SampledDensity {
   AxisQuadrature y, v;
   Eigen::MatrixXd samples;                  ///< shape (samples along y, along v)

@@ -43,7 +43,7 @@ Eigen::VectorXd normalised_weights(const numerics::QuadratureRule& rule,
   return weights / weights.sum();
 }
 
-/// Positions of the maxima of V between neighbouring minima, increasing.
+/// Positions of the maxima of the potential V between neighbouring minima, in increasing order.
 std::vector<double> barrier_positions(const problem::Problem& problem,
                                       const std::vector<double>& points) {
   const problem::UndampedOrbits orbits(problem);

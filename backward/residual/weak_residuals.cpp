@@ -26,8 +26,9 @@ std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   return nodes;
 }
 
-/// The breaks of B_j and of K B_j: multiple knots, where B_j is less smooth, are shifted by each
-/// atom of the law and by each corner of its density.
+/// The breaks of the splines B_j and of their means K B_j after an impulse. Each atom of the
+/// amplitude law and each corner of its density shifts the multiple knots, at which the splines are
+/// less smooth.
 std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
@@ -94,8 +95,8 @@ WeakResiduals::WeakResiduals(const problem::Problem& problem, ControlSplines spl
       nodes_(gauss_nodes(v_breaks_)),
       means_(impulse_means(v_, problem.impulses, nodes_)) {}
 
-/// Means K B_j, interpolated between the nodes of a cell, where K B_j is smooth. Beyond the ends K
-/// B_j is constant.
+/// Means K B_j of the splines B_j after an impulse, interpolated between the Gauss points of a
+/// cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is constant.
 Eigen::MatrixXd WeakResiduals::interpolated_impulse_means(std::span<const double> v) const {
   if (!problem_.impulses.is_present()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_.size());
@@ -152,8 +153,8 @@ DensityIntegrals WeakResiduals::operator()(const transform::Density& density) co
   }
   std::vector<Eigen::VectorXd> of_impacts;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
-    // At the left wall the first function of y is 1, at the right wall the last. All other
-    // functions vanish there.
+    // At the left wall the first spline of y is 1, at the right wall the last spline is 1. All
+    // other splines of y vanish at the wall.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_.size() - 1) +=
         impact_terms(walls_[n], p.impacts[n]);
     const AxisQuadrature& speeds = p.impacts[n].speeds;

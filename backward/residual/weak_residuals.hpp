@@ -59,7 +59,7 @@ class WeakResiduals {
   std::vector<ImpactWall> walls_;
   std::vector<ImpactBreaks> wall_breaks_;
   std::vector<double> v_breaks_;  // breaks of B_j and K B_j
-  /// K B_j at the eight points of the Gauss rule between consecutive breaks of v, increasing.
+  /// The eight Gauss points between consecutive breaks of v, in order of increasing v.
   std::vector<double> nodes_;
   Eigen::MatrixXd means_;  // shape (nodes, functions)
 };
