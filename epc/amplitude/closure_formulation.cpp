@@ -91,7 +91,8 @@ double ClosureFormulation::decay_extent(const Polynomial& q, double temperature)
 }
 
 // The weights of the fit are proportional to a power of the density. A power below 1 gives weight
-// to points beyond the decay extent. Otherwise the fit would return the Q_n of the guess.
+// to points beyond the decay extent. With weights proportional to the density, the fit would return
+// the Q_n of the guess.
 VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double support,
                                          const QuadraturePoints& points, const VectorXd& exponent,
                                          const VectorXd&) const {

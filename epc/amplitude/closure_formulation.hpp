@@ -21,8 +21,8 @@ double exponent_with_gaussian_tail(const PolarExponent& q,
 inline constexpr double kQuadratureTolerance = 1e-3;
 
 /// Formulation whose coordinate s is the amplitude rho. The confinement level is an energy rho^2/2
-/// at which Q_n lies far below its peak. If Q_n rises again before, the confinement level is an
-/// energy beyond the amplitude at which Q_n begins to rise.
+/// at which Q_n lies far below its peak. If Q_n rises again before falling to this depth, the
+/// confinement level is an energy beyond the amplitude at which Q_n begins to rise.
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
   /// @param temperature approximate E[v^2] of the Gaussian from which the first order starts

@@ -33,7 +33,7 @@ double maximum_over_phase(const PolarExponent& exponent, double rho);
 
 /// Decay with growing amplitude of an exponent's maximum over the phases.
 struct DecayScan {
-  /// first amplitude at which the maximum over the phases lies `depth` below its peak
+  /// first amplitude at which the exponent's maximum over the phases lies `depth` below its peak
   std::optional<double> crossing;
   /// amplitude at which the maximum over the phases begins to rise, or `last_amplitude`
   double extent;
@@ -43,8 +43,8 @@ struct DecayScan {
 /// below its peak, when this maximum rises again, or at the amplitude `last_amplitude`.
 DecayScan scan_decay(const PolarExponent& exponent, double depth, double last_amplitude);
 
-/// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points of
-/// a panel is proportional to the width of the panel, plus a constant.
+/// Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number of points
+/// of a panel is proportional to the width of the panel, plus a constant.
 /// @param breaks increasing, between 0 and end
 numerics::QuadratureRule legendre_panels(double end, const std::vector<double>& breaks,
                                          int point_count);
