@@ -26,16 +26,16 @@ bool is_pressed_on_one_wall(const problem::Problem& problem);
 ///     p(y, v) = C exp(Q_n(rho, v) + confinement) / e,   e = rho^2/2 the energy above the corner,
 ///
 /// with an atom of probability P0 at the corner. At small energies the force is the constant g(0),
-/// and the mass bounces on the wall. The probability flux J towards the corner is the same at every
-/// small energy, and equals the rate lambda P0 at which impulses release the mass. Therefore
-/// u^2 p(0, -u) -> J / ln(1/r), and
+/// and the mass bounces on the wall. The probability flux J towards the corner is independent of
+/// the energy at small energies, and equals the rate lambda P0 at which impulses release the mass.
+/// Therefore u^2 p(0, -u) -> J / ln(1/r), and
 ///
 ///     P0 = 2 C exp(Q_n(0, 0)) ln(1/r) / lambda.
 ///
 /// (The exact limit has a small log-periodic dependence on u, which no polynomial can represent.)
 /// Continuous functions of rho and v have a value at the corner; functions of amplitude and phase
-/// have none. Polynomials of y and v do not contain the odd powers of rho. The time until the mass
-/// comes to rest is such an odd power.
+/// have none. Polynomials of y and v do not contain odd powers of rho, such as the time until the
+/// mass comes to rest.
 class Coordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
@@ -72,9 +72,10 @@ class Coordinates {
   /// Factor 1/e of the density at an amplitude rho > 0. In the corner, an atom replaces the
   /// density.
   static double density_prefactor(double rho) { return 2 / (rho * rho); }
-  /// Ratio of the probability of the atom to the exponential: P0 / (C exp(Q_n(0, 0))).
+  /// Probability P0 of the atom divided by the exponential at the corner, C exp(Q_n(0, 0)).
   double atom_weight() const { return atom_weight_; }
-  /// The mean of phi over the impulses is continuous.
+  /// Amplitudes at which quadrature panels end: none, since the mean of a basis function over the
+  /// impulses is continuous.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
     return {};
   }

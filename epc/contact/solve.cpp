@@ -39,7 +39,7 @@ double probability_at_rest(const Coordinates& coordinates, const ClosureDensity&
 }
 
 // Distance of a solution to the root of order n - 2: L1 distances on the cells of the solution,
-// plus the difference of the atoms in both marginal distributions.
+// plus the difference of the probabilities of the atoms in each marginal distribution.
 double distance_to_previous_order(const Coordinates& coordinates, const ClosureDensity& previous,
                                   TailTreatment tail, const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);

@@ -80,7 +80,7 @@ transform::Moments moments_of(const problem::Frame& frame, const DiscreteLaw& la
           .v4 = mean(0, 4)};
 }
 
-// Partial moment E[|Y|^power; Y < 0] of the impulses that drive the mass at rest into the wall.
+// Partial moment E[|Y|^power; Y < 0] of the impulses that push a mass at rest against the wall.
 double moment_into_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
   double sum = 0;
