@@ -77,8 +77,8 @@ std::size_t distinct_direction_count(const Polynomial& q);
 RayCoefficients restrict_to_ray(const Polynomial& q, const StandardDeviations& sigma,
                                 const Direction& direction);
 
-/// Behaviour of Q_n at infinity, by condition (19) of the paper: sign of the highest significant
-/// power of Q_n along each direction.
+/// Behaviour of Q_n at infinity, by condition (19) of the paper: the sign of the coefficient of the
+/// highest significant power of Q_n along each direction.
 struct LeadingForm {
   bool negative;    ///< whether Q_n falls to minus infinity in every direction
   Direction worst;  ///< direction with the largest leading coefficient

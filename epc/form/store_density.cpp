@@ -58,7 +58,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   }
   transform::BalanceResiduals residuals{.virial =
                                             problem::virial_balance(problem, virial).residual()};
-  // Without impacts both sides of the balance may be 0. Their residual would be rounding error.
+  // Without impacts the two sides of the balance may be 0, and the residual would be a rounding
+  // error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);
