@@ -62,8 +62,8 @@ struct PlaneQuadratureRule {
 };
 
 /// Quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The rule has one
-/// point of each pair of opposite points, with the sum of both weights.
-/// @pre up to rounding, the given rule has this symmetry
+/// point of each pair of opposite points, with the sum of the weights of the pair.
+/// @pre up to rounding, the given rule is symmetric under (x1, x2) -> (-x1, -x2)
 PlaneQuadratureRule fold_symmetric_rule(const PlaneQuadratureRule& rule);
 
 /// Quadrature rule in the plane, with a table of the basis functions at the quadrature points. All

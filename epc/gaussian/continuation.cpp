@@ -27,8 +27,8 @@ double absolute_moment(double m, double sigma) {
 
 // Exponent of the exact density under white noise with elastic impacts, up to a constant:
 // -(c/D2) (x2^2/2 + U(|x1|)). For an even power a y^m of the force, the potential is not a
-// polynomial on the plane. A linear force with the same mean slope, E[a m |x1|^(m-1)], replaces the
-// even power.
+// polynomial on the plane. A linear force with the mean slope of the even power, E[a m |x1|^(m-1)],
+// replaces the even power.
 std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
                                                const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);

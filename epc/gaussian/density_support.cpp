@@ -13,7 +13,8 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 // Radius of the disc in which the peak of Q_n is searched for, in standard deviations. If Q_n
-// exceeds this peak outside of the disc, (19) is violated.
+// exceeds its peak of the disc at points outside of the disc, condition (19) of the paper is
+// violated.
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 

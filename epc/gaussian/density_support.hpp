@@ -15,8 +15,8 @@ namespace fpkcheck::epc::gaussian {
 ///  (b) the radius of a minimum of Q_n at which the density is below kEdgeDensityLimit of its peak;
 ///  (c) the radius at which Q_n is smallest before Q_n exceeds its peak again, up to kLargestRadius
 ///      deviations of the weights (25)-(26).
-/// Therefore a shallow minimum of Q_n inside the density is not an edge. If condition (19) is
-/// violated, the set ends before Q_n rises.
+/// Therefore a shallow minimum of Q_n in the bulk of the density is not an edge of the set. If
+/// condition (19) is violated, the set ends before Q_n rises.
 class DensitySupport {
  public:
   static constexpr double kNegligible = 1e-14;

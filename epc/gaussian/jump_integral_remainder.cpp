@@ -90,8 +90,8 @@ constexpr int kPanels = 3;
 constexpr int kJumpPoints = 20;
 
 // Quadrature rule with the weights f1 f2 on both half-discs; x1 has one sign on each half-disc. For
-// a point-symmetric integrand both half-discs give the same integral, and the rule uses one of
-// them.
+// a point-symmetric integrand the integrals over the two half-discs are equal, and the rule uses
+// one half-disc.
 PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneQuadratureRule rule;

@@ -105,7 +105,8 @@ class RootSearch {
 
   // Records a result of Newton's method and returns whether the search ends. Up to n = 6 the first
   // root ends the search, as in the paper. Beyond n = 6 only a root whose density decays on the
-  // edge ends the search. The first root without this decay is kept until such a root is found.
+  // edge of its support ends the search. The first root whose density does not decay is kept until
+  // a root with decay is found.
   bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
@@ -127,7 +128,7 @@ class RootSearch {
     return record_attempt(root);
   }
 
-  // Discards a root that depends on the radius of the disc.
+  // Discards a root that depends on the radius of the disc of the jump integral.
   void check_disc_sensitivity() {
     const Eigen::VectorXd a = projection_.basis().scaled_coefficients(search_.root->terms());
     const ProjectedEquations smaller(projection_.basis(), problem_.impulses,

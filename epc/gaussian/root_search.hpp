@@ -20,7 +20,7 @@ struct RootSearchResult {
   double condition = 0;   ///< condition number of the Jacobian in the scaled unknowns
   int iterations = 0;     ///< number of Newton steps of all attempts together
   std::string failure;    ///< reason why no root was found, one sentence; else empty
-  SolutionBranch branch;  ///< branch of solutions, if the search followed the branch
+  SolutionBranch branch;  ///< branch of solutions, if the search followed a branch
   /// Whether the first attempt of find_root(), the method of the paper, found a root.
   bool plain_newton_converges = false;
   /// Relative change of the scaled coefficients if the radius of the disc of JumpIntegralRemainder

@@ -60,8 +60,9 @@ std::string inadmissible_reason(const DensitySupport& support, const LeadingForm
   return "";
 }
 
-// Reason why a root without a wall is inadmissible: its virial balance. A Gaussian in the middle of
-// a double well satisfies the projected equations, but has a large residual of the virial balance.
+// Reason why a root for a problem without a wall is inadmissible: a large residual of the virial
+// balance. A Gaussian in the middle of a double well satisfies the projected equations, but has a
+// large residual of the virial balance.
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
