@@ -21,7 +21,7 @@ struct QuadraturePoints {
   Eigen::VectorXd energy;  ///< energy h, the argument of the confinement
   Eigen::VectorXd weight;  ///< quadrature weights for dy dv
 
-  /// A rule of `count` points whose coordinates, energies and weights are all 0.
+  /// Quadrature rule of `count` points whose coordinates, energies and weights are all 0.
   static QuadraturePoints zeros(Eigen::Index count);
   Eigen::Index size() const { return weight.size(); }
 };

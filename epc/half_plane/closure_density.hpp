@@ -37,7 +37,7 @@ double support_energy(double level, TailTreatment tail);
 /// Confinement with a given level; no confinement for TailTreatment::cut.
 Confinement confinement_of(double level, TailTreatment tail);
 
-/// Density C exp(Q_n + confinement) of the closure, by its parameters.
+/// Parameters of the closure's density C exp(Q_n + confinement).
 struct ClosureDensity {
   Polynomial q{{}};              ///< Q_n in monomials of s and t, without the constant term
   double temperature = 0;        ///< E[v^2]

@@ -112,7 +112,7 @@ numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const V
     return equations.jacobian(equations.evaluate_density(a));
   };
   // The unknowns are coefficients of functions of about unit variance, which sets the scale of the
-  // options. The accuracy of the path suffices to start Newton's method from its end.
+  // options. The path is accurate enough for its end to be a start of Newton's method.
   return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                         {.tolerance = 0,
                                          .correction_tolerance = 1e-6,

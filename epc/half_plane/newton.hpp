@@ -14,8 +14,8 @@ namespace fpkcheck::epc::half_plane {
 
 /// Unit in which rates of change are measured: the relaxation rate D_eff / E[v^2], which equals the
 /// damping c of a linear oscillator, and otherwise the combined effect of damping and impacts. The
-/// unit is at least 1e-4 times the frequency: in a smaller unit, the rounding errors of the terms of
-/// the undamped motion would dominate the residual.
+/// unit is at least 1e-4 times the frequency: in a smaller unit, the rounding errors of the terms
+/// of the undamped motion would dominate the residual.
 /// @param temperature approximation of E[v^2]
 /// @pre temperature > 0
 double rate_of_change_unit(const problem::Problem& problem, double temperature);
@@ -44,9 +44,9 @@ numerics::NewtonResult solve_by_newton(const GalerkinSystem& equations,
                                        const Eigen::VectorXd& start, double unit,
                                        const numerics::NewtonOptions& options);
 
-/// Follows Newton's homotopy from given coefficients, past folds. The homotopy serves starts from
-/// which damped Newton steps end at a singular Jacobian. The caller refines the end point of the
-/// path by Newton's method.
+/// Follows Newton's homotopy from given coefficients, past folds. The search uses the homotopy if
+/// damped Newton steps from the start end at a singular Jacobian. The caller refines the end point
+/// of the path by Newton's method.
 /// @param should_stop function that is called before each step; the path ends when the function
 ///        returns true (deadline)
 numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations,

@@ -36,7 +36,7 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 /// not_converged. A root is inadmissible if
 ///  - the formulation gives a reason;
 ///  - the integral of its density by an independent quadrature is not 1: moments and marginal
-///    densities would have the same error;
+///    densities would have the error of this integral;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
 ///    the density.
 /// The status is not an error estimate: the distance to another order does not give the error of

@@ -93,7 +93,8 @@ class RootSearch {
     solve_requested_order(guess);
   }
 
-  // Whether the deadline has passed. If so, the reason of failure is recorded once.
+  // Whether the deadline has passed. After the deadline the function stores the reason of failure
+  // once.
   bool is_past_deadline() {
     if (std::chrono::steady_clock::now() < deadline_) return false;
     if (std::exchange(deadline_reported_, true)) return true;
@@ -103,8 +104,9 @@ class RootSearch {
   }
 
   // Candidates for the confinement level: the levels of the formulation, then the level of the
-  // guess. At the level of the guess, the Q_n of the guess is a start without a fit. At another
-  // level, a Q_n that rises may have all its probability on the edge of the domain.
+  // guess. At the level of the guess, Newton's method can start from the Q_n of the guess without a
+  // fit. At another level, the density of a Q_n that rises may have all its probability on the edge
+  // of the domain.
   std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
     std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
     if (guess.level > 0) confinement_levels.push_back(guess.level);

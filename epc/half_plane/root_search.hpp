@@ -68,8 +68,8 @@ class ClosureFormulation {
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
                                                  SearchStage stage) const = 0;
-  /// Larger confinement level that suits the density of a root better than the level of this
-  /// density; empty if there is no better level.
+  /// Confinement level that is larger than the level of a root's density and suits this density
+  /// better; empty if there is no such level.
   virtual std::optional<double> improved_confinement_level(
       const ClosureDensity& /*guess*/, const ClosureDensity& /*closure*/) const {
     return std::nullopt;
