@@ -40,8 +40,8 @@ DecayScan scan_decay(const Polynomial& q, const problem::Problem& problem, doubl
 /// Depth below the peak of Q_n at which exp(Q_n) is negligible: e^-42 = 6e-19 of the peak. If Q_n
 /// falls to this depth without a rise, the confinement level is the energy at this depth.
 inline constexpr double kNegligibleDepth = 42;
-/// Smallest ratio of a larger confinement level to the present level that justifies another
-/// solution.
+/// Smallest ratio of a new confinement level to the present level for which the search solves the
+/// equations again.
 inline constexpr double kMinLevelRatio = 1.05;
 
 /// Largest exp(Q_n) at the confinement level, relative to the peak, at which the search tries no

@@ -48,7 +48,8 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 
   double rate_of_change_unit() const override { return rate_unit_; }
 
-  // The energy at which exp(Q_n) of the guess is negligible, if there is one, then the candidates.
+  // Confinement levels in the order of the attempts: the energy at which exp(Q_n) of the guess is
+  // negligible, if this energy exists, then the candidates of candidate_levels().
   std::vector<double> confinement_levels(const ClosureDensity& guess,
                                          SearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
