@@ -80,7 +80,7 @@ std::vector<double> Coordinates::amplitude_break_points(const problem::ImpulseLa
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // The atoms at -a and a give the same amplitude, up to rounding.
+  // The atoms of the law at -a and at a give equal amplitudes, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

@@ -21,8 +21,8 @@ namespace fpkcheck::epc::polar {
 /// p(0,0+) r^2 = p(0,0-), which extends into the plane as a function of theta. Functions of theta
 /// represent this jump; continuous functions of y and v do not.
 ///
-/// K is the stiffness k = g'(0); then h is the energy. For small k, w(y) would nearly be a higher
-/// power of y, and K is a fraction of the stiffness of equivalent linearisation instead. The
+/// K is the stiffness k = g'(0); then h is the energy. For small k, w(y) with K = k would nearly be
+/// a higher power of y; K is then a fraction of the stiffness of equivalent linearisation. The
 /// potential V does not include the mean of the impulses.
 class Coordinates {
  public:
@@ -71,8 +71,8 @@ class Coordinates {
   /// wall. At these amplitudes the mean of phi over the impulses has the jump that phi has at the
   /// origin. The list is empty for a law without atoms.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
-  /// The coefficient of the highest power of rho does not depend on theta: Q_n falls either at every
-  /// phase or at no phase.
+  /// The coefficient of the highest power of rho does not depend on theta: Q_n falls either at
+  /// every phase or at no phase.
   static std::vector<double> leading_phases() { return {0}; }
 
  private:
