@@ -53,8 +53,8 @@ namespace polar {
 /// Solves the equations of the formulation polar and assesses the root. The status is
 ///  - ok if the density satisfies the equations and has decayed to 1e-4 of its peak at the
 ///    confinement level (kLevelDensityLimit);
-///  - inadmissible if the density of the root has not decayed in this way. The result still
-///    contains the density and the coefficients;
+///  - inadmissible if the density of the root has not decayed to 1e-4 of its peak at the
+///    confinement level. The result still contains the density and the coefficients;
 ///  - not_converged if no root was found, or if the quadrature does not resolve the root.
 Result solve(const problem::Problem& problem, const Options& options);
 

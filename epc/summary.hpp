@@ -97,8 +97,8 @@ struct Summary {
   /// The residuals of an approximate density have the size of its error.
   transform::BalanceResiduals balances = {};
   /// Relative change of the scaled coefficients if the radius of the disc of
-  /// gaussian::JumpIntegralRemainder is smaller by one standard deviation. Only gaussian with `kf`
-  /// sets it.
+  /// gaussian::JumpIntegralRemainder is smaller by one standard deviation. Only the formulation
+  /// gaussian with `kf` sets this value.
   std::optional<double> disc_sensitivity = {};
   /// branch of solutions, which the formulation gaussian follows if Newton's method finds no root
   SolutionBranch branch = {};
