@@ -41,12 +41,13 @@ struct Options {
   Equation equation = Equation::kf;
   Impact impact = Impact::map;  ///< map or delta
   StationarySolver stepper = StationarySolver::cvode;
-  /// Automatic: characteristics if impulses are rare or losses are strong, see solve().
+  /// Automatic: transport along characteristics if impulses are rare or losses are strong, see
+  /// solve().
   std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
-  /// about 1e-4 of the peak. Automatic: automatic_order() for the stationary density, else
-  /// kDefaultOrder; see transport_order().
+  /// about 1e-4 of the peak. Automatic: automatic_order() for the stationary density, kDefaultOrder
+  /// for the density over time; see transport_order().
   std::optional<int> order{};
   /// Factor by which the number of cells in each direction exceeds the automatic number: 2 halves
   /// the cell widths.
@@ -54,11 +55,11 @@ struct Options {
   /// Ratio of the cell width far from the origin to the width at the origin; 1 for a uniform grid.
   /// With losses at the impact the density jumps at the origin (by 1/r^2 along the wall). At the
   /// jump a uniform grid converges only with the square of the cell width, whatever the order of
-  /// the scheme. Automatic: 16 if the jump exceeds a tenth (32 under white noise), else 1. Under
-  /// white noise with losses the ratio applies to x2, and the cells of x1 are graded as the cube of
-  /// the cells of x2, y ~ v^3 / D2.
+  /// the scheme. Automatic: 16 if the relative jump of the density exceeds a tenth (32 under white
+  /// noise), else 1. Under white noise with losses at the impact the ratio applies to the cells of
+  /// x2, and the faces of x1 are proportional to the cubes of the faces of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
-  std::optional<int> nx{};  ///< number of cells in x1; automatic: from equivalent linearisation
+  std::optional<int> nx{};  ///< number of cells in x1; automatic: by equivalent linearisation
   /// number of cells in x2, even; automatic: from equivalent linearisation
   std::optional<int> nv{};
   /// Upper end of the box in x1; automatic: an x1 at which the density is negligible.
@@ -78,13 +79,13 @@ struct Options {
   bool error_estimate = true;
   /// Largest estimated L1 error of a marginal density with which the status is `ok`.
   double accuracy = 1e-2;
-  /// Time limit in seconds. A solution on a finer grid is started only if it is expected to end
-  /// before the limit. A solution that exceeds the limit is aborted, and the most accurate solution
-  /// so far is returned.
+  /// Time limit in seconds. The solver starts a solution on a finer grid only if the solution is
+  /// expected to end before the time limit. A solution that exceeds the time limit is aborted, and
+  /// the solver returns the most accurate solution so far.
   double max_seconds = 20;
-  /// Tolerance that selects the grid: the first grid whose error estimate is below the tolerance.
-  /// The estimate comprises the L1 errors of both marginal densities and the relative errors of the
-  /// second moments.
+  /// Tolerance that selects the grid: the solver uses the first grid whose error estimate is below
+  /// the tolerance. The error estimate comprises the L1 errors of both marginal densities and the
+  /// relative errors of the second moments.
   std::optional<double> tolerance{};
   /// Threshold of ||L P||_1 / ||P||_1 below which a density counts as stationary. The unit of the
   /// threshold is the frequency sqrt(k_eq) of equivalent linearisation, so that the threshold does
@@ -101,15 +102,15 @@ const base::Description<Options>& description();
 /// @throws InputError for the first invalid option or invalid combination of options
 void validate(const Options& options);
 
-/// The id of the solution of these options, such as "fd-kf", or "fd-km4-delta" for the impact
-/// `delta`.
+/// The id of the solution that the options define, such as "fd-kf", or "fd-km4-delta" for the
+/// impact `delta`.
 std::string solution_id(const Options& options);
 
-/// The identity (id, method, equation, impact, role) of the solution of these options.
+/// The identity (id, method, equation, impact, role) of the solution that the options define.
 transform::SolutionIdentity solution_identity(const Options& options);
 
-/// The options whose solution has the given id, with default values of all options that the id does
-/// not contain. Empty if no options have the id.
+/// Returns the options whose solution has the given id, with default values of all options that the
+/// id does not contain. The result is empty if no options give a solution with this id.
 std::optional<Options> options_of(std::string_view id);
 
 /// Options of the density over time. Times are in the units of the problem.
@@ -134,8 +135,8 @@ struct TransientOptions {
   std::function<void(double)> progress{};
 };
 
-/// Names, help texts and ranges of these options, in files and on the command line. All of these
-/// options require --until.
+/// Names, help texts and ranges of the options of the density over time, in files and on the
+/// command line. All of these options require the option --until.
 const base::Description<TransientOptions>& transient_option_descriptions();
 
 /// @throws InputError for the first option that is invalid for a density over time

@@ -19,30 +19,30 @@ struct RegularisationRow {
   double length;       ///< step l of the fourth difference; 0 for pade
   int nx = 0;          ///< number of cells in y and y'
   int nv = 0;
-  /// growth rate by the symbol of the excitation, for waves that depend on x2 alone
+  /// growth rate computed from the symbol of the excitation, for waves that depend on x2 alone
   std::optional<FastestGrowingWave> symbol = {};
   /// Rightmost eigenvalue of the whole discrete operator, per unit time. If no mode is unstable,
-  /// this eigenvalue is 0 and belongs to the stationary density.
+  /// the rightmost eigenvalue is 0 and belongs to the stationary density.
   std::optional<std::complex<double>> rightmost = {};
   /// The second eigenvalue from the right (the slowest decay rate), if no mode is unstable.
   std::optional<std::complex<double>> next = {};
-  /// The next three values belong to the null vector p of the operator, on the same grid as the
-  /// density of `kf`. The null vector need not be a density.
+  /// The values l1_y, l1_ydot and min_density describe the null vector p of the operator, on the
+  /// grid on which the density of `kf` is computed. The null vector need not be a density.
   std::optional<double> l1_y = {};     ///< int |p(y) - p(y) of kf| dy
   std::optional<double> l1_ydot = {};  ///< int |p(y') - p(y') of kf| dy'
   /// Smallest cell average relative to the largest |average|.
   std::optional<double> min_density = {};
   std::string remark = {};  ///< reason why a value above is missing
 
-  /// The growth rate of the fastest growing mode, apart from the null vector: the rightmost
-  /// eigenvalue of the matrix if known, else the maximum of the symbol. Empty if no mode is
-  /// unstable or no rate is known.
+  /// The growth rate of the fastest growing mode other than the null vector: the rightmost
+  /// eigenvalue of the operator if known, else the maximum of the symbol. The growth rate is empty
+  /// if no mode is unstable or no rate is known.
   std::optional<double> growth_rate(const problem::Problem& problem) const;
 };
 
 struct RegularisationStudy {
   double default_length;  ///< l^2 = E[Y^6] / (5 E[Y^4])
-  /// the length l*: the symbol of every shorter l has a positive real part
+  /// the length l*: for every shorter l the symbol has a positive real part
   double shortest_length;
   std::vector<RegularisationRow> rows;
 };
@@ -61,8 +61,8 @@ struct RegularisationStudyOptions {
 /// ill-posed schemes alike. The study includes ill-posed velocity steps, which fd_fpk::solve
 /// refuses.
 /// @throws InputError unless problem::has_equivalent_linearisation(problem)
-/// @param progress called before the computation of each row, with the number of the row and the
-/// total number of rows
+/// @param progress function that is called before each row is computed, with the number of the row
+/// and the total number of rows
 RegularisationStudy study_regularisation(
     const problem::Problem& problem, const RegularisationStudyOptions& options = {},
     const std::function<void(int row, int rows)>& progress = {});

@@ -14,9 +14,10 @@
 namespace fpkcheck::fd_fpk {
 
 /// Whether the density has one peak and one length scale for each axis, those of equivalent
-/// linearisation. Box, grid and transport are then chosen by these scales, for all other problems by
-/// the density on a coarse grid. Reason: the density on the coarse grid would take most of the time
-/// (`fpkcheck fd`: 0.32 s for 0.22 s in case 1, 3.1 s for 0.34 s in case 4).
+/// linearisation. For such problems the solver chooses box, grid and transport by the scales of
+/// equivalent linearisation, for all other problems by the density on a coarse grid. Reason: to
+/// compute the density on a coarse grid would take most of the time (`fpkcheck fd`: 0.32 s for 0.22
+/// s in case 1, 3.1 s for 0.34 s in case 4).
 bool has_linearised_scales(const problem::Problem& problem);
 
 // Transport.
@@ -24,7 +25,8 @@ bool has_linearised_scales(const problem::Problem& problem);
 /// Number of impulses per decay time above which the density is not computed along characteristics,
 /// because characteristics would visit too many cells.
 inline constexpr double kMostImpulsesOfCharacteristics = 3000;
-/// Whether characteristics are the first choice at this number of impulses per decay time.
+/// Whether the solver first tries transport along characteristics, at the given number of impulses
+/// per decay time.
 bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time);
 /// Whether upwind differences cannot resolve the density, because the density is unbounded or
 /// because flights between impacts are shorter than a cell.
@@ -33,8 +35,8 @@ bool are_characteristics_required(const problem::Problem& problem);
 // Order.
 
 /// Automatic order if no wall dissipates energy and the density may have several length scales.
-/// Then the density has no jump along the orbit that grazes the wall, and order 7 with wider cells
-/// is more accurate than order 5 at equal cost (docs/performance.md).
+/// Without losses at a wall the density has no jump along the orbit that grazes the wall, and order
+/// 7 with wider cells is more accurate than order 5 at equal cost (docs/performance.md).
 inline constexpr int kHighOrder = 7;
 /// Factor of the cell widths of schemes of order kHighOrder.
 inline constexpr double kHighOrderWidthFactor = 1.2;
@@ -54,24 +56,25 @@ struct ResolutionLimits {
   double min_density;  ///< smallest accepted density relative to the peak, <= 0
   double power;        ///< largest accepted |residual| of the power balance, relative to the input
 
-  /// Both of the following functions return false for NaN.
+  /// The functions is_density_accepted and is_power_accepted return false for NaN.
   bool is_density_accepted(double relative_min_density) const {
     return relative_min_density >= min_density;
   }
   bool is_power_residual_accepted(double residual) const { return std::abs(residual) <= power; }
 };
 
-/// An automatic grid that violates these limits is refined. These limits are stricter than
-/// kStationaryLimits (stationary/status_checks.hpp), so that the density on an automatic grid
-/// satisfies kStationaryLimits with a margin.
+/// An automatic grid whose density violates kAutomaticGridLimits is refined. kAutomaticGridLimits
+/// is stricter than kStationaryLimits (stationary/status_checks.hpp), so that the density on an
+/// automatic grid satisfies kStationaryLimits with a margin.
 inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
 
-/// Target for the estimated L1 error on an automatic grid, if the time limit permits.
+/// L1 error estimate down to which an automatic grid is refined, if the time limit permits.
 inline constexpr double kTargetAccuracy = 1e-4;
 
-/// Whether a solution is `ok` only with small residuals of its balances (kMaxBalanceResidual). An
-/// automatic grid is then refined until the solution is `ok`. Reason: for these problems no closure
-/// and no independent discretisation may be available that would reveal a wrong density.
+/// Whether the status of a solution can be `ok` only if the residuals of its balances are small
+/// (kMaxBalanceResidual). For such a problem an automatic grid is refined until the status is `ok`.
+/// Reason: no closure and no independent discretisation may be available that would reveal a wrong
+/// density.
 bool must_satisfy_balances(const problem::Problem& problem);
 
 /// Whether the options permit the solver to choose finer grids.
@@ -88,8 +91,9 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
 /// refined at the origin.
 inline constexpr double kOriginRefinement = 16;
 /// Automatic ratio of the cell widths of x2 far from the origin and at the origin, under white
-/// noise with losses at the impact. There the density at the wall is proportional to u^-beta, and
-/// the cells of x1 are graded as the cube of the cells of x2 (orders 3 and 5).
+/// noise with losses at the impact. Under white noise with such losses the density at the wall is
+/// proportional to u^-beta, with u the speed, and the faces of x1 are proportional to the cubes of
+/// the faces of x2 (orders 3 and 5).
 inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
 /// The value of options.origin_refinement, or the automatic value if the option is not set.
@@ -101,7 +105,7 @@ struct LengthScales {
   double x1 = 0, x2 = 0;
 };
 
-/// Gradings of the cells of x1 towards walls, and of x2 towards 0.
+/// Gradings of the cells of x1 towards walls, and of the cells of x2 towards 0.
 struct Gradings {
   Grading x1, x2;
   bool at_left_wall = false, at_right_wall = false;
@@ -109,7 +113,7 @@ struct Gradings {
 Gradings gradings(const problem::Problem& problem, const Options& options,
                   const LengthScales& lengths);
 
-/// Cell widths far from the refinement points.
+/// Cell widths in x1 and x2 far from the refinement points.
 LengthScales cell_widths(const problem::Problem& problem, const Options& options,
                          const LengthScales& lengths);
 

@@ -12,9 +12,9 @@ namespace fpkcheck::fd_fpk {
 /// The left or the right end of the x1 axis.
 enum class AxisEnd { left, right };
 
-/// Condition that continues a density across an end of an axis. vacuum: p = 0 outside (an end of
-/// the box). boundary: p has no continuation (an impact wall), so that stencils near the end are
-/// shifted inwards.
+/// Condition that continues a density across an end of an axis. `vacuum`: the density is zero
+/// outside the axis (an end of the box). `boundary`: the density has no continuation (an impact
+/// wall), so that stencils near the end are shifted inwards.
 enum class EndCondition { vacuum, boundary };
 
 /// An axis divided into cells by `cell_count() + 1` increasing faces.
@@ -27,8 +27,9 @@ class Axis {
                                  EndCondition left = EndCondition::vacuum);
 
   int cell_count() const { return static_cast<int>(faces_.size()) - 1; }
-  /// Position of a face. Indices below the first and above the last face belong to cells outside
-  /// the axis, as wide as the outermost cell, for stencils that extend into the vacuum.
+  /// Position of a face of the axis. For stencils that extend into the vacuum, face indices below
+  /// the first and above the last face belong to cells outside the axis, which are as wide as the
+  /// outermost cell.
   double face_position(int f) const;
   double cell_centre(int i) const { return (face_position(i) + face_position(i + 1)) / 2; }
   double cell_width(int i) const { return face_position(i + 1) - face_position(i); }
@@ -38,7 +39,7 @@ class Axis {
   EndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd cell_widths() const;
-  /// The part of the axis from an inner face upwards, with vacuum at both ends.
+  /// The part of the axis above an inner face, with the condition `vacuum` at its two ends.
   Axis part_from_face(int first_face) const;
 
  private:
@@ -46,13 +47,14 @@ class Axis {
   EndCondition left_, right_;
 };
 
-/// Grading of cells towards x = 0. The number of cells up to x is proportional to
+/// Parameters of cells whose width decreases towards x = 0. The number of cells between 0 and x is
+/// proportional to
 ///
 ///     x + reach log(1 + x / core).
 ///
 /// With h the cell width far from the origin, the cell width at the origin is h / (1 + reach/core).
-/// Between, the ratio of neighbouring cell widths is about 1 + h/reach. reach = 0 is a uniform
-/// axis.
+/// Between the origin and the wide cells the ratio of neighbouring cell widths is about 1 +
+/// h/reach. The value reach = 0 gives a uniform axis.
 struct Grading {
   double reach = 0;
   double core = 1;
@@ -67,8 +69,8 @@ struct RefinementPoint {
   Grading grading;
 };
 
-/// Faces from `from` to `to`, which include every refinement point in that interval. The cells are
-/// graded towards each refinement point; far from all refinement points they have the width `step`.
+/// Faces from `from` to `to`, which include every refinement point in that interval. The cell width
+/// decreases towards each refinement point, and is `step` far from all refinement points.
 /// @param refinement_points refinement points, by increasing position
 std::vector<double> faces_graded_to_points(double from, double to, double step,
                                            std::span<const RefinementPoint> refinement_points);
@@ -77,20 +79,20 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
 /// from the origin.
 double graded_cell_count(double length, double step, const Grading& grading);
 
-/// Faces of an axis that include all anchors. Each cell has about the width that `width` gives at
-/// its position; the cells are slightly narrower, so that a whole number of cells fills each
-/// interval between anchors.
+/// Faces of an axis that include all anchors. Each cell is slightly narrower than the function
+/// `width` prescribes at its position, so that a whole number of cells fills each interval between
+/// anchors.
 /// @param anchors positions in increasing order, at least two
-/// @param width function that returns the cell width at a position, > 0. The relative change of
-/// this function over one cell must be small.
+/// @param width function that returns the cell width at a position, > 0. The relative change of the
+/// prescribed width over one cell must be small.
 std::vector<double> faces_with_local_width(std::span<const double> anchors,
                                            const std::function<double(double)>& width);
 
-/// Grid of rectangular cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. With a wall x1_min
-/// is 0. For the paper's oscillator the grid then covers one half of the (z, z') plane; the density
-/// on the other half follows by point symmetry. x2 = 0 is a face, and the faces of x2 are
-/// symmetric. The unknown is the average of p(y, y') (= 2 p(z, z') of the paper) over each cell;
-/// cell (i, j) has index i nv() + j.
+/// Grid of rectangular cells on x1 in [x1_min, x1_max], x2 in [-x2_max, x2_max]. If the problem has
+/// a wall, x1_min is 0. For the paper's oscillator the grid covers one half of the (z, z') plane;
+/// the density on the other half follows by point symmetry. The line x2 = 0 is a face of the cells,
+/// and the faces of x2 are symmetric about 0. The unknown is the average of p(y, y') (= 2 p(z, z')
+/// of the paper) over each cell; cell (i, j) has index i nv() + j.
 struct Grid {
   Axis x1;  ///< an end with the condition `boundary` is an impact wall
   Axis x2;
@@ -121,8 +123,8 @@ Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_g
 /// The density on the grid that has the given cell averages.
 transform::GridDensity grid_density(const Grid& grid, const Eigen::VectorXd& averages);
 
-/// The largest density in the cells along the upper x1 wall and along the two x2 walls of the box,
-/// relative to a peak density. Zero at an end of the box that is an impact wall.
+/// The largest density in the cells along each end of the box in x1 and in x2, relative to a peak
+/// density. The value at an end of the box that is an impact wall is zero.
 struct WallDensity {
   double x1;
   double x2;

@@ -11,16 +11,16 @@
 namespace fpkcheck::fd_fpk {
 
 /// Interpolates the cumulative distribution C(x) = int_{first face}^x p between the faces of an
-/// axis. At the faces the cell averages determine C exactly. A scheme that takes differences of a
-/// function of C over cells conserves mass.
+/// axis. The cell averages determine C exactly at the faces of the cells. A scheme conserves mass
+/// if it computes cell averages as differences of a function of C between the faces of a cell.
 class CumulativeInterpolation {
  public:
   static constexpr int kMostPoints = 10;
 
   /// @param points number of faces in a stencil, up to kMostPoints; the interpolation is exact for
-  /// p of degree points - 2
-  /// @param left_end boundary: stencils remain on the axis; vacuum: C = 0 left of the axis.
-  /// Right of the axis C is constant.
+  /// a polynomial density p of degree points - 2
+  /// @param left_end condition at the left end of the axis. `boundary`: stencils remain on the
+  /// axis; `vacuum`: C = 0 left of the axis. Right of the axis C is constant.
   CumulativeInterpolation(const Axis& axis, int points, EndCondition left_end);
 
   /// Adds `factor` times the interpolation weights of C(x), one for each face value C_0 .. C_cells,
@@ -33,7 +33,8 @@ class CumulativeInterpolation {
 
  private:
   // The faces around a cell and the inverse denominators 1 / prod_{b != a} (x_a - x_b) of the
-  // Lagrange polynomials. These numbers are the same for every x in the cell.
+  // Lagrange polynomials. The faces and inverse denominators of a stencil are equal for every x in
+  // the cell.
   struct Stencil {
     int first;
     std::array<double, kMostPoints> faces;
@@ -45,16 +46,17 @@ class CumulativeInterpolation {
   std::vector<Stencil> stencils_;  // shape (cells)
 };
 
-/// The impact as a map of the probability flux into the wall to the flux off the wall. Particles
-/// reach x1 = 0 with speed u and flux f(u) = u p(0, -u). The flux off the wall at speed w is
+/// The impact as a matrix that maps the probability flux into the wall to the flux off the wall.
+/// Particles reach x1 = 0 with speed u and flux f(u) = u p(0, -u). The flux off the wall at speed w
+/// is
 ///
 ///     map     f(w/r)/r,                          p(0+, w) = p(0-, w/r)/r^2: exact
 ///     delta   f(w) + (1-r) d(w f)/dw,            its first order in 1-r: paper (12)
 ///
 /// The matrix, shape (cells, cells), maps averages of f over the cells of the speed axis to
-/// averages of the flux off the wall. Both forms are computed as differences over a cell of a
-/// function of the cumulative flux, so that any interpolation conserves mass. Stencils never cross
-/// u = 0, where the density jumps.
+/// averages of the flux off the wall. The impact conditions `map` and `delta` are computed as
+/// differences of a function of the cumulative flux between the faces of a cell, so that any
+/// interpolation conserves mass. Stencils never cross u = 0, where the density jumps.
 ///
 /// @param speeds axis of the speeds, with faces increasing from 0
 /// @param restitution restitution coefficient r, 0 < r <= 1

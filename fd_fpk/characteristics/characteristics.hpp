@@ -16,16 +16,16 @@ namespace fpkcheck::fd_fpk {
 /// The part of a characteristic inside one cell.
 struct CellVisit {
   std::int32_t cell;
-  float ended;  ///< probability that an impulse ends the visit: 1 - exp(-lambda duration)
-  float mean_end_probability;  ///< average of this probability over starting points along the visit
+  float ended;  ///< probability of an impulse during the visit: 1 - exp(-lambda duration)
+  float mean_end_probability;  ///< average of `ended` over starting points along the visit
   double share;                ///< fraction of the cell's area covered by the strip of this visit
-  /// mean position of the visit, relative to the mean position of all visits to the cell
+  /// mean displacement and velocity of the visit, relative to the mean of all visits to the cell
   double y, v;
 };
 
 /// Maximum number of cell visits of all characteristics; this number of visits takes 0.8 GB of
-/// memory. A limit is necessary because slow motion that circles an equilibrium without impacts
-/// visits cells indefinitely.
+/// memory. The number of visits must be limited because slow motion that circles an equilibrium
+/// without impacts visits cells indefinitely.
 inline constexpr std::size_t kMaxVisits = 16000000;
 
 /// The end of a characteristic: at a wall, at a rest point, or at a state where the probability
@@ -33,8 +33,8 @@ inline constexpr std::size_t kMaxVisits = 16000000;
 struct TrackEnd {
   std::optional<WallSide> wall = {};
   double speed = 0;  ///< impact speed at the wall
-  /// Indices of the two characteristics from that wall on which the mass continues after the
-  /// impact: their speeds enclose r times the impact speed.
+  /// Indices of the two characteristics from the impact wall on which the mass continues after the
+  /// impact: the start speeds of the two characteristics enclose r times the impact speed.
   int faster = 0, slower = 0;
   double faster_fraction = 0;
   std::optional<int> rest = {};          ///< index of the rest point
@@ -49,23 +49,23 @@ struct Track {
   double energy = 0;  ///< energy of the state at the start
 };
 
-/// How the mass at rest in contact with a wall is distributed after an impulse over the
-/// characteristics from that wall. An impulse of amplitude Y off the wall starts the motion at
-/// speed Y. After an impulse into the wall, an impact follows at once.
+/// The fractions in which an impulse distributes the mass at rest in contact with a wall over the
+/// characteristics that start at this wall. An impulse of amplitude Y away from the wall starts the
+/// motion at speed Y. An impulse towards the wall causes an impact at once.
 struct ContactDepartures {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of tracks_from_walls()
-  /// fraction of the mass with a speed below that of every characteristic
+  /// fraction of the mass that an impulse moves at a lower speed than that of every characteristic
   double rest_fraction = 0;
-  /// Momentum and energy of the impacts due to impulses into the wall, per impulse.
+  /// Momentum and energy that impacts transfer after impulses into the wall, per impulse.
   double momentum = 0, energy = 0;
 };
 
-/// Characteristics that cover the phase plane so densely that each cell is crossed by one or more.
-/// Each characteristic represents a strip of the plane, which ends half way to the neighbouring
-/// characteristics. The area of the strip in a cell is the flux of the strip times the time that
-/// the characteristic spends in the cell (the method of characteristics of transport theory: J. R.
-/// Askew, AEEW-M 1108, 1972).
+/// Characteristics that cover the phase plane so densely that at least one characteristic crosses
+/// each cell. Each characteristic represents a strip of the plane, which ends half way to the
+/// neighbouring characteristics. The area of the strip in a cell is the flux of the strip times the
+/// time that the characteristic spends in the cell (the method of characteristics of transport
+/// theory: J. R. Askew, AEEW-M 1108, 1972).
 class Characteristics {
  public:
   /// @param impulse_rate arrival rate of impulses, per unit time
@@ -75,11 +75,12 @@ class Characteristics {
                   int per_cell, const Deadline& deadline = Deadline::unlimited());
 
   /// Characteristics that start at the boundary of the box, or in a cell that no other
-  /// characteristic crosses. Their mass continues on characteristics that start at walls.
+  /// characteristic crosses. After an impact the mass of these characteristics continues on
+  /// characteristics that start at walls.
   const std::vector<Track>& tracks_from_outside() const { return from_outside_; }
   /// Characteristics that start at a wall, by decreasing energy. After the impact at its end, the
-  /// mass of a characteristic continues on characteristics later in this order; only the faster of
-  /// these two may come earlier.
+  /// mass of a characteristic continues on two characteristics: the slower one comes later in this
+  /// list, the faster one may come earlier.
   const std::vector<Track>& tracks_from_walls() const { return from_walls_; }
   const std::vector<CellVisit>& visits() const { return visits_; }
   /// The reason why the characteristics do not cover the plane; empty if they cover the plane.
@@ -94,8 +95,9 @@ class Characteristics {
 
  private:
   struct Position;  // state of the tracing of a characteristic
-  // The characteristics from one wall: their speeds in decreasing order; for each strip the lowest
-  // speed, at which the next strip begins; and the indices of the characteristics.
+  // The characteristics that start at one wall: their start speeds in decreasing order; for the
+  // strip of each characteristic the lowest speed, at which the next strip begins; and the indices
+  // of the characteristics.
   struct WallTracks {
     std::vector<double> speeds, below;
     std::vector<int> tracks;
@@ -128,7 +130,7 @@ class Characteristics {
   std::vector<int> contacts_;
   std::vector<bool> at_rest_;  // for each cell
   std::vector<CellVisit> visits_;
-  std::vector<double> durations_;  // durations of the visits; used only during construction
+  std::vector<double> durations_;  // durations of the cell visits; used only during construction
   std::vector<Track> from_outside_, from_walls_;
   WallTracks from_left_, from_right_;
 };

@@ -15,11 +15,11 @@ struct State {
 
 /// The left or the right end of the displacement axis, at which there may be a wall.
 enum class WallSide { left, right };
-/// The sign of the velocity of a motion away from the wall on that side.
+/// The sign of the velocity with which a motion leaves the wall on the given side.
 constexpr double inward_sign(WallSide side) { return side == WallSide::left ? 1 : -1; }
 
-/// The interval of displacements that a motion with the energy of a state would reach without
-/// losses. Each end of the interval is a turning point or a wall.
+/// The interval of displacements that undamped motion from a state would reach. Each end of the
+/// accessible interval is a turning point or a wall.
 struct AccessibleInterval {
   double low, high;
   double least_potential;  ///< smallest potential in the interval
@@ -27,10 +27,10 @@ struct AccessibleInterval {
   double frequency;
 };
 
-/// The half-cycle: the motion from the left wall to the next impact on the same wall.
+/// A half-cycle: the motion from the left wall to the next impact on the left wall.
 struct HalfCycle {
   double height;            ///< largest distance from the wall during the half-cycle
-  double duration = 0;      ///< infinite if the motion does not return
+  double duration = 0;      ///< infinite if there is no further impact
   double impact_speed = 0;  ///< impact speed at the end
 };
 
@@ -44,13 +44,15 @@ class Flow {
   const std::optional<problem::Wall>& wall(WallSide side) const {
     return side == WallSide::left ? system_.left_wall() : system_.right_wall();
   }
-  /// Distance of the displacement y from the wall; negative behind the wall. @pre the wall exists
+  /// Distance of the displacement y from the wall on the given side; negative behind the wall. @pre
+  /// the wall exists
   double distance(double y, WallSide side) const;
   /// The wall behind which the displacement y is; empty if y is between the walls.
   std::optional<WallSide> wall_passed_at(double y) const;
 
   double acceleration(const State& at) const;
-  /// The relative rate at which the flow contracts areas of the phase plane, df/dv (Liouville).
+  /// The relative rate df/dv at which the flow contracts areas of the phase plane (Liouville), with
+  /// the damping force f.
   double contraction_rate(const State& at) const;
   double force(double y) const { return force_(y); }
   double energy(const State& at) const { return at.v * at.v / 2 + potential_(at.y); }
@@ -58,21 +60,21 @@ class Flow {
   /// Positions of the extrema of the potential U between the walls, in increasing order.
   const std::vector<double>& potential_extrema() const { return potential_extrema_; }
 
-  /// The state at the end of one time step: by the classical Runge-Kutta method, or, where damping
-  /// makes that method unstable, by an exponential (Rosenbrock-Euler) method with the tangents of f
-  /// and g.
+  /// The state at the end of one time step: by the classical Runge-Kutta method, or, where strong
+  /// damping makes the Runge-Kutta method unstable, by an exponential (Rosenbrock-Euler) method
+  /// with the tangents of f and g.
   State advance(const State& from, double time) const;
 
   /// The largest time step with which advance() is accurate. The relative error of the state is of
   /// the magnitude 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. When overdamped motion
   /// approaches a rest point, the steps increase with the time scale of the motion, and the
   /// relative error is 1e-4.
-  /// @param accessible_interval accessible interval of this state, or of an earlier state with more
-  /// energy
+  /// @param accessible_interval accessible interval of the state `from`, or of an earlier state of
+  /// the motion with more energy
   double max_step(const State& from, const AccessibleInterval& accessible_interval) const;
   AccessibleInterval accessible_interval(const State& at) const;
 
-  /// The half-cycle from the left wall with an initial speed > 0.
+  /// Computes the half-cycle that starts at the left wall with the given speed > 0.
   HalfCycle half_cycle(double speed) const;
 
   /// The time after which a flight from the state `from` meets the wall.
@@ -80,8 +82,8 @@ class Flow {
   double impact_time(const State& from, double time, WallSide side) const;
 
  private:
-  /// The two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), of the
-  /// equation linearised by the tangents of the forces.
+  /// The two modes of overdamped motion, v = v_slow exp(slow t) + v_fast exp(fast t), which solve
+  /// the equation of motion linearised by the tangents of the forces.
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };
@@ -92,7 +94,7 @@ class Flow {
   problem::System system_;
   numerics::Polynomial force_, tangent_, potential_, damping_, damping_slope_;
   double rayleigh_;
-  // positions of the extrema of U, and of g'
+  // positions of the extrema of the potential U, and of the tangent stiffness g'
   std::vector<double> potential_extrema_, stiffness_extrema_;
 };
 

@@ -10,16 +10,17 @@
 namespace fpkcheck::fd_fpk {
 
 /// Slopes of the density inside cells. For a density p + p_y (y - y_c) + p_v (v - v_c) in a cell
-/// the slopes are the area of the cell times p_y and times p_v.
+/// the two slopes are the area of the cell times p_y, and the area of the cell times p_v.
 struct CellSlopes {
   Eigen::VectorXd y;
   Eigen::VectorXd v;
 };
 
-/// Reconstructs the slopes from the masses of the cells, by central differences of the densities in
-/// the neighbouring cells. The reconstruction is linear in the masses. At a wall the differences
-/// are one-sided. The slopes are zero in the cells of rest points and at ends of the axes that are
-/// not walls. Masses stored after those of the cells have no slopes.
+/// Reconstructs the slopes of the density inside the cells from the masses of the cells, by central
+/// differences of the densities in the neighbouring cells; at a wall the differences are one-sided.
+/// The reconstruction is linear in the masses. The slopes are zero in the cells of rest points and
+/// at ends of the axes that are not walls. Masses at rest in contact, which the vector stores after
+/// the masses of the cells, have no slopes.
 class SlopeReconstruction {
  public:
   /// @param points rest points, in whose cells the slopes are zero
@@ -28,13 +29,15 @@ class SlopeReconstruction {
   CellSlopes operator()(const Eigen::VectorXd& masses) const;
   Eigen::VectorXd v_slopes(const Eigen::VectorXd& masses) const;
 
-  /// Sets a limiting factor for the slopes of each cell, such that the reconstructed density of
-  /// these masses is nonnegative inside the cell. The factor is 1 if no limit is needed. All later
-  /// reconstructions use these factors, so that the reconstruction remains linear.
+  /// Sets a limiting factor for the slopes of each cell, such that the density reconstructed from
+  /// the given masses is nonnegative inside the cell. The limiting factor is 1 if no limit is
+  /// needed. All later reconstructions use the same limiting factors, so that the reconstruction
+  /// remains linear.
   void set_limiter(const Eigen::VectorXd& masses);
 
  private:
-  // Weights of the masses of the lower neighbour, the cell and the upper neighbour.
+  // Weights by which the masses of the lower neighbour, the cell and the upper neighbour contribute
+  // to a slope.
   struct Weights {
     double below, centre, above;
   };
@@ -46,9 +49,9 @@ class SlopeReconstruction {
   Eigen::VectorXd limits_y_, limits_v_;
 };
 
-/// Sums over the impacts at one wall, per impulse of the excitation.
+/// Sums of impact quantities over the impacts at one wall, per impulse of the excitation.
 struct ImpactSums {
-  /// Number of impacts. The infinitely many impacts of a cascade to rest are not counted.
+  /// Number of impacts. The infinitely many impacts of a cascade that ends at rest do not count.
   double number = 0;
   double momentum = 0;  ///< sum of the impact speeds
   double energy = 0;    ///< sum of the squared impact speeds: int |v|^3 p dv
@@ -65,13 +68,14 @@ struct WallImpacts {
 ///     p = lambda int_0^infinity exp(-lambda t) (q transported along the motion for t) dt.
 ///
 /// Along a characteristic, the mass that enters a cell visit is the mass that left the preceding
-/// visit. During the visit, the fraction of the mass q in the cell that belongs to the strip is
-/// added, with the slopes of the cell. The mass to which no impulse occurs during the visit enters
-/// the next visit. The transport is exact along the characteristics and conserves mass.
+/// visit. During the visit, the operator adds the fraction of the mass q of the cell that lies in
+/// the strip of the characteristic, with the slopes of the cell. Mass that receives no impulse
+/// during the visit enters the next visit. The transport operator is exact along the
+/// characteristics and conserves mass.
 ///
 /// The vectors of p and of q contain the masses on the cells, followed by one mass for each rest
-/// point in contact. For p this mass is at rest in contact. For q this mass was at rest in contact
-/// until the impulse set it in motion.
+/// point in contact. In p the last masses are at rest in contact. In q the last masses were at rest
+/// in contact until the impulse set them in motion.
 class TransportOperator {
  public:
   /// @param characteristics,law must outlive the operator

@@ -11,12 +11,13 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Stores an exception that is thrown in a callback of SUNDIALS. Exceptions must not propagate
-/// through the C frames of SUNDIALS: the callback returns a flag instead, and the caller of
-/// SUNDIALS rethrows the exception.
+/// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
+/// the C stack frames of SUNDIALS: the callback returns a flag instead, and the function that
+/// called SUNDIALS rethrows the exception.
 class CallbackException {
  public:
-  /// SUNDIALS treats a negative flag as unrecoverable and returns.
+  /// SUNDIALS treats a negative flag of a callback as an unrecoverable error and returns to its
+  /// caller.
   static constexpr int kUnrecoverable = -1;
 
   /// Calls `callback` and returns the flag of the callback, or kUnrecoverable if the callback
@@ -26,13 +27,14 @@ class CallbackException {
     try {
       return callback();
     } catch (...) {
-      // keep the first: later exceptions may be consequences of the first
+      // keep the first exception: later exceptions may be its consequences
       if (!thrown_) thrown_ = std::current_exception();
       return kUnrecoverable;
     }
   }
 
-  /// Rethrows the first exception that was stored since the last call, if any.
+  /// Rethrows the first exception that a callback has thrown since the last call of rethrow(), if
+  /// any.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }
@@ -49,18 +51,19 @@ using ApproximateSolve = std::function<void(Eigen::Ref<Eigen::VectorXd>)>;
 struct GmresResult {
   std::optional<Eigen::VectorXd> solution;
   long iterations = 0;
-  std::string failure = {};  ///< reason why there is no solution; empty if there is a solution
+  std::string failure = {};  ///< reason why GMRES found no solution; empty after a success
 };
 
-/// Solves A x = b from x = 0 by SUNDIALS' GMRES (SUNLinSol_SPGMR). The preconditioner acts from the
-/// right, so that the stopping criterion is the residual of A x = b itself.
+/// Solves A x = b by GMRES of SUNDIALS (SUNLinSol_SPGMR), starting at x = 0. The preconditioner
+/// acts from the right, so that the stopping criterion is the residual of the unpreconditioned
+/// system A x = b.
 ///
 /// @param weights weights of the norm: the norm of a vector is the 2-norm of the products of
 /// weights and entries
 /// @param tolerance largest accepted ||A x - b|| / ||b||
 /// @param deadline time limit of the iteration
-/// @throws std::runtime_error when SUNDIALS cannot be set up (no memory), and every exception of
-/// `a` and `approximate_solve`
+/// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception
+/// of `a` and `approximate_solve`
 GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                   const Eigen::VectorXd& b, const Eigen::VectorXd& weights, double tolerance,
                   const Deadline& deadline = Deadline::unlimited());

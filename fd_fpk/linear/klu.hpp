@@ -10,17 +10,18 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// An ordering of the unknowns that reduces the number of new nonzeros in the factors, by nested
-/// dissection of the graph of A + A^T (CHOLMOD with METIS). The ordering depends on the pattern of
-/// the matrix alone. Recent orderings are cached, since the same grid sizes recur in error
-/// estimates and at neighbouring points of a sweep. The function is thread-safe.
+/// Computes an ordering of the unknowns that reduces the fill-in of the LU factors, by nested
+/// dissection of the graph of A + A^T (CHOLMOD with METIS). The ordering depends only on the
+/// positions of the nonzero entries of the matrix A. Recent orderings are cached, since the same
+/// grid sizes recur in error estimates and at neighbouring points of a sweep.
+/// fill_reducing_ordering() is thread-safe.
 /// @return the ordering; empty on failure
 std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matrix);
 
 /// Sparse LU factorisations by KLU with a nested-dissection ordering (CHOLMOD with METIS). The
-/// ordering is computed once, for the first matrix: all matrices of one object must have the same
-/// pattern of nonzeros. The pivots of the previous matrix are reused; a matrix for which they are
-/// numerically unsuitable is factored with new pivots.
+/// ordering is computed once, for the first matrix: all matrices that one object factors must have
+/// nonzero entries at the same positions. The pivots of the previous matrix are reused; a matrix
+/// for which the old pivots are numerically unsuitable is factored with new pivots.
 class KluFactorisation {
  public:
   KluFactorisation();
@@ -28,7 +29,8 @@ class KluFactorisation {
   KluFactorisation(KluFactorisation&&) noexcept;
   KluFactorisation& operator=(KluFactorisation&&) noexcept;
 
-  /// Factors `matrix`. Returns false on failure; then solve_in_place must not be called.
+  /// Factors `matrix`. Returns false on failure; after a failure solve_in_place() must not be
+  /// called.
   bool factorise(const SparseColumnMatrix& matrix);
   /// The reason why the factorisation failed, and what to do; empty after a success.
   std::string failure_reason() const;

@@ -17,42 +17,42 @@ struct LinearOdeSystem {
   LinearMap times;  ///< returns L P
   /// factors I - gamma L for `solve`; returns false on failure
   std::function<bool(double gamma)> factor;
-  ApproximateSolve solve;  ///< solves with the gamma of the last call of `factor`
+  ApproximateSolve solve;  ///< solves the system factored by the last call of `factor`
 };
 /// @param op,preconditioner must outlive the returned system
 LinearOdeSystem linear_ode_system(const FokkerPlanckOperator& op, Preconditioner& preconditioner);
 
-/// Exception that a product throws after the deadline, inside a time step. Products must check the
-/// deadline, because one time step may contain many products.
+/// Exception that a matrix-vector product throws if the deadline passes within a time step.
+/// Products must check the deadline, because one time step of CVODE may contain many products.
 struct DeadlineExceeded {};
 
-/// The given system, with products that throw DeadlineExceeded after the deadline.
+/// Returns the given system with products L P that throw DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
 LinearOdeSystem with_deadline(const Deadline& deadline, LinearOdeSystem system);
 
-/// Settings of CVODE's step control. For absent values the defaults of CVODE hold.
+/// Settings of CVODE's step control. An absent setting has the default value of CVODE.
 struct BdfControl {
   /// Highest order of BDF, 1 .. 5. BDF of an order above 2 is unstable on part of the imaginary
   /// axis.
   int max_order;
   /// relative tolerance of the local error of the cell averages, in the RMS over the cells
   double relative_tolerance;
-  double absolute_tolerance;  ///< absolute tolerance of the same error, in units of the density
+  double absolute_tolerance;  ///< absolute tolerance of the local error, in units of the density
   double linear_tolerance;    ///< tolerance of GMRES as a fraction of the local error
-  /// Absolute tolerances for each cell, in place of absolute_tolerance; shape of the initial
-  /// vector.
+  /// Absolute tolerance of the local error of each cell average, in place of absolute_tolerance;
+  /// shape of the initial vector.
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
   std::optional<double> step_growth = {};  ///< largest ratio of the lengths of successive steps
   std::optional<double> stop_time = {};    ///< time that no step exceeds
   std::optional<long> max_steps = {};      ///< maximum number of steps up to a requested time
-  /// maximum number of steps with the same factorisation, for a constant gamma
+  /// maximum number of steps with one factorisation while gamma is constant
   std::optional<long> steps_per_factorisation = {};
 };
 
-/// Integrator of dP/dt = L P by CVODE with BDF. GMRES solves the linear systems with L itself; the
-/// preconditioner consists of factors of an approximation of I - gamma L.
+/// Integrator of dP/dt = L P by CVODE with BDF. GMRES solves the linear systems with the exact
+/// operator L; the preconditioner factors an approximation of I - gamma L.
 class LinearCvode {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
@@ -65,7 +65,7 @@ class LinearCvode {
     int flag;  ///< flag of CVODE; negative if CVODE stopped, see error_message()
     double time;
   };
-  /// Sets BdfControl::linear_tolerance from the next step on.
+  /// Sets the value of BdfControl::linear_tolerance for all later steps.
   void set_linear_tolerance(double tolerance);
   /// Takes one internal step of CVODE.
   /// @throws every exception of the system

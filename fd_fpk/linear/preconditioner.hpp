@@ -13,24 +13,25 @@ class System;
 namespace fpkcheck::fd_fpk {
 
 /// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M,
-/// which approximates L in three respects: the differences have low order; a weak diffusion
-/// replaces the jumps, whose dense matrix would fill the factors; a small loss of mass makes the
-/// matrix regular. GMRES corrects for all three approximations. The number of GMRES iterations
-/// hardly increases with the number of cells (docs/performance.md).
+/// which approximates L in three respects: the differences of M have low order; a weak diffusion
+/// replaces the velocity jumps, whose dense matrix would fill the factors; a small loss of mass
+/// makes the matrix M regular. GMRES corrects the errors of the three approximations. The number of
+/// GMRES iterations hardly increases with the number of cells (docs/performance.md).
 class Preconditioner {
  public:
-  /// @param order the order of L. If the order of L is odd, M has order 3. If the order of L is
-  /// even, M has the same order: centred differences have no upwind dissipation, and GMRES would
-  /// not converge with a dissipative preconditioner.
+  /// @param order the order of the operator L. If the order of L is odd, the preconditioner M has
+  /// order 3. If the order of L is even, M has the order of L: centred differences have no upwind
+  /// dissipation, and GMRES would not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss rate of the mass loss: problem::MotionScales::slowest_decay_rate, if known
+  /// @param loss rate of the mass loss that makes M regular:
+  /// problem::MotionScales::slowest_decay_rate, if known
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
   /// Factors I - gamma M. Returns false on failure; see failure_reason(). If gamma is much longer
-  /// than the slowest decay time, I - gamma M is nearly -gamma M. Directly after
-  /// factor_stationary() the factors of M are then reused, and GMRES corrects for the difference.
+  /// than the slowest decay time, I - gamma M is nearly -gamma M. For so long a gamma, directly
+  /// after factor_stationary(), the factors of M are reused, and GMRES corrects the difference.
   bool factorise(double gamma);
   /// Factors M. Returns false on failure; see failure_reason().
   bool factor_stationary();
@@ -52,8 +53,8 @@ class Preconditioner {
   SparseColumnMatrix approximation_;  // the matrix M, with all diagonal entries stored
   SparseColumnMatrix factored_;
   KluFactorisation klu_;
-  bool are_stationary_ = false;  // whether the factors are those of M
-  double matrix_scale_ = 1;      // the requested matrix is this multiple of the factored matrix
+  bool are_stationary_ = false;  // whether the stored factors are factors of M
+  double matrix_scale_ = 1;      // ratio of the requested matrix to the factored matrix
   long factorisations_ = 0;
   double factor_seconds_ = 0;
 };

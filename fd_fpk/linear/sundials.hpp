@@ -18,9 +18,9 @@ namespace fpkcheck::fd_fpk::sundials_owned {
 /// Flag of success: SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
 inline constexpr int kSuccess = 0;
 
-/// A SUNDIALS context that prints nothing: flags report errors, and the handler of
-/// set_error_handler receives the messages. By default SUNDIALS 7 prints errors and warnings to
-/// standard error.
+/// A SUNDIALS context that prints nothing: returned flags report errors, and the handler that
+/// set_error_handler installs receives the messages. By default SUNDIALS 7 prints errors and
+/// warnings to standard error.
 struct QuietContext : sundials::Context {
   QuietContext() {
 #if SUNDIALS_VERSION_MAJOR >= 7
@@ -75,16 +75,16 @@ inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// A SUNDIALS vector with two changed operations. A failed clone throws. Inner products, which take
-/// a tenth of the time of a solution, are those of Eigen: Eigen uses vector registers,
-/// N_VDotProd_Serial adds one product at a time.
+/// A SUNDIALS vector with two changed operations. A failed clone throws. Eigen computes the inner
+/// products, which take a tenth of the time of a solution: Eigen uses SIMD, while N_VDotProd_Serial
+/// adds one product at a time.
 inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
   auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {
     return vector_view(a).dot(vector_view(b));
   };
-  // SUNDIALS 6 does not check clones for null. The exception thrown here leaks the clones that
-  // SUNDIALS has made so far, since it does not support exceptions.
+  // SUNDIALS 6 does not check clones for null. SUNDIALS does not support exceptions, so the
+  // exception of a failed clone leaks the clones that SUNDIALS has made before.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();

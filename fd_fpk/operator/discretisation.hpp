@@ -16,11 +16,11 @@ struct Box {
   double x1_max;
   double x2_max;
   double x1_min = 0;
-  LengthScales lengths = {};  ///< unit of the cell widths; 0: standard deviations
+  LengthScales lengths = {};  ///< units of the cell widths; 0 selects standard deviations as units
 };
 
-/// Maximum number of cells of a grid. At this number the factors of the preconditioner and the
-/// vectors of GMRES take about two gigabytes of memory.
+/// Maximum number of cells of a grid. With kMaxCells cells the factors of the preconditioner and
+/// the vectors of GMRES take about two gigabytes of memory.
 inline constexpr int kMaxCells = 100000;
 
 /// The grid, and the excitation discretised on the grid.
@@ -46,8 +46,8 @@ struct BoxExtension {
   int nx;
   int nv;
 };
-/// The box of the grid enlarged by about these factors. Inside the given grid the cells are
-/// unchanged.
+/// Returns the box of the grid enlarged by about the given factors. The extension does not change
+/// the cells inside the given grid.
 BoxExtension extend_box(const problem::Problem& problem, const Options& options, const Grid& grid,
                         double factor_x1, double factor_x2);
 
@@ -56,9 +56,9 @@ FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, con
                                             const Discretisation& on);
 
 /// The excitation on a uniform velocity axis, as input of fastest_growing_wave. The axis has cells
-/// of the given width and is so long that the middle row of the matrix contains no end stencils:
-/// this row is the row of an unbounded axis. The regularisation length is that of the options, or
-/// the default for cells of this width.
+/// of the given width and is so long that the middle row of the excitation matrix contains no
+/// stencils of the ends, and is thus the row for an unbounded axis. The options set the
+/// regularisation length; its default depends on the cell width.
 struct ExcitationWithoutWalls {
   Axis axis;
   Excitation excitation;
@@ -66,19 +66,19 @@ struct ExcitationWithoutWalls {
 ExcitationWithoutWalls excitation_without_walls(const problem::Problem& problem,
                                                 const Options& options, double cell_width);
 
-/// The box before any widening. Ends that the options set are kept. The automatic box extends over
-/// 6 standard deviations of equivalent linearisation in x1, from the static deflection, and over 7
-/// in x2, and over at least 6.5 standard deviations of a single impulse in x2. Without
-/// has_linearised_scales() the box has the limits of problem::MotionScales, or ends
-/// at the walls.
+/// The box before the solver moves its ends outwards. Ends of the box that the options set are
+/// kept. The automatic box extends over 6 standard deviations of equivalent linearisation in x1,
+/// from the static deflection, and over 7 in x2, and over at least 6.5 standard deviations of a
+/// single impulse in x2. Without has_linearised_scales() the box has the limits of
+/// problem::MotionScales, or ends at the walls.
 Box initial_box(const problem::Problem& problem, const Options& options);
 Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                 const Options& options);
 
 /// The length scales of a density on a coarse grid, from the Fisher information of the density:
-/// l^-2 = E[(d ln p/dx)^2]. The length scales of a normal density are its standard deviations. The
-/// length scales of every other density, such as that of several wells or of a ring, are shorter
-/// than its standard deviations.
+/// l^-2 = E[(d ln p/dx)^2]. The length scales of a normal density are its standard deviations. For
+/// every other density, such as a density with several peaks or a ring, the length scales are
+/// shorter than the standard deviations.
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
                                   const problem::MotionScales& scales);
 

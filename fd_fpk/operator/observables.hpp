@@ -19,8 +19,8 @@ struct Marginals {
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages);
 
 /// The moments E[x^n] and E[x'^n] of a density given by cell averages, in the coordinates of the
-/// grid. The quadrature has the order of accuracy of the operator. Where the wall coordinates are
-/// the physical coordinates, x is y.
+/// grid. The quadrature has the order of accuracy of the Fokker-Planck operator. If the wall
+/// coordinates are the physical coordinates, x is y.
 transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
 /// The moments E[y^n] and E[y'^n] in physical coordinates, y = frame.physical_y(x) and y' =
@@ -29,9 +29,9 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& averages, in
 transform::Moments physical_moments(const problem::Frame& frame, const Grid& grid,
                                     const Eigen::VectorXd& averages, int scheme_order);
 
-/// Estimated magnitude of the moments that the finite box misses: those of the tails outside the
-/// box, extrapolated from the marginal densities, and those of the motion that would return from
-/// outside.
+/// Estimates the magnitude of the moments that the finite box omits: the moments of the tails
+/// outside the box, extrapolated from the marginal densities, and the moments of the motion that
+/// would return from outside the box.
 /// @param moments_in_box the moments of the density inside the box
 transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
                                        const Eigen::VectorXd& averages,
@@ -42,26 +42,27 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
 double physical_mixed_moment(const problem::Frame& frame, const Grid& grid,
                              const Eigen::VectorXd& averages, int scheme_order);
 
-/// The mean energy E[v^2]/2 + E[U(y)]. The potential U of the spring is averaged over cells in the
-/// same way as the operator averages the force. The mean energy is linear in the cell averages: the
-/// mean energy of the rate of change of a density is the rate of change of the energy.
+/// The mean energy E[v^2]/2 + E[U(y)]. The potential U of the spring is averaged over cells by the
+/// rule by which the Fokker-Planck operator averages the force. The mean energy is linear in the
+/// cell averages: applied to the rate of change of the cell averages, mean_energy() gives the rate
+/// of change of the energy.
 double mean_energy(const problem::System& system, const Grid& grid, const Eigen::VectorXd& averages,
                    int scheme_order);
 
 /// Speed moment of the density at a wall: int_{v<0} |v|^n p(0, v) dv, or int_{v>0} v^n p(b, v) dv
 /// at the end b, where n >= 1 is the argument `speed_exponent`. The density at the wall is
-/// extrapolated as in the operator. The impact rate is the moment with n = 1. The energy balance
-/// contains the moment with n = 3.
+/// extrapolated by the stencils of the Fokker-Planck operator. The speed moment with n = 1 is the
+/// impact rate; the speed moment with n = 3 occurs in the energy balance.
 double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                    int speed_exponent, AxisEnd end = AxisEnd::left);
 
-/// The mean power of the damping force, E[v f], of a density given by cell averages. The moments
-/// are those of the same density, in the coordinates of the grid.
+/// The mean power E[v f] of the damping force f, for a density given by cell averages. The argument
+/// `moments` contains the moments of that density, in the coordinates of the grid.
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
                           const Grid& grid, const Eigen::VectorXd& averages, int scheme_order);
 
-/// The terms of the power balance of a density given by cell averages. The moments are those of the
-/// same density, in the coordinates of the grid.
+/// The terms of the power balance of a density given by cell averages. The argument `moments`
+/// contains the moments of that density, in the coordinates of the grid.
 problem::EnergyTerms energy_terms(const problem::System& system, const transform::Moments& moments,
                                   const Grid& grid, const Eigen::VectorXd& averages,
                                   int scheme_order);
@@ -75,15 +76,16 @@ double energy_residual(const problem::Problem& problem, problem::Impact impact, 
 struct WallMomentumTransfer {
   /// int_{v<0} v^2 p(0, v) dv, plus the momentum of impulses on mass at rest in contact
   double left_momentum = 0;
-  double right_momentum = 0;  ///< the same momentum at the right wall
-  /// Contribution of mass at rest in contact to E[y]. The wall balances the spring force on this
-  /// mass, so the momentum balance contains neither of the two forces.
+  double right_momentum = 0;  ///< momentum transferred to the right wall
+  /// Contribution of mass at rest in contact to E[y]. The wall force balances the spring force on
+  /// mass at rest in contact, so the momentum balance contains neither of the two forces.
   double displacement_at_rest = 0;
 };
 
 /// Residuals of problem::virial_balance and problem::momentum_balance for a density given by cell
-/// averages. The force is averaged over cells as in the operator. Without a wall, and with impulses
-/// of mean zero, there is no momentum residual, because both sides of the balance are 0.
+/// averages. The force is averaged over cells as in the Fokker-Planck operator. Without a wall, and
+/// with impulses of mean zero, there is no momentum residual, because the two sides of the momentum
+/// balance are 0.
 /// @param walls momentum transferred to the walls; ignored for problems without a wall
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
                                               const Eigen::VectorXd& averages, int scheme_order,
@@ -92,9 +94,10 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
 WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
                                             const Eigen::VectorXd& averages, int scheme_order);
 
-/// Density on the walls of the box, relative to the smaller of two peaks: that of the density, and
-/// that of equivalent linearisation. The second peak is needed because a spike at the rest point
-/// would make a significant density on the walls appear negligible.
+/// Density on the walls of the box, relative to the smaller of two peaks: the peak of the density,
+/// and the peak of the density of equivalent linearisation. The peak of equivalent linearisation is
+/// needed because a spike of the density at the rest point would make a significant density on the
+/// walls appear negligible.
 WallDensity relative_wall_density(const problem::MotionScales& scales, const Grid& grid,
                                   const Eigen::VectorXd& averages);
 
@@ -107,7 +110,7 @@ struct Gaussian {
 Eigen::VectorXd cell_averages(const Gaussian& gaussian, const Grid& grid);
 
 /// Cell averages, normalised to mass 1, of the Gaussian of problem::MotionScales, truncated at the
-/// walls. This density is the initial density of time steps and of iterations.
+/// walls. The truncated Gaussian is the initial density of time steps and of iterations.
 Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales);
 
 }  // namespace fpkcheck::fd_fpk

@@ -27,11 +27,11 @@ struct FokkerPlanckOperator {
   Eigen::VectorXd areas;  ///< areas of the cells, shape (size)
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& averages) const;
-  /// The whole operator as one sparse matrix. Entries of `exchange` at the level of rounding errors
+  /// The whole operator as one sparse matrix. Entries of `exchange` that are only rounding errors
   /// are dropped.
   SparseColumnMatrix assembled_matrix() const;
-  /// The largest rate at which a cell loses or gains mass: the maximum over all columns of |sum of
-  /// area times entry| / area of the cell of the column.
+  /// The largest rate at which the operator violates the conservation of mass: the maximum over all
+  /// columns of |sum of area times entry| / area of the cell of the column.
   double max_mass_loss_rate() const;
   /// Total mass of a density given by cell averages.
   double total_mass(const Eigen::VectorXd& averages) const { return areas.dot(averages); }
@@ -40,10 +40,10 @@ struct FokkerPlanckOperator {
   double stationarity_residual(const Eigen::VectorXd& averages) const;
 };
 
-/// How the averages of x2 p and of the force times p over a cell are computed from averages of p.
-/// full: to the order of the operator, from several cells. lumped: as the product of the average of
-/// p with x2 or the force at the centre of the cell; this product is accurate to second order and
-/// uses no neighbouring cells.
+/// The rule that computes the cell averages of x2 p, and of the force times p, from cell averages
+/// of p. `full`: to the order of the operator, from several cells. `lumped`: the cell average of p
+/// times x2 or the force at the centre of the cell, which is accurate to second order and uses no
+/// neighbouring cells.
 enum class ProductAveraging { full, lumped };
 
 /// The operator of paper (15) with the chosen excitation, and with the impact condition at each
@@ -51,11 +51,12 @@ enum class ProductAveraging { full, lumped };
 ///
 ///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
 ///
-/// with g the restoring force of System, and c(x1), c_vv its damping.
+/// with the restoring force g of `system`, and its damping coefficients c(x1) and c_vv.
 ///
 /// @param impact map or delta
-/// @param scheme_order of the transport terms: odd orders have upwind-biased stencils, even orders
-/// centred stencils. The derivatives of the excitation are centred, of the next even order.
+/// @param scheme_order order of accuracy of the transport terms: odd orders have upwind-biased
+/// stencils, even orders centred stencils. The derivatives of the excitation have centred stencils
+/// of the next even order.
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                             const Excitation& excitation, problem::Impact impact,
                                             const Grid& grid, int scheme_order,
@@ -67,7 +68,7 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
 SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
                                     AxisEnd end = AxisEnd::left);
 
-/// The matrix factor A + shift I, with the identity matrix I.
+/// Returns the matrix factor A + shift I, with the identity matrix I.
 SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, double shift);
 
 }  // namespace fpkcheck::fd_fpk

@@ -9,7 +9,7 @@ namespace fpkcheck::fd_fpk {
 
 /// Result of the stability check of the discretised excitation.
 struct WellPosedness {
-  /// the fastest growing wave; zero for equations that are well-posed for any cell width
+  /// the fastest growing wave; zero for equations that are well-posed with any cell width
   FastestGrowingWave growth{0, 0};
   /// The reason why the scheme is ill-posed, and what to do; empty if the scheme is well-posed.
   std::string ill_posed_reason;

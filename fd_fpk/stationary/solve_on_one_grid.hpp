@@ -18,24 +18,25 @@ namespace fpkcheck::fd_fpk {
 struct PseudoTransientResult {
   Eigen::VectorXd averages;  ///< the last density
   std::string reason;        ///< error message of CVODE; empty if CVODE did not stop
-  bool out_of_time = false;  ///< whether the next step would have ended after the deadline
+  bool out_of_time = false;  ///< whether time stepping stopped because of the deadline
   double residual = 0;  ///< residual of `averages`, FokkerPlanckOperator::stationarity_residual
   long steps = 0;       ///< internal steps of CVODE
   long rhs_evaluations = 0;    ///< number of products L P evaluated for CVODE
   long krylov_iterations = 0;  ///< total iterations of GMRES
-  /// time in seconds without factorisations, nearly all of which GMRES takes
+  /// time of the integration without factorisations, in seconds; GMRES takes nearly all of this
+  /// time
   double krylov_seconds = 0;
 };
 
 /// Integrates dP/dt = L P from `start` by SUNDIALS CVODE until ||L P||_1 <= tolerance ||P||_1. The
 /// method is BDF of order 1, which is L-stable. BDF of higher order damps slowly near the imaginary
-/// axis, where the eigenvalues of the rotating oscillator lie. Steps of 10 to 500 decay times are
-/// not limited by local errors: each step is a step of inverse iteration, which multiplies the
-/// residual by 1/(1 + step/decay time). GMRES solves the linear systems with L itself, to the
-/// residual attainable in the step. The preconditioner is KLU, with the factors of the stationary
-/// operator if available. Only the residual, and not the step size of CVODE, is the stopping
-/// criterion. A step does not start if a step of the same duration as the preceding step would end
-/// after the deadline. A running step is aborted at the deadline.
+/// axis, where the eigenvalues of the rotating oscillator lie. Local errors do not limit the time
+/// steps, which are 10 to 500 decay times long: each time step is a step of inverse iteration,
+/// which multiplies the residual by 1/(1 + step/decay time). GMRES solves the linear systems with L
+/// itself, to the residual attainable in the step. The preconditioner is KLU, with the factors of
+/// the stationary operator if available. The stopping criterion is the residual, not the step size
+/// of CVODE. A time step does not start if it would end after the deadline, provided that it takes
+/// as long as the preceding step. At the deadline a running time step is aborted.
 ///
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time the longest decay time of the problem
