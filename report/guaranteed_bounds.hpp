@@ -12,11 +12,11 @@ namespace fpkcheck::report {
 /// Sentences on the guaranteed bounds of the moments of a case. The list is empty if no bounds were
 /// computed.
 ///
-///   - First a sentence for each solution of the full problem with a moment outside the guaranteed
-///     bounds by more than the stated error: such a solution is wrong.
+///   - First a sentence for each wrong solution of the full problem: a moment of a wrong solution
+///     lies outside the guaranteed bounds by more than the stated error.
 ///   - Then a sentence with the bounds of E[y^2] and E[y'^2], and with the approximations that have
 ///     a moment outside its bounds.
-///   - Only the reason, if the computation gave no bounds.
+///   - If the computation gave no bounds, only a sentence with the reason.
 std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& case_result);
 
 /// A text table with a row for each bounded functional: lower bound, upper bound, absolute and

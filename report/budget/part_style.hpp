@@ -5,8 +5,8 @@
 /// Styles of the parts of an error budget in all pictures and on the page.
 namespace fpkcheck::report {
 
-/// The colour of a part of the error budget, "#RRGGBB"; grey for a part that joins several
-/// approximations.
+/// The colour of a part of the error budget, "#RRGGBB"; grey for a part that combines the errors of
+/// several approximations.
 /// @param part ErrorBudgetPart::name()
 /// @throws InputError if the name contains an unknown approximation
 const char* budget_part_colour(const std::string& part);

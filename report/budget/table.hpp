@@ -12,14 +12,14 @@ namespace fpkcheck::report {
 
 /// The error budget of a case as a text table: for each closure and marginal density the L1
 /// distance to the reference and the parts of this distance. The parts that all closures share
-/// (discretisation, sampling) have rows of their own. An asterisk marks a closure that is not ok. A
-/// sentence on the limits of the budget follows the table. The text of the table is empty if the
-/// case has no error budget.
+/// (discretisation, sampling) have rows of their own. An asterisk marks a closure whose status is
+/// not ok. Below the table a sentence states the limitations of the error budget. The text of the
+/// table is empty if the case has no error budget.
 /// @param format format of the text: if rows exceed its width, the columns of the tail distances
 ///               are omitted first, then the columns of the last parts
 std::string budget_table(const results::CaseResult& case_result, const TextFormat& format);
 
-/// The columns that budget_table displays in this format; no column if the case has no budget.
+/// The columns that budget_table displays in a text format; none if the case has no error budget.
 std::vector<TextColumn> budget_columns(const results::CaseResult& case_result,
                                        const TextFormat& format);
 

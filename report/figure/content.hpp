@@ -16,7 +16,8 @@ struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
   /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
-  /// solution is ok. The ranges of the differences come from difference_axis_ranges.
+  /// solution is ok. difference_axis_ranges computes the axis ranges of the differences from the
+  /// reference.
   MarginalAxisRanges ranges;
 };
 
@@ -25,17 +26,18 @@ struct FigureContent {
   /// Id of the reference (compare::Assessment), which is subtracted from all other solutions,
   /// or "".
   std::string reference;
-  /// Whether the differences are differences between averages over smooth bins. Averages over
-  /// smooth bins have small errors, so that absolute differences are shown on a logarithmic axis.
+  /// Whether the figure shows differences between averages over smooth bins (B-spline weights).
+  /// Averages over smooth bins have small errors, so that absolute differences are shown on a
+  /// logarithmic axis.
   bool smooth_differences = false;
   std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
   std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
 
 /// Axis ranges of the differences between the curves and the reference. A logarithmic axis contains
-/// the differences of all curves. A linear axis contains only the differences of solutions that are
-/// ok or inaccurate, since a single outlier would compress all other curves; if no solution is ok
-/// or inaccurate, the axis contains all curves.
+/// the differences of all curves. A linear axis contains only the differences of solutions with
+/// status ok or inaccurate, since a single outlier would compress all other curves; if no solution
+/// has status ok or inaccurate, the linear axis contains the differences of all curves.
 MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
 /// The content of the figure of a case: curves, ranges and reference.

@@ -9,29 +9,30 @@
 
 namespace fpkcheck::report {
 
-/// The exception for a missing gnuplot. The handler of this exception warns the user and states how
-/// to draw the pictures later.
+/// The exception for a missing program gnuplot. The handler of GnuplotMissing warns the user and
+/// states how to draw the pictures later.
 struct GnuplotMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Runs gnuplot to draw the picture of a script in the format that the extension of `picture`
-/// determines. The picture file is either replaced as a whole or left unchanged. STEM-tex.pdf, the
-/// graphics file that STEM.tex includes, is likewise replaced as a whole or left unchanged.
+/// determines. The picture file, and the graphics file STEM-tex.pdf that STEM.tex includes, are
+/// each replaced completely or left unchanged.
 /// @throws GnuplotMissing
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// Draws the script STEM.gp in all formats of the options. The pictures are written to the
-/// directory of the script.
+/// Runs gnuplot on the script STEM.gp once for each file format in the figure options. The pictures
+/// are written to the directory of the script.
 /// @return a warning for each picture that was not drawn
 /// @throws GnuplotMissing
 std::vector<std::string> draw_formats(const std::string& gnuplot,
                                       const std::filesystem::path& figures, const std::string& stem,
                                       const FigureOptions& options);
 
-/// Writes the script STEM.gp into a directory, and draws the script in all formats of the options.
+/// Writes the script STEM.gp into a directory, and draws its pictures in each file format of the
+/// figure options.
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
 std::vector<std::string> write_pictures(const std::filesystem::path& figures,
                                         const std::string& stem, const std::string& script,

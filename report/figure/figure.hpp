@@ -11,12 +11,13 @@
 #include "report/figure/options.hpp"
 #include "transform/identity.hpp"
 
-/// The model of a figure. A figure is made once from results; figure_script writes the figure for
-/// gnuplot, figure_plots (report/page/plot.hpp) for the page.
+/// The model of a figure. A Figure object is made once from results; figure_script converts the
+/// object to a gnuplot script, and figure_plots (report/page/plot.hpp) converts the object to plots
+/// of the page.
 namespace fpkcheck::report {
 
-/// A point of a series. A coordinate that is not finite, or has no logarithm on a logarithmic axis,
-/// is a gap of the line.
+/// A point of a series. The line has a gap at a point with a non-finite coordinate, or with a
+/// coordinate <= 0 on a logarithmic axis.
 struct FigurePoint {
   double x, y;
   bool open = false;        ///< whether the mark is open: the solution is not ok
@@ -59,17 +60,17 @@ struct FigureAxis {
   std::vector<FigureTic> tics = {};  ///< empty for automatic tics
 };
 
-/// The logarithmic axis that contains a coordinate of all points, with a margin for marks and
-/// labels.
+/// Makes a logarithmic axis that contains one coordinate (x or y) of all points, with a margin for
+/// marks and labels.
 FigureAxis logarithmic_axis(const std::string& label, const std::vector<FigureSeries>& all,
                             double FigurePoint::*coordinate);
 
-/// The linear axis that contains a coordinate of all points, with a margin.
+/// Makes a linear axis that contains one coordinate (x or y) of all points, with a margin.
 FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>& all,
                        double FigurePoint::*coordinate);
 
-/// A map that shows values by colours, below the series of its panel: on a grid of equal cells, or
-/// at single points. Values that are not finite have no colour.
+/// A heat map that shows values by colours, drawn behind the series of its panel: on a grid of
+/// equal cells, or at single points. Values that are not finite have no colour.
 struct FigureHeatMap {
   std::array<double, 2> x_range, y_range;  ///< outer edges of the cells
   std::size_t columns;
@@ -94,7 +95,7 @@ struct FigurePanel {
 };
 
 struct Figure {
-  /// The title in plain text; a picture breaks the title into lines between these parts.
+  /// The parts of the title in plain text; a picture breaks the title into lines between parts.
   std::vector<std::string> title = {};
   std::vector<FigurePanel> panels = {};
   std::string legend_note = "";  ///< entry of the legend without a sample
@@ -104,7 +105,7 @@ struct Figure {
 };
 
 /// A gnuplot script with the data that draws the panels of a figure row by row, with a common
-/// legend. A last panel without a neighbour has the width of the row.
+/// legend. If the last row has a single panel, this panel has the width of the row.
 /// @pre the figure has at least one panel
 std::string figure_script(const Figure& figure, const std::string& file_stem,
                           FigureWidth width = FigureWidth::screen);

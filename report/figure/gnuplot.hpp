@@ -11,13 +11,14 @@ namespace fpkcheck::report {
 struct GnuplotOutcome {
   bool found;           ///< the program was started
   int exit_code;        ///< -1 if the program was not found or was ended by a signal
-  std::string message;  ///< the beginning of its standard output and standard error
+  std::string message;  ///< first part of gnuplot's standard output and standard error
 };
 
 /// Runs a gnuplot script; assignments of gnuplot variables, such as "format='svg'", precede the
-/// script. The user's settings of gnuplot (initialisation files, GNUTERM) are ignored.
+/// script. gnuplot runs without the user's settings (initialisation files, GNUTERM).
 /// @param program name on the PATH, or a path
-/// @param time_limit a process that exceeds this limit is killed; the message then states the limit
+/// @param time_limit time after which the gnuplot process is killed; the message then states the
+///                   limit
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
                            const std::filesystem::path& script,
                            std::chrono::milliseconds time_limit = std::chrono::minutes(1));

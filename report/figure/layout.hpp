@@ -10,9 +10,9 @@
 /// Size, output commands, title, panels and legend that all pictures share.
 namespace fpkcheck::report {
 
-/// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every width, so
-/// that a narrow picture has fewer panels side by side. The letters of a printed picture have 7.5
-/// pt.
+/// Size of the layout of a picture in pixels. Letters are 14 or 15 pixels high for every picture
+/// width, so that a narrow picture has fewer panels side by side. The letters of a printed picture
+/// have a size of 7.5 pt.
 struct FigureSize {
   int width;
   int height;
@@ -28,7 +28,7 @@ double printed_width_mm(FigureWidth medium);
 
 /// The first commands of a gnuplot script, which set terminal and output. The script draws
 /// FILE_STEM.png. The gnuplot variable format='svg', 'pdf' or 'tex' selects another format; the
-/// script refuses all other values. The gnuplot variable `target` sets another file name.
+/// script refuses all other formats. The gnuplot variable `target` sets another file name.
 std::string gnuplot_output_commands(const std::string& file_stem, const FigureSize& size);
 
 /// The title of a figure above all panels, broken into lines.
@@ -91,8 +91,8 @@ struct Legend {
   int sample_length;  ///< length of the line sample beside each label, in letters
 };
 
-/// Height in pixels of a strip that shows all entries of the legend: gnuplot omits entries that do
-/// not fit into the strip.
+/// Height in pixels of the strip that shows all entries of the legend: gnuplot omits legend entries
+/// that do not fit into the strip.
 int legend_height(const Legend& legend, int width);
 
 /// gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a

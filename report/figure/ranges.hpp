@@ -39,13 +39,13 @@ inline constexpr double kSmallestDrawnDensity = 1e-6;
 
 /// The axis ranges of the panels of one marginal density.
 struct MarginalAxisRanges {
-  double linear_from, linear_to;            ///< where a density exceeds 1/500 of linear_top
-  double logarithmic_from, logarithmic_to;  ///< where a density exceeds kSmallestDrawnDensity
+  double linear_from, linear_to;            ///< abscissae where a density exceeds linear_top/500
+  double logarithmic_from, logarithmic_to;  ///< where a density is > kSmallestDrawnDensity
   double linear_top;          ///< the largest density, excluding the narrow bins at a spike
   double largest_density;     ///< over all bins
   double least_density;       ///< over all bins; 0 with an empty bin
   double largest_difference;  ///< from the reference, excluding narrow bins; 0 without reference
-  double least_difference;    ///< the smallest maximum of a curve of differences
+  double least_difference;    ///< smallest of the maxima of all curves of differences
 };
 
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
@@ -72,8 +72,8 @@ struct DrawnCurve {
 };
 
 /// The range of a logarithmic axis of differences, in whole decades and at most eight decades. The
-/// upper end is the largest difference. The lower end is two decades below the smallest of the
-/// curves' maxima.
+/// upper end is the largest difference. The lower end is two decades below the smallest maximum of
+/// a curve of differences.
 std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& ranges);
 
 /// The lower end of the logarithmic axis of a density: a power of ten that is below all values and
@@ -85,12 +85,12 @@ inline double logarithmic_axis_top(const MarginalAxisRanges& ranges) {
   return 3 * ranges.largest_density;
 }
 
-/// A note that states the height of a spike beyond the linear axis; empty if no spike exceeds the
-/// axis.
+/// A note that states the height of a spike of the density above the linear axis; empty if no spike
+/// exceeds the axis.
 std::string spike_note(const MarginalAxisRanges& ranges);
 
-/// The axis ranges that contain all given curves. Callers should pass only reliable curves, since a
-/// single outlier would compress all other curves.
+/// The axis ranges that contain all given curves. Callers should pass only the curves of reliable
+/// solutions, since a single outlier would compress all other curves.
 MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves);
 
 }  // namespace fpkcheck::report

@@ -38,8 +38,8 @@ struct PointTypes {
 /// The gnuplot point types with the shape of a plotly.js marker (the symbol of a plot style).
 PointTypes point_types(const std::string& symbol);
 
-/// The dash type of gnuplot; "solid" if the dash type is invalid, since a file may contain an
-/// invalid dash type.
+/// Returns the dash type for gnuplot, or "solid" for an invalid dash type, which a file may
+/// contain.
 std::string dash_type(const std::string& dash);
 
 /// The plot style of a series of points. In grey print the shapes of marks distinguish families,
@@ -59,7 +59,8 @@ std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdenti
 std::string to_latex(const std::string& enhanced);
 
 /// Converts gnuplot's enhanced text to a string expression of a gnuplot script that is valid in all
-/// figure formats. The expression calls the function say(), which output_commands defines.
+/// figure formats. The expression calls the gnuplot function say(), which gnuplot_output_commands
+/// defines.
 std::string gnuplot_text(const std::string& enhanced);
 
 /// Converts a plain text to a string expression of a gnuplot script; the text appears literally in
