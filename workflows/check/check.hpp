@@ -29,8 +29,8 @@ struct CheckResult {
 CheckResult check(const results::Run& baseline, const results::Run& now,
                   const Tolerances& tolerances, bool with_marginals = true);
 
-/// The result of the comparison as text for the terminal: the quantities that changed, for each
-/// kind the largest change within its tolerance, and a closing sentence.
+/// The result of the comparison between two runs as text for the terminal: the quantities that
+/// changed, for each kind the largest change within its tolerance, and a closing sentence.
 std::string check_table(const CheckResult& check, const report::TextFormat& format);
 
 /// The result of the comparison in JSON, the contents of check.json.
@@ -38,7 +38,8 @@ std::string check_table(const CheckResult& check, const report::TextFormat& form
 std::string check_json(const CheckResult& check, const std::string& command,
                        const std::string& baseline);
 
-/// The number of compared quantities of one kind, and the number of those beyond the tolerance.
+/// The number of compared quantities of one kind, and the number of quantities whose change exceeds
+/// the tolerance.
 struct QuantityKindSummary {
   QuantityKind kind;
   std::size_t count = 0;

@@ -19,12 +19,12 @@ constexpr const char* density_name(transform::Variable variable) {
 Quantities solution_quantities(const transform::Solution& solution, const Tolerances& tolerances);
 
 /// Adds the metrics of a solver to the quantities. The kind of a metric determines how its change
-/// is judged. Words must be equal. Changes of results and coefficients are relative to the value,
-/// or to the least scale of the metric if this scale is larger. The change of a result with a
-/// standard error is in units of the standard error. The change of a standard error is the ratio of
-/// both runs minus 1; the standard error of a value that is sensitive to rounding is ignored.
+/// is judged. Words must be equal. Changes of results and coefficients are relative to the value of
+/// the metric, or to the least scale of the metric if this scale exceeds the value. The change of a
+/// result with a standard error is in units of the standard error. The change of a standard error
+/// is the ratio of both runs minus 1; the standard error of a rounding-sensitive value is ignored.
 /// Metrics of kind work and text are ignored.
-/// @param whole the part that stands for the whole solution. The tolerance of a quantity of kind
+/// @param whole the part that represents the whole solution. The tolerance of a quantity of kind
 ///        `simulated_error` is replaced by an exponent: the quantity is proportional to this power
 ///        of a standard error
 void add_metric_quantities(const transform::Metrics& metrics, const Tolerances& tolerances,
@@ -39,7 +39,7 @@ transform::Metrics copy_metric_kinds(transform::Metrics baseline, const transfor
 /// inequality l1 changes by at most the L1 distance between the two simulations. A distance kl that
 /// is infinite in one of the runs is omitted, since a rounding error in the far tail decides
 /// whether kl is finite.
-/// @param other the same case in the other one of the two runs
+/// @param other the result of the same case in the second run
 Quantities distance_quantities(const results::CaseResult& one, const results::CaseResult& other,
                                const Tolerances& tolerances);
 

@@ -82,8 +82,8 @@ struct Quantity {
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains it: "density", "peaks[3]"
   /// Whether the quantity is the first of a part (a group of quantities) and states the presence or
-  /// the length of this part. If such a quantity changes, only this change is reported; all other
-  /// quantities of the part are not compared.
+  /// the length of the part. If the first quantity of a part changes, only this change is reported,
+  /// and the other quantities of the part are not compared.
   bool opens_part = false;
 };
 using Quantities = std::vector<Quantity>;
@@ -93,8 +93,8 @@ inline constexpr const char* kWholeSolution = "solution";
 /// Name of the part that contains the error estimates of a solution.
 inline constexpr const char* kStatedError = "stated error";
 
-/// A writer that appends the quantities of one part of a solution to a list. A part is a group of
-/// quantities, such as the density or an element of a list of metrics.
+/// Appends the quantities of one part of a solution to a list. A part is a group of quantities,
+/// such as the density or an element of a list of metrics.
 struct PartQuantities {
   Quantities& quantities;
   std::string solution, name;

@@ -11,7 +11,7 @@
 namespace fpkcheck::check {
 
 /// Tolerances for the change of a quantity between two runs. docs/checking.md has the measurements
-/// from which the numbers follow.
+/// from which the values of these tolerances follow.
 struct Tolerances {
   /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
   /// residual, relative to the peak for densities, in units of the standard deviation of the

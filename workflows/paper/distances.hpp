@@ -28,7 +28,7 @@ struct Distance {
 std::optional<Distance> distance_to_simulation(const results::CaseResult& one, int order,
                                                transform::Variable variable, std::string& missing);
 
-/// The distance whose numbers are the maxima of the corresponding numbers of two distances.
+/// Takes the larger value of each member (L1 distance, tail distance, errors) of two distances.
 Distance larger_distances(const Distance& one, const Distance& other);
 
 /// The L1 distance, in the bins of a curve, between a marginal density and the marginal density of

@@ -37,7 +37,8 @@ struct Judgement {
   Claim claim;
   /// The largest L1 distance between closure and simulation over the cases and variables of the
   /// claim; for the relation is_linearisation, the L1 distance to the Gaussian of equivalent
-  /// linearisation. A distance without a limit is shown, but does not influence the outcome.
+  /// linearisation. An L1 distance without a limit is shown in tables, but does not influence the
+  /// outcome of the claim.
   MeasuredNumber l1{};
   /// The tail distance compare::ErrorBudgetRow::total_tail: mean |log10 p - log10 MCS| over the
   /// bins with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in

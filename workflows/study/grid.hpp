@@ -80,15 +80,15 @@ struct GridStudy {
 /// The stationary density is computed as the null vector of the discrete operator only. All grids
 /// use the box of the first grid. Then the closures and simulations of the same equation
 /// (comparison_methods) solve the problem. The Richardson limit at the highest order is the
-/// reference of all distances. A limit does not exist if a density is missing or not ok, or if the
-/// observed order is below transform::kMinOrderForLimit. Without a limit at the highest order no
-/// closure or simulation is run.
+/// reference of all distances. A Richardson limit does not exist if a density is missing or its
+/// status is not ok, or if the observed order of convergence is below transform::kMinOrderForLimit.
+/// Without a Richardson limit at the highest order no closure or simulation is run.
 /// @throws InputError in the same cases as validate
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::Registry& registry, const methods::ProgressListener& listener);
 
-/// Whether the study has a limit and the solution on the finest grid of every order succeeded.
-/// Solutions on coarser grids may fail.
+/// Whether the grid study has a Richardson limit, and the solver did not fail on the finest grid of
+/// any order. Solutions on coarser grids may fail.
 bool has_converged(const GridStudy& study);
 
 /// The files and texts of a grid study, from which make_report() makes a StudyReport.

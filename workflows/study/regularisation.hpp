@@ -34,8 +34,8 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
 RegularisationStudy add_growth_rates(const problem::Problem& problem,
                                      const fd_fpk::RegularisationStudy& fd_study);
 
-/// Whether, for the default length on the smallest velocity step, a density exists and no
-/// disturbance grows.
+/// Whether the scheme with the default length has a density and no growing disturbance at the
+/// smallest velocity step.
 bool has_converged(const RegularisationStudy& study);
 
 /// The files and texts of a regularisation study, from which make_report() makes a StudyReport. The JSON

@@ -19,7 +19,7 @@ struct Shard {
   /// The points of this shard: every `of`-th point, so that neighbouring points, which have similar
   /// times, are in different shards.
   std::vector<std::size_t> points(std::size_t total) const;
-  /// The shard, out of `of` shards, that contains the given point.
+  /// The shard that contains a point, if the plan is divided into `of` shards.
   static Shard containing(std::size_t point, std::size_t of) { return {point % of + 1, of}; }
   /// The file name of the shard's journal: "journal", or "journal.3-of-16".
   std::string journal_name() const;

@@ -8,10 +8,10 @@
 
 namespace fpkcheck::sweep {
 
-/// Largest map_distance() at which a point of the map is nearby a problem.
+/// Largest map_distance() between a problem and a point of the validity map that counts as nearby.
 inline constexpr double kNearbyDistance = 1;
-/// Least number of points for the assessment of a method. If fewer points are nearby, the closest
-/// points at any distance are used.
+/// Least number of points of the validity map for the assessment of a method. If fewer points are
+/// nearby, the assessment uses the closest points at any distance.
 inline constexpr std::size_t kMinNearbyPoints = 4;
 
 /// The results of a method at the points closest to a problem. Only points at which the method was
@@ -22,9 +22,10 @@ struct NearbyMethodResults {
   std::size_t underestimated = 0;  ///< points with MappedResult::underestimated and L1 > accuracy
   std::optional<double> worst_l1 = {};  ///< over the densities: `ok` or `inaccurate`
   double seconds = 0;                   ///< median
-  /// Whether the method is expected to be sufficiently accurate. At each of these points the method
-  /// was `ok`, and the L1 distance plus the error estimate of the reference was below the accuracy.
-  /// There are at least kMinNearbyPoints points, and the closest point is within kNearbyDistance.
+  /// Whether the method is expected to be sufficiently accurate. At each of the points used the
+  /// method had status `ok`, and the L1 distance plus the error estimate of the reference was below
+  /// the accuracy. There are at least kMinNearbyPoints points, and the closest point is within
+  /// kNearbyDistance.
   bool promised = false;
 };
 

@@ -11,9 +11,9 @@
 namespace fpkcheck::sweep {
 
 /// The dimensionless groups of a problem. Two problems with the same groups, restitution
-/// coefficient and impulse law have the same density up to the units of length and time. The groups
-/// determine the density only for problems of the base class (problem/features.hpp); other problems
-/// have more groups.
+/// coefficient and law of the impulse amplitudes have the same density up to the units of length
+/// and time. The dimensionless groups determine the density only for problems of the base class
+/// (problem/features.hpp); other problems have more groups.
 struct DimensionlessGroups {
   double impulses_per_decay_time;  ///< lambda / kappa (problem::impulses_per_decay_time)
   double damping_ratio;            ///< c / (2 sqrt(k_eq)), k_eq of equivalent linearisation
@@ -42,7 +42,8 @@ MapCoordinates map_coordinates(const problem::Problem& problem);
 /// where N is the number of impulses per decay time, zeta the damping ratio, r the restitution
 /// coefficient, and s the cubic fraction of the stiffness. A distance of 1 corresponds to a factor
 /// e in N or zeta, to 0.1 in r, or to 0.2 in s. docs/validity.md shows the effect of such changes
-/// on the errors. The distance is infinite if the impulse laws or the relative means differ.
+/// on the errors. The distance is infinite if the laws or the relative means of the impulse
+/// amplitudes differ.
 double map_distance(const MapCoordinates& one, const MapCoordinates& other);
 
 /// The result of one method at a point of the validity map.

@@ -66,8 +66,7 @@ struct Plan {
   problem::Problem problem_at(std::size_t point) const;
 };
 
-/// A parsed plan that has the names of methods instead of the methods: a registry makes the methods
-/// from these names.
+/// A parsed plan with the names of methods; a registry makes the methods from these names.
 struct PlanSpecification {
   problem::Problem base;
   std::vector<Axis> axes{};

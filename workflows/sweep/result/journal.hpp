@@ -18,7 +18,7 @@ struct JournalContent {
   std::size_t damaged = 0;            ///< number of lines that were ignored
 };
 
-/// Reads a journal. No process may write to the journal meanwhile.
+/// Reads the journal of a sweep. No process may write to the journal during this call.
 /// @throws InputError with a message of one line if the file is no journal
 JournalContent read_journal(const std::filesystem::path& file);
 /// Reads the journal of a plan.

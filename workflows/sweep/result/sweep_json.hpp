@@ -7,8 +7,8 @@
 
 namespace fpkcheck::sweep {
 
-/// The JSON of a plan for journals. The JSON contains all values that must be equal in two sweeps
-/// whose results are joined.
+/// The JSON of a plan for journals. The JSON contains all values of a plan that must be equal in
+/// two sweeps before their results can be joined.
 results::Json plan_json(const Plan& plan);
 
 /// Reads a plan from the JSON that plan_json makes.
