@@ -20,7 +20,8 @@ struct CommonArguments {
   report::FigureOptions figures = {};  ///< for commands that draw (cli/options.hpp)
 };
 
-/// The value of an option that may be absent. A given value is stored in `place`.
+/// The value of an option that the command line may omit. A value on the command line is stored in
+/// `place`.
 /// @param placeholder placeholder of the value in the help text
 template <class T>
 boost::program_options::typed_value<T>* optional_value(std::optional<T>& place,
@@ -38,8 +39,8 @@ boost::program_options::options_description add_common_options(
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
-/// Adds the same options as add_common_options(), except --set, for commands whose cases are
-/// fixed.
+/// Adds --out, --quiet, --json and --help (without --set) to the options of a command with fixed
+/// cases.
 boost::program_options::options_description add_output_options(
     const boost::program_options::options_description& command_options, CommonArguments& common,
     const char* out_help);

@@ -39,7 +39,7 @@ std::string wrap_usage(const std::string& usage, std::size_t width);
 std::string help_text(const Help& help, std::size_t width);
 
 /// Prints the help of a command in the width of the terminal (80 columns without a terminal), or
-/// passes the help to capture_help(). Every command calls this function for --help.
+/// passes the help to capture_help(). Every command calls emit_help for the option --help.
 void emit_help(const std::string& usage,
                const boost::program_options::options_description& options);
 
@@ -55,8 +55,8 @@ std::string manual_page(const std::vector<CommandHelp>& commands);
 inline constexpr const char* kFileNamesCandidate = ":files";
 inline constexpr const char* kDirectoryNamesCandidate = ":directories";
 
-/// Completion candidates for the last of the words. Commands, options, cases, methods and choices
-/// are those of the program's own tables.
+/// Completion candidates for the last word of a command line. The program's own tables supply the
+/// commands, options, cases, methods and choices.
 /// @param words words after the program's name, up to the cursor; the last word may be empty
 std::vector<std::string> completion_candidates(const std::vector<CommandHelp>& commands,
                                                const methods::Registry& registry,

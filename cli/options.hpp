@@ -20,9 +20,9 @@ std::vector<std::string> parse_list(const std::string& option, const std::string
 /// @throws InputError for an empty list or an item that is not an integer
 std::vector<int> parse_integers(const std::string& option, const std::string& list);
 
-/// Command-line options of all described parameters that have a flag. Help text, default and range
-/// of each option are those of the description. An option on the command line replaces the value of
-/// the parameter in `values`.
+/// Command-line options of all described parameters that have a flag. The description of a
+/// parameter supplies the help text, default and range of its option. An option on the command line
+/// replaces the value of the parameter in `values`.
 /// @param values values of all parameters, in any order; stored by reference
 /// @throws InputError during parsing; the message names the flag, its text and the allowed values
 boost::program_options::options_description make_command_line_options(

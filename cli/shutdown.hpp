@@ -13,14 +13,14 @@
 
 /// Shutdown after SIGINT or SIGTERM within a second, whatever the program computes.
 ///
-/// The longest computations cannot be interrupted: a factorisation, a step of CVODE, a fit.
-/// Therefore the solvers contain no code for the shutdown. Usually a command ends by itself,
-/// between two solutions or after a round of the simulation. If the command is still running a
-/// fraction of a second after the signal, the thread of a ShutdownWatchdog ends the process. This
-/// thread waits for the end of writes in progress (base/process/stop_request.hpp), runs the actions
-/// that the command registered (ShutdownHook), and exits without stack unwinding. The operating
-/// system releases memory and threads; ExitBlocker, ShutdownHook and OutputDirectory leave the
-/// files on disk in a consistent state.
+/// The longest computations cannot be interrupted: a matrix factorisation, a time step of CVODE, a
+/// least-squares fit. Therefore the solvers contain no code for the shutdown. Usually a command
+/// ends by itself, between two solutions or after a round of the simulation. If the command is
+/// still running a fraction of a second after the signal, the thread of a ShutdownWatchdog ends the
+/// process. The watchdog thread waits for the end of file writes in progress
+/// (base/process/stop_request.hpp), runs the actions that the command registered (ShutdownHook),
+/// and exits without stack unwinding. The operating system releases memory and threads;
+/// ExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in a consistent state.
 namespace fpkcheck::cli {
 
 /// Exception that is thrown after SIGINT (Ctrl-C) or SIGTERM. The message for the user is
@@ -75,9 +75,9 @@ class ShutdownHook {
   std::function<void()> action_;
 };
 
-/// Output directory of --out, prepared by results::prepare_output_directory. Directories that this
-/// object made and that are still empty are removed at the end, also if the watchdog ends the
-/// process. Without --out the object has no effect.
+/// Output directory of --out, prepared by results::prepare_output_directory. The destructor, or the
+/// watchdog if it ends the process, removes the empty directories that the OutputDirectory made.
+/// Without --out an OutputDirectory has no effect.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);
@@ -87,8 +87,8 @@ class OutputDirectory {
   ShutdownHook hook_;
 };
 
-/// Sets the second part of exit_message(): the results that remain after a stop of the program. The
-/// default is "nothing was written".
+/// Sets the second part of exit_message(), which states the results that remain after a stop of the
+/// program. The default is "nothing was written".
 void set_exit_message(const std::string& message);
 /// Message of a stopped program: "interrupted; MESSAGE" or "terminated; MESSAGE".
 std::string exit_message();

@@ -11,10 +11,10 @@
 
 namespace fpkcheck::cli {
 
-/// Makes the standard streams safe to write to; call before any file is opened. A closed stream is
-/// connected to /dev/null; otherwise the next opened file would get its descriptor and receive the
-/// output. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run | head -1`) does not end the
-/// program before its files are written.
+/// Makes the standard streams safe to write to; call before any file is opened. A closed standard
+/// stream is connected to /dev/null; otherwise the next opened file would get the descriptor of the
+/// stream and receive the output. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run | head
+/// -1`) does not end the program before its files are written.
 void prepare_standard_streams();
 
 /// Writes to standard output. After a write error the program still writes its files, and
@@ -24,9 +24,9 @@ void print_output(std::string_view text);
 /// Writes "fpkcheck: MESSAGE" to standard error, in one line. The function ignores write errors.
 void print_message(std::string_view message);
 
-/// Text format of standard output. The width is that of the terminal, limited to 80 .. 100 columns,
-/// and 100 columns without a terminal. Output to a terminal has colours, unless NO_COLOR is set and
-/// not empty, or TERM is "dumb".
+/// Text format of standard output. The text width is the width of the terminal, limited to 80 ..
+/// 100 columns, or 100 columns without a terminal. Output to a terminal has colours, unless
+/// NO_COLOR is set and not empty, or TERM is "dumb".
 report::TextFormat terminal_format();
 
 /// Text of the progress of a run: number of completed solutions, elapsed time, the running method
