@@ -8,7 +8,7 @@
 
 namespace fpkcheck::python {
 
-/// The methods that a list of methods selects, with values of options from Python.
+/// Selects methods by a comma-separated list, and sets their options to values from Python.
 /// @param list comma-separated list of methods, as in Registry::select_methods()
 /// @param options values of options. The name of an option is "SOLVER.NAME", or "NAME" for all
 ///        solvers with an option of that name

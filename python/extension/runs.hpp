@@ -23,8 +23,8 @@ struct RunRequest {
   std::string command;  ///< command of the run, for summary.json
 };
 
-/// Solves and compares in a worker thread, as `fpkcheck run` does. Meanwhile the calling thread
-/// calls `poll`.
+/// Solves the problems and compares the solutions in a worker thread, as `fpkcheck run` does.
+/// Meanwhile the calling thread calls the function `poll`.
 ///
 /// If the run is cancelled, the worker thread is abandoned: long operations cannot be interrupted
 /// (cli/shutdown.hpp), and the extension must not end the process of Python. An abandoned thread
