@@ -65,7 +65,7 @@ std::string capitalised(std::string sentence) {
 }
 
 void add_discretisation_errors(const CaseResult& one, Sentences& sentences) {
-  if (!one.budget.empty()) return;  // the error budget contains these errors
+  if (!one.budget.empty()) return;  // the error budget has the discretisation errors
   Sentences ids;
   transform::ErrorEstimate largest;
   for (const auto& solution : one.solutions) {
@@ -251,8 +251,8 @@ struct MeasuredL1Error {
   double l1, error, chance, stated;
   bool explained;  ///< l1 is within the errors of both solutions (compare/agreement.hpp)
 
-  /// Whether the distance is significant: a smaller distance is mostly the sampling error of the
-  /// simulation.
+  /// Whether the distance is significant: a distance that is not significant is mostly the sampling
+  /// error of the simulation.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };

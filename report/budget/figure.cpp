@@ -24,8 +24,8 @@ using transform::Variable;
 
 // Width of a closure's group of bars, relative to the distance between neighbouring groups.
 constexpr double kGroupWidth = 0.8;
-// The axis range excludes parts below this fraction of the largest total distance, since such small
-// parts would compress all other bars.
+// The axis range excludes parts of the error budget below this fraction of the largest total
+// distance, since small parts would compress all other bars.
 constexpr double kSmallestFraction = 1e-4;
 
 /// A panel for one marginal density and one kind of distance: the L1 distance, or the mean

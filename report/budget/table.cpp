@@ -39,7 +39,7 @@ bool is_common_part(const std::vector<ClosureErrorBudget>& budgets, const std::s
 }
 
 /// Builds the table columns of one marginal density. A column has a cell for each closure, then a
-/// cell for each part that has a row of its own because all closures share its value.
+/// cell for each part of the error budget whose value all closures share.
 class VariableColumns {
  public:
   VariableColumns(const std::vector<ClosureErrorBudget>& budgets,

@@ -128,7 +128,8 @@ std::string name_with_status(const Solution& solution) {
                           : fmt::format("{} ({})", solution.id(), name(solution.status));
 }
 
-/// The series of a family without points. Its style is the style of the middle member.
+/// Makes the series of a family, without points. The plot style of the series is the style of the
+/// family's middle member.
 FigureSeries family_series(const SolutionFamily& family) {
   const auto& style = family.solutions[family.solutions.size() / 2]->identity.plot_style;
   return {.name = family.name,

@@ -79,7 +79,8 @@ Json bars(const MarginalBudget& marginal, const std::string& name) {
   Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
   for (const auto& [label, row] : marginal.rows) {
     const ErrorBudgetPart* part = row->find(name);
-    // A part without a positive L1 distance is omitted, since the axis is logarithmic.
+    // A part of the error budget without a positive L1 distance is omitted, since the axis is
+    // logarithmic.
     if (part == nullptr || !(part->l1 > 0)) continue;
     x.push_back(part->l1);
     y.push_back(plotly_text(label));

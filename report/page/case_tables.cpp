@@ -43,7 +43,7 @@ class SolutionsTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, Align::left});
     for (const auto& s : case_result_.solutions) {
-      // The solution has no row: the list of reasons has an entry for the solution.
+      // A solution without a row in the table has an entry in the list of reasons.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }

@@ -29,8 +29,8 @@ struct MappedMoment {
 constexpr MappedMoment kMappedMoments[] = {{"y2", "E[y\u00b2]", &Moments::y2},
                                            {"v2", "E[y\u2032\u00b2]", &Moments::v2}};
 
-// The ids of the solutions: first the closures that are ok, the closest closure first, then all
-// other solutions.
+// The ids of the solutions: closures with status ok by increasing distance to the reference, then
+// all other solutions.
 std::vector<std::string> solutions_by_accuracy(const CaseResult& one) {
   std::vector<std::string> ids;
   for (const auto* closure : one.assessment.ranked_closures()) ids.push_back(closure->id);

@@ -66,8 +66,8 @@ std::string path_text(const std::string& path) {
 }
 
 // The text of a metric's value. In a confined closure Q_n may rise although the whole exponent
-// decreases, because of the fixed confinement term. The radius alone would then wrongly appear to
-// be the reason for status inadmissible, so that the text adds an explanation.
+// decreases, because of the fixed confinement term. The radius from which Q_n rises would wrongly
+// appear to be the reason for status inadmissible, so that the text adds an explanation.
 std::string metric_value_text(const Solution& solution, const std::string& path) {
   const Metric* found = find_metric(solution.metrics, path);
   std::string text = value_text(found ? found->value : base::Value(), kDigits);

@@ -90,7 +90,7 @@ std::vector<std::vector<const AgreementRow*>> closure_families(
   return families;
 }
 
-// The closure of the paper has the impact to first order in 1-r.
+// The closure of the paper uses the impact condition to first order in 1-r.
 bool is_paper_closure(const AgreementRow& row) {
   return is_distinguished_by_order(row) && !transform::is_external(*row.identity) &&
          row.identity->impact == problem::Impact::delta;
