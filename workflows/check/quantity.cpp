@@ -80,7 +80,7 @@ std::vector<QuantityChange> compare_quantities(const std::string& case_name,
   for (const Quantity& was : baseline) was_index.emplace(Key{was.solution, was.name}, &was);
   for (const Quantity& is : now) is_index.emplace(Key{is.solution, is.name}, &is);
   std::vector<QuantityChange> changes;
-  std::set<Key> excluded_parts;  // parts that differ as a whole, or that one run lacks
+  std::set<Key> excluded_parts;  // parts that differ completely, or that one run lacks
   const auto add = [&](const Quantity& quantity, const Value& was, const Value& is,
                        double change_value, double tolerance, bool opens_part) {
     const Key key{quantity.solution, quantity.name};

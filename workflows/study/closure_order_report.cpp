@@ -61,8 +61,8 @@ std::string name_of(const ClosureOrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// The sign of the leading form of Q_n without the confinement term, even if this term makes the
-// density decay.
+// The sign of the leading form of Q_n without the confinement term, even if the confinement term
+// makes the density decay.
 std::string leading_form(const ClosureOrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");

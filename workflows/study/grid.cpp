@@ -213,7 +213,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     set_error_estimate(row);
   }
   for (auto& one : study.limits) one.l1 = l1(one.density, reference_limit);
-  if (!reference_limit) return study;  // without a limit other methods have no reference
+  if (!reference_limit) return study;  // other methods would have no reference
   if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {
     auto solution = solving.solve(method);

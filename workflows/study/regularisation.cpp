@@ -181,8 +181,7 @@ std::vector<RegularisationRow> rows_of_scheme(const RegularisationStudy& study,
 }
 
 // The sentence that states on which steps disturbances of the unregularised scheme grow. The
-// exponent a of the growth rate ~ h^a is that between the two smallest steps h on which a wave
-// grows.
+// exponent a in growth rate ~ h^a is computed from the two smallest steps h on which a wave grows.
 std::string literal_sentence(const RegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";

@@ -130,7 +130,7 @@ class AssignedPoints final : public PointSource {
 // solver threads of this rank have ended.
 // @param points the source of points; a null pointer if no point can be assigned
 // @param solver the solver threads of this rank; a null pointer if there are none
-// @return the first failure of a worker or of the journal; a null pointer if there was none
+// @return the first failure of a worker or of the journal; a null pointer without a failure
 std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
                                  const BackgroundSolver* solver) {
   std::exception_ptr failure;

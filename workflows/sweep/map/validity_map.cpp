@@ -99,7 +99,8 @@ MappedPoint parse_point(std::string_view line, std::size_t methods) {
                                     .law = std::string(cells[4]),
                                     .relative_mean = parse_number(cells[5])},
                     .method_results = {}};
-  // The distance between problems contains the logarithms of these two numbers.
+  // The distance between problems contains the logarithms of impulses per decay time and damping
+  // ratio.
   const auto& groups = point.coordinates.groups;
   if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);
   for (std::size_t m = 0; m < methods; ++m) {

@@ -33,8 +33,8 @@ struct ContourLevel {
 };
 constexpr ContourLevel kContourLevels[] = {{0.01, "1 %", 2, "solid"}, {0.05, "5 %", 2.6, "(8,5)"}};
 
-/// A kind of mark: a status that is not ok, or the reference, which has no distance to itself. The
-/// symbols differ in shape, so that grey print distinguishes them.
+/// A kind of mark in the maps: for a status other than ok, or for the reference, which has no
+/// distance to itself. The symbols differ in shape, so that grey print distinguishes them.
 struct StatusMark {
   const char* symbol;
   std::string name;
