@@ -76,7 +76,7 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
 // options and the options whose values differ from their defaults.
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::Registry& registry) {
-  // The results of `fd` in the validity map are from the direct solver, without time steps.
+  // The validity map has results of `fd` from the direct solver, which makes no time steps.
   const auto method = registry.method_by_id(id, {{"stepper", std::string("direct")}});
   const auto* solver = method ? registry.find_solver(method->identity.method) : nullptr;
   if (solver == nullptr) return fmt::format("fpkcheck run {} --methods {}", words, id);

@@ -67,8 +67,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(
         problem::load_case(name, common.overrides, problem::CaseNaming::with_overrides));
-    // Names of cases that differ may give the same file name; two cases with one file name are
-    // refused.
+    // Two cases with different names may give the same file name; such a pair of cases is refused.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }

@@ -40,7 +40,8 @@ Words case_keys() {
   return keys;
 }
 
-// Allowed values of an option: of the solver that the command names, or else of all solvers.
+// Allowed values of an option: the values of the solver that the command names, otherwise the
+// values of all solvers.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::Registry& registry) {
   Words choices;
@@ -57,7 +58,7 @@ Words option_choices(const std::string& flag, const std::string& command,
   return choices;
 }
 
-// Prepends the part of the word up to its last comma to each item.
+// Prepends to each item the part of the typed word up to the last comma.
 Words append_to_list(const std::string& word, Words items) {
   const auto comma = word.rfind(',');
   if (comma == std::string::npos) return items;
@@ -104,7 +105,7 @@ const CommandHelp* find_command(const std::vector<CommandHelp>& commands, const 
   return found == commands.end() ? nullptr : &*found;
 }
 
-// Words that follow `before` in the names of the commands: "grid" after "study ".
+// Words that follow the text `before` in the names of commands: "grid" follows "study ".
 Words words_after_prefix(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {

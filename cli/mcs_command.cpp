@@ -84,7 +84,7 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
   try {
     return solve();
   } catch (const std::exception& error) {
-    // Without the abort, the other ranks would wait for this rank.
+    // Without the abort of MPI, the other ranks would wait for the rank that failed.
     print_message(error.what());
     ranks->abort(kFailure);
     return kFailure;

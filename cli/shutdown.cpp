@@ -29,7 +29,8 @@ std::atomic<InterruptionPolicy> current_policy = InterruptionPolicy::abort;
 extern "C" void handle_stop_signal(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // The second signal has the default action. The signal is blocked until this handler returns.
+    // The default action handles a second signal. The signal is blocked until the signal handler
+    // returns.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
@@ -111,8 +112,9 @@ void write_line_without_stdio(const std::string& line) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Ends the process, unless the command has claimed the shutdown. In this case the function returns;
-// the command then prints the message and joins the thread of the watchdog.
+// Ends the process, unless the command has claimed the shutdown. If the command has claimed the
+// shutdown, the function returns; the command then prints the message and joins the thread of the
+// watchdog.
 void shut_down_process() {
   if (shutdown_claimed) return;
   base::stop_writes_of_other_threads();

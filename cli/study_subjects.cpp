@@ -57,7 +57,7 @@ class StudyCall {
   }
 
   /// Runs the study of one case while a line of the terminal shows the progress. Prints the table
-  /// of the study or its JSON, and with --out writes its files.
+  /// or the JSON of the study, and with --out writes the files of the study.
   /// @param run function that returns the result of the study of a problem. The function receives
   ///            the problem and a function that shows the progress
   /// @return exit code of the command

@@ -127,7 +127,8 @@ sweep::Axis parse_varied_key(const std::string& text) {
   return sweep::parse_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// Adds the method options of the plan to those of the command line, which take precedence.
+// Adds the method options of the plan to the method options of the command line, which take
+// precedence.
 void add_plan_options(const std::vector<base::IniSetting>& lines, const methods::Registry& registry,
                       base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};

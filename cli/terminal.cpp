@@ -17,7 +17,7 @@ namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // open() returns the lowest free descriptor: `stream`, since the lower ones are open by now.
+    // open() returns the lowest free descriptor: `stream`, since all lower descriptors are open.
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);
