@@ -1,5 +1,6 @@
-// fpkcheck._fpkcheck: the extension module of the Python package. Its functions take and return
-// numbers, texts and NumPy arrays. The public classes and functions are written in Python.
+// fpkcheck._fpkcheck: the extension module of the Python package. The functions of the extension
+// module take and return numbers, texts and NumPy arrays. The public classes and functions are
+// written in Python.
 #include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -61,8 +62,8 @@ base::Value value_from_python(const py::handle& object, const std::string& name)
   if (object.is_none()) return {};
   if (py::isinstance<py::bool_>(object)) return object.cast<bool>();
   if (py::isinstance<py::int_>(object)) {
-    // An integer beyond 64 bits is converted to double. The result is out of the range of every
-    // option, so that the option is refused.
+    // An integer beyond 64 bits is converted to double. The converted number is out of the range of
+    // every option, so that the option is refused.
     int overflows = 0;
     const auto whole = PyLong_AsLongLongAndOverflow(object.ptr(), &overflows);
     if (overflows != 0) return object.cast<double>();

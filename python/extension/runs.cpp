@@ -113,8 +113,8 @@ struct AbandonedRun {
   std::thread thread;
 };
 
-// The list of abandoned threads. The list is never destroyed, since these threads may still run at
-// the end of the process.
+// The list of abandoned threads. The list is never destroyed, since abandoned threads may still run
+// at the end of the process.
 struct AbandonedRuns {
   std::mutex mutex;
   std::vector<AbandonedRun> all;
@@ -166,8 +166,9 @@ results::Run solve(RunRequest task, const std::function<void(const methods::RunP
 
 void prepare_for_exit() {
   if (!has_abandoned_runs()) return;
-  // exit() calls handlers and destructors of static objects in reverse order of registration. This
-  // handler is registered last and therefore runs before any such destructor.
+  // exit() calls handlers and destructors of static objects in reverse order of registration. The
+  // handler below is registered after all existing static objects and therefore runs before their
+  // destructors.
   on_exit(
       [](int status, void*) {
         if (!has_abandoned_runs()) return;
