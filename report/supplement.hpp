@@ -29,8 +29,8 @@ struct PageSection {
 
 /// The texts, files, pictures and page sections that a command adds to the report of a run.
 struct Supplement {
-  /// The result of the command in sentences, printed before the tables; the first sentence is also
-  /// the first of the page.
+  /// The result of the command in sentences, printed before the tables; the page also begins with
+  /// the first sentence.
   std::vector<std::string> summary;
   std::string text;  ///< printed after the tables
   std::vector<PageSection> sections;

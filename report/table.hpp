@@ -9,8 +9,8 @@
 namespace fpkcheck::report {
 
 /// The terminal text of a run. The text of a case has a line of parameters, a row for each solution
-/// with the distances to the solutions of the full problem (reference first), the reasons of
-/// solutions that are not ok, the error budget and the findings (findings.hpp). A legend of the
+/// with the distances to the solutions of the full problem (reference first), the reasons for every
+/// status other than ok, the error budget and the findings (findings.hpp). A legend of the
 /// displayed columns follows all cases (legend.hpp). The text is plain ASCII; a dash marks a
 /// missing value.
 /// @param format format of the text: if rows exceed its width, the least important columns are

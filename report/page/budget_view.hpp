@@ -14,8 +14,8 @@ namespace fpkcheck::report {
 /// which the total distances refer. The paragraph is empty if the case has no error budget.
 std::string budget_introduction(const results::CaseResult& case_result);
 
-/// A bar plot of the error budget for each marginal density. The list of plots is empty if the case
-/// has no error budget.
+/// Makes a bar plot of the error budget for each marginal density; no plot if the case has no error
+/// budget.
 /// @param prefix prefix of the ids of the plots
 std::vector<Plot> budget_plots(const results::CaseResult& case_result, const std::string& prefix);
 

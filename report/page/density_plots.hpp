@@ -11,8 +11,8 @@
 namespace fpkcheck::report {
 
 /// The ids of the solutions that are initially visible in a plot: the solutions of the full problem
-/// (report/references.hpp), the closest closure of each family, and external densities. If this
-/// selection has fewer than two solutions, all solutions are visible.
+/// (report/references.hpp), the closest closure of each family, and external densities. If fewer
+/// than two solutions would be visible, all solutions of the case are visible.
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
 /// A plot for each marginal density with three rows: the density on a linear axis, the density on a

@@ -10,7 +10,8 @@
 namespace fpkcheck::report {
 
 /// Fractions of the peak down to which a joint density is shown, on logarithmic and on linear
-/// colour scales. Below the fraction for logarithmic scales a simulation has few samples.
+/// colour scales. Where the density is below the fraction kLogarithmicFraction of its peak, a
+/// simulation has few samples.
 inline constexpr double kLogarithmicFraction = 1e-5, kLinearFraction = 1.0 / 500;
 
 /// Half-open ranges of cells in y and y'.

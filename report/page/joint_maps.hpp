@@ -24,7 +24,7 @@ struct JointMaps {
   std::vector<double> y_edges;               ///< ny + 1
   std::vector<double> v_edges;               ///< nv + 1
   std::vector<double> reference_density;     ///< rows of constant y', shape (nv, ny)
-  std::array<double, 2> y_bulk, v_bulk;      ///< ranges of the reference above 1/500 of its peak
+  std::array<double, 2> y_bulk, v_bulk;      ///< where the reference exceeds peak/500
   std::vector<JointDifference> differences;  ///< closures (closest first), then the others
 };
 

@@ -12,9 +12,8 @@ namespace fpkcheck::report {
 /// The text of a missing or non-finite number on the page.
 inline constexpr std::string_view kNoValue = "\u2013";
 
-/// The text of a number with exactly this many significant digits, including trailing zeros:
-/// 0.4450, 1.2e-5. A number with a single digit, such as a residual, always has a power of ten:
-/// 4e-4.
+/// The text of a number with exactly `digits` significant digits, including trailing zeros: 0.4450,
+/// 1.2e-5. A number with a single digit, such as a residual, always has a power of ten: 4e-4.
 std::string number_text(const std::optional<double>& value, int digits);
 
 /// The text of the value of a parameter or metric: an integer has all digits, a number has at most

@@ -12,7 +12,7 @@ using results::AgreementEntry;
 using results::AgreementRow;
 using results::MarginalDistances;
 
-/// The text of both distances: "0.0061 in p(y) and 0.0051 in p(y')".
+/// The text of the L1 distances of both marginal densities: "0.0061 in p(y) and 0.0051 in p(y')".
 std::string distances_text(const MarginalDistances& distances);
 
 /// The phrase for a number of cases: " in all 4 cases", " in 2 of 4 cases"; empty for a run of a
@@ -29,8 +29,8 @@ std::string outcome_text(const AgreementRow& row, const std::string& reference, 
 std::string outcome_text_without_distances(const AgreementRow& row, int cases);
 
 /// The mark beside the distances of a solution in the matrix. The mark shows a status that is not
-/// ok, or that the solution is indistinguishable from the reference. Every other solution with
-/// status ok has a blank.
+/// ok, or that the solution is indistinguishable from the reference. A solution with status ok has
+/// a blank as mark, unless the solution is indistinguishable from the reference.
 char entry_mark(const AgreementEntry& entry);
 
 /// The meanings of those marks that occur in the matrix rows: "~ inaccurate".

@@ -10,7 +10,7 @@ namespace fpkcheck::report {
 /// One line of the verdict: the outcome of a method, or of one order of a closure.
 struct VerdictLine {
   std::string subject;  ///< "epc-gaussian-n6", "epc-polar"
-  bool reproduced;      ///< the references of all cases with this solution are reproduced
+  bool reproduced;      ///< whether the method reproduces the references of all its cases
   std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
 };
 
