@@ -1,7 +1,7 @@
 #include "problem/undamped_orbits.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cassert>
 #include <cmath>
 #include <numbers>

@@ -141,8 +141,8 @@ class OuterResidual {
     return {potential(end(at_right)), 0, 0, oscillation(at_right ? last_row() : 0)};
   }
 
-  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the residual |f
-  // + L V - U| is bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0.
+  // With |y| <= sqrt(2G/stiffness) and |v| <= sqrt(2G) (1 + c/(2 sqrt(stiffness))) the residual
+  // |f + L V - U| is bounded by a polynomial in sqrt(G) of degree <= 4 < 2m with coefficients >= 0.
   // The ratio of this polynomial to G^m is largest at the least G.
   double region_bound(const Region& region) const {
     const double least = region.energy.lower();

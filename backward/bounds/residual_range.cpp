@@ -18,8 +18,9 @@ struct Box {
 };
 
 // Sums over the splines of v of the generator's three velocity factors times spline coefficients,
-// on every piece of v, for each spline a of y. The factors of A and of the force are multiplied by
-// the coefficients c_a, the factor of S' by the differences c_a - c_{a-1}.
+// on every piece of v, for each spline a of y. The factor of A is multiplied by the coefficients
+// c_a, the factor of S' by the differences c_a - c_{a-1}, and the factor of the force by differences
+// of c_a between neighbouring splines of v.
 struct ContractedFactors {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };

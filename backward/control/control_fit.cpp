@@ -102,7 +102,8 @@ double largest_amplitude(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// Ratio of the width of the splines' box to the extent of the energy-averaged density.
+/// Factor >= 1 by which the box is wider than its default size, so that the box contains the
+/// velocity after the largest impulse.
 double box_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kInitialVelocity =
       2;  // velocity before the largest impulse, in deviations of y'

@@ -93,8 +93,8 @@ ShiftedAxis shifted_axis(const ImpactBasis& basis, const std::vector<VelocityPie
   return axis;
 }
 
-// The weights w of the integral L over amplitudes below v, and of the integral R over those above
-// v.
+// The weights w of the integral L over velocities below z and of the integral R over velocities
+// above z, where z is the velocity v plus the shift of the law.
 struct TailWeights {
   double below, above;
 };

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "made_up_studies.hpp"
-#include "transient/made_up_transient.hpp"
 #include "report/figure/drawing.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
+#include "transient/made_up_transient.hpp"
 #include "workflows/study/plot_series.hpp"
 
 namespace fpkcheck::study {

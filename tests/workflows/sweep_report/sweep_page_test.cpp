@@ -2,8 +2,8 @@
 
 #include "made_up_sweep.hpp"
 #include "saved_run.hpp"
-#include "workflows/sweep/report/tables.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
+#include "workflows/sweep/report/tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
