@@ -57,7 +57,7 @@ struct Options {
   /// jump a uniform grid converges only with the square of the cell width, whatever the order of
   /// the scheme. Automatic: 16 if the relative jump of the density exceeds a tenth (32 under white
   /// noise), else 1. Under white noise with losses at the impact the ratio applies to the cells of
-  /// x2, and the faces of x1 are proportional to the cubes of the faces of x2, y ~ v^3 / D2.
+  /// x2, and the cells of x1 at the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
   std::optional<int> nx{};  ///< number of cells in x1; automatic: by equivalent linearisation
   /// number of cells in x2, even; automatic: from equivalent linearisation

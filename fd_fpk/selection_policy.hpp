@@ -56,7 +56,7 @@ struct ResolutionLimits {
   double min_density;  ///< smallest accepted density relative to the peak, <= 0
   double power;        ///< largest accepted |residual| of the power balance, relative to the input
 
-  /// The functions is_density_accepted and is_power_accepted return false for NaN.
+  /// The functions is_density_accepted and is_power_residual_accepted return false for NaN.
   bool is_density_accepted(double relative_min_density) const {
     return relative_min_density >= min_density;
   }
@@ -92,8 +92,8 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
 inline constexpr double kOriginRefinement = 16;
 /// Automatic ratio of the cell widths of x2 far from the origin and at the origin, under white
 /// noise with losses at the impact. Under white noise with such losses the density at the wall is
-/// proportional to u^-beta, with u the speed, and the faces of x1 are proportional to the cubes of
-/// the faces of x2 (orders 3 and 5).
+/// proportional to u^-beta, with u the speed, and schemes of orders 3 and 5 limit the length
+/// Grading::core of x1 to the cube of that of x2, divided by D2.
 inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
 /// The value of options.origin_refinement, or the automatic value if the option is not set.

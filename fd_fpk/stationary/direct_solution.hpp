@@ -22,7 +22,7 @@ struct DirectSolution {
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< the null vector, with mass 1
-  bool converged = true;       ///< whether the residual is small enough for CVODE to start from it
+  bool converged = true;       ///< whether CVODE can start from the averages, by the residual
   long krylov_iterations = 0;  ///< number of GMRES iterations on the final grid
   std::string failure = {};    ///< reason why there is no null vector, and what to do
   double krylov_seconds = 0;   ///< time of GMRES on the final grid
