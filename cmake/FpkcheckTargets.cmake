@@ -43,9 +43,9 @@ function(fpkcheck_compile_fast target)
                       $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endfunction()
 
-# fpkcheck_precompile(TARGET MODEL): TARGET uses the precompiled headers of the target MODEL, an empty library with the
-# same compile options. Otherwise a fifth of the build would parse these headers. A source must still include what it
-# uses: scripts/compile-alone compiles without them.
+# fpkcheck_precompile(TARGET MODEL): TARGET uses the precompiled headers of the target MODEL, an empty library, if both
+# have the same compile options. Otherwise a fifth of the build would parse these headers. A source must still include
+# what it uses: scripts/compile-alone compiles without them.
 function(fpkcheck_precompile target model)
   set(headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <numbers> <optional> <set> <span> <sstream>
               <string> <string_view> <variant> <vector> <fmt/format.h> <fmt/ranges.h>)
@@ -66,18 +66,27 @@ function(fpkcheck_precompile target model)
     endif()
     target_precompile_headers(fpkcheck_headers_${model} PRIVATE ${headers})
   endif()
-  target_precompile_headers(${target} REUSE_FROM fpkcheck_headers_${model})
+  # The folder of the target may add options after this call.
+  cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]] CALL
+    fpkcheck_reuse_headers [[${target}]] [[fpkcheck_headers_${model}]])")
 endfunction()
 
-# fpkcheck_library(NAME [PLAIN | OWN_OPTIONS] [NOT_INSTALLED] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
+function(fpkcheck_reuse_headers target model)
+  get_property(of_target TARGET ${target} PROPERTY COMPILE_OPTIONS)
+  get_property(of_model TARGET ${model} PROPERTY COMPILE_OPTIONS)
+  if("${of_target}" STREQUAL "${of_model}")
+    target_precompile_headers(${target} REUSE_FROM ${model})
+  endif()
+endfunction()
+
+# fpkcheck_library(NAME [PLAIN] [NOT_INSTALLED] SOURCES file... USES library... EXTERNAL target... INTERNAL target...)
 #   NOT_INSTALLED  library for tests and benchmarks only
 #   PLAIN     library without long computations: compiled with -O1
-#   OWN_OPTIONS  library that adds compile options of its own, and hence uses no precompiled headers
 #   USES      folders of this project whose headers the folder may include
 #   EXTERNAL  third-party targets that appear in its headers
 #   INTERNAL  third-party targets that appear in its sources only
 function(fpkcheck_library name)
-  cmake_parse_arguments(arg "PLAIN;OWN_OPTIONS;NOT_INSTALLED" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
+  cmake_parse_arguments(arg "PLAIN;NOT_INSTALLED" "" "SOURCES;USES;EXTERNAL;INTERNAL" ${ARGN})
   add_library(fpkcheck_${name} STATIC ${arg_SOURCES})
   add_library(fpkcheck::${name} ALIAS fpkcheck_${name})
   set_target_properties(fpkcheck_${name} PROPERTIES EXPORT_NAME ${name})
@@ -102,7 +111,7 @@ function(fpkcheck_library name)
   if(arg_PLAIN)
     fpkcheck_compile_fast(fpkcheck_${name})
     fpkcheck_precompile(fpkcheck_${name} plain)
-  elseif(NOT arg_OWN_OPTIONS AND NOT name IN_LIST FPKCHECK_UNWATCHED)
+  elseif(NOT name IN_LIST FPKCHECK_UNWATCHED)
     fpkcheck_precompile(fpkcheck_${name} optimised)
   endif()
 endfunction()

@@ -70,7 +70,7 @@ concept Enclosed = requires(const Law& law, const ImpactBasis& basis) {
 };
 
 [[noreturn]] void throw_unsupported(std::string_view law) {
-  throw std::logic_error(fmt::format("law {}: no enclosures; check has_enclosures first", law));
+  throw std::logic_error(fmt::format("law {}: no interval enclosures; check has_interval_enclosures() first", law));
 }
 
 }  // namespace

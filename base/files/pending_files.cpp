@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cassert>
 #include <chrono>
 #include <optional>
 #include <sstream>
@@ -133,6 +134,8 @@ void PendingFiles::remove(const fs::path& target) {
 }
 
 void PendingFiles::commit() {
+  assert(!committed_);
+  committed_ = true;
   // All errors that can be detected in advance are thrown before the first target is replaced.
   for (const auto& [temporary, target] : pending_) {
     std::error_code error;

@@ -38,6 +38,7 @@ class PendingFiles {
   /// Replaces all targets by their new files, and removes the files that are marked for removal.
   /// @throws std::runtime_error with a one-line message if a partial file does not exist or a
   /// directory has the name of a target; no target is changed before these checks
+  /// @pre commit() was not called before
   void commit();
 
  private:
@@ -49,6 +50,7 @@ class PendingFiles {
 
   std::vector<Pending> pending_;
   std::vector<std::filesystem::path> removals_;
+  bool committed_ = false;
 };
 
 /// Calls `produce` to write a temporary file in the directory of the target, then renames the

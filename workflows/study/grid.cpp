@@ -228,7 +228,11 @@ bool has_converged(const GridStudy& study) {
   for (std::size_t k = 0; k < study.rows.size(); ++k) {
     const bool finest =
         k + 1 == study.rows.size() || study.rows[k + 1].order != study.rows[k].order;
-    if (finest && study.rows[k].solution.status == transform::Status::failed) return false;
+    const auto status = study.rows[k].solution.status;
+    if (finest && (status == transform::Status::failed ||
+                   status == transform::Status::not_converged)) {
+      return false;
+    }
   }
   return study.reference_limit().failure.empty();
 }

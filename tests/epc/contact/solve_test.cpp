@@ -19,7 +19,12 @@ namespace {
 using transform::GridDensity;
 using transform::Status;
 
-Options contact_options(int order) { return tests::closure(Formulation::polar, order); }
+// The time limit lets the tests end on a slow machine (emulation, sanitizers).
+Options contact_options(int order) {
+  Options options = tests::closure(Formulation::polar, order);
+  options.max_seconds = 300;
+  return options;
+}
 
 problem::Problem bouncing_ball(double rate, double intensity, double restitution) {
   return tests::with_impulses(

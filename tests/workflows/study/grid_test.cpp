@@ -86,12 +86,16 @@ TEST(GridStudy, HasNoLimitWithoutConvergence) {
   EXPECT_TRUE(figure(study).panels.empty());
 }
 
-TEST(GridStudy, HasConvergedUnlessAFinestGridFailed) {
+TEST(GridStudy, HasConvergedUnlessAFinestGridFailedOrDidNotConverge) {
   auto study = tests::made_up_grid_study();
   study.rows[0].solution.status = transform::Status::failed;
   EXPECT_TRUE(has_converged(study));
   study.rows[2].solution.status = transform::Status::failed;
   EXPECT_FALSE(has_converged(study));
+  study.rows[2].solution.status = transform::Status::not_converged;
+  EXPECT_FALSE(has_converged(study));
+  study.rows[2].solution.status = transform::Status::inadmissible;
+  EXPECT_TRUE(has_converged(study));
 }
 
 }  // namespace
