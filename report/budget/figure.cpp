@@ -1,7 +1,6 @@
 #include "report/budget/figure.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,7 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "report/budget/part_style.hpp"
+#include "compare/error_budget.hpp"
+#include "report/figure/gnuplot.hpp"
 #include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 
@@ -28,196 +28,153 @@ constexpr double kGroupWidth = 0.8;
 // distance, since small parts would compress all other bars.
 constexpr double kSmallestFraction = 1e-4;
 
-/// A panel for one marginal density and one kind of distance: the L1 distance, or the mean
-/// logarithmic ratio in the tail.
-struct BudgetPanel {
-  const char* title;
+/// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
+struct Distance {
+  const char* title;  ///< continues the title of the panel
   const char* label;
-  Variable variable;
   double ErrorBudgetRow::*total;
   double ErrorBudgetPart::*part;
-  const char* block;  ///< prefix of the names of its data blocks
 };
-constexpr std::array kPanels{
-    BudgetPanel{"displacement {/:Italic p}({/:Italic y})", "{/:Italic L}_1 distance", Variable::y,
-                &ErrorBudgetRow::total, &ErrorBudgetPart::l1, "y_l1"},
-    BudgetPanel{"displacement, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
-                Variable::y, &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail, "y_tail"},
-    BudgetPanel{"velocity {/:Italic p}({/:Italic y}')", "{/:Italic L}_1 distance", Variable::ydot,
-                &ErrorBudgetRow::total, &ErrorBudgetPart::l1, "v_l1"},
-    BudgetPanel{"velocity, tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
-                Variable::ydot, &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail, "v_tail"}};
+constexpr Distance kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total, &ErrorBudgetPart::l1};
+constexpr Distance kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
+                         &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail};
 
-std::string block(const BudgetPanel& panel, std::size_t part, bool ok) {
-  return fmt::format("${}_{}{}", panel.block, part, ok ? "" : "_not_ok");
-}
-
-std::string totals_block(const BudgetPanel& panel) { return fmt::format("${}_total", panel.block); }
-
-/// A bar of the figure: its position on the axis of closures (closure k is at k), its width and its
-/// value.
-struct BudgetBar {
-  double centre, width, value;
-};
-
-// The bars of a closure by the names of their parts; all bars of a group have equal width.
-std::vector<std::pair<std::string, BudgetBar>> bars(const BudgetPanel& panel,
-                                                    const ClosureErrorBudget& budget,
-                                                    std::size_t place) {
-  std::vector<std::pair<std::string, BudgetBar>> result;
-  const ErrorBudgetRow* row = budget.row(panel.variable);
-  if (row == nullptr) return result;
-  const double width = kGroupWidth / static_cast<double>(row->parts.size());
-  double left = static_cast<double>(place) + 1 - kGroupWidth / 2;
-  for (const auto& part : row->parts) {
-    result.push_back({part.name(), {left + width / 2, width, part.*panel.part}});
-    left += width;
+// The series of a part without points. The colours of Okabe and Ito are distinct for colour-blind
+// readers; hatching distinguishes colours that are equal in grey print. A part that combines the
+// errors of several approximations is grey.
+FigureSeries part_series(const std::string& part) {
+  using compare::Approximation;
+  const auto series = [&](const char* colour, const char* hatch) {
+    return FigureSeries{
+        .name = part, .group = "part " + part, .colour = colour, .is_bars = true, .hatch = hatch};
+  };
+  const auto approximations = compare::parse_approximations(part);
+  if (approximations.size() > 1) return series("#999999", ".");
+  switch (approximations.front()) {
+    case Approximation::closure:
+      return series("#D55E00", "");
+    case Approximation::impact:
+      return series("#E69F00", "/");
+    case Approximation::truncation:
+      return series("#0072B2", "");
+    case Approximation::white_noise:
+      return series("#009E73", "|");
+    case Approximation::discretisation:
+      return series("#56B4E9", "\\");
+    case Approximation::sampling:
+      break;
   }
-  return result;
+  return series("#CC79A7", "x");
 }
 
-std::string data(const BudgetPanel& panel, const std::vector<ClosureErrorBudget>& budgets,
-                 const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    for (const bool ok : {true, false}) {
-      text += block(panel, n, ok) + " << EOD\n";
-      for (std::size_t place = 0; place < budgets.size(); ++place) {
-        if ((budgets[place].status == Status::ok) != ok) continue;
-        for (const auto& [name, bar] : bars(panel, budgets[place], place)) {
-          if (name != names[n] || !(bar.value > 0)) continue;
-          text += fmt::format("{:.4f} {:.6g} {:.4f}\n", bar.centre, bar.value, bar.width);
-        }
-      }
-      text += "EOD\n";
+// An axis in whole decades that contains all values >= kSmallestFraction of the largest value.
+FigureAxis distance_axis(const char* label, const std::vector<FigureSeries>& all) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  for (const auto& series : all) {
+    for (const auto& point : series.points) {
+      if (!std::isfinite(point.y)) continue;
+      least = std::min(least, point.y);
+      greatest = std::max(greatest, point.y);
     }
   }
-  text += totals_block(panel) + " << EOD\n";
-  for (std::size_t place = 0; place < budgets.size(); ++place) {
-    const ErrorBudgetRow* row = budgets[place].row(panel.variable);
-    if (row == nullptr || !(row->*panel.total > 0)) continue;
-    text += fmt::format("{:.4f} {:.6g} {:.4f}\n", static_cast<double>(place) + 1 - kGroupWidth / 2,
-                        row->*panel.total, kGroupWidth);
-  }
-  return text + "EOD\n";
-}
-
-/// The axis range in whole decades that contains all bars above kSmallestFraction of the largest
-/// total.
-struct DecadeRange {
-  double from, to;
-};
-DecadeRange range(const BudgetPanel& panel, const std::vector<ClosureErrorBudget>& budgets) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  const auto include = [&](double value) {
-    if (!(value > 0)) return;
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  };
-  for (std::size_t place = 0; place < budgets.size(); ++place) {
-    for (const auto& [name, bar] : bars(panel, budgets[place], place)) include(bar.value);
-    const ErrorBudgetRow* row = budgets[place].row(panel.variable);
-    if (row != nullptr) include(row->*panel.total);
-  }
-  if (greatest == 0) return {1e-5, 1};
+  if (greatest == 0) return {label, 1e-5, 1, true};
   const double from = std::max(least, kSmallestFraction * greatest);
   // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
-  return {std::pow(10, std::floor(std::log10(0.8 * from))),
-          std::pow(10, std::ceil(std::log10(1.2 * greatest)))};
+  return {label, std::pow(10, std::floor(std::log10(0.8 * from))),
+          std::pow(10, std::ceil(std::log10(1.2 * greatest))), true};
 }
 
-// The id of a closure without the name of the method; an asterisk marks a closure that is not ok.
-std::string tic_label(const results::CaseResult& case_result, const ClosureErrorBudget& budget) {
-  std::string label = budget.solution;
-  const auto* solution = case_result.find(label);
-  if (solution != nullptr && label.starts_with(solution->identity.method + '-')) {
-    label.erase(0, solution->identity.method.size() + 1);
+FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
+  FigureAxis axis{.label = "",
+                  .from = 0.4,
+                  .to = static_cast<double>(budgets.size()) + 0.6,
+                  .rotated_tics = true};
+  for (const auto& budget : budgets) {
+    axis.tics.push_back(
+        {escape_enhanced_text(budget.solution) + (budget.status == Status::ok ? "" : " *"),
+         static_cast<double>(axis.tics.size() + 1)});
   }
-  return budget.status == Status::ok ? label : label + " *";
+  return axis;
 }
 
-std::string axes(const BudgetPanel& panel, char letter,
-                 const std::vector<ClosureErrorBudget>& budgets,
-                 const results::CaseResult& case_result, const PanelBox& place_of_panel) {
-  std::vector<std::string> tics;
-  for (std::size_t place = 0; place < budgets.size(); ++place) {
-    tics.push_back(
-        fmt::format("{} {}", gnuplot_literal(tic_label(case_result, budgets[place])), place + 1));
+// The bars of one closure, side by side with equal widths, and the line at its total distance.
+// Values that are not positive are omitted, since the axis is logarithmic.
+void add_closure(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
+                 bool is_open, const Distance& distance) {
+  const double width = kGroupWidth / static_cast<double>(row.parts.size());
+  double left = centre - kGroupWidth / 2;
+  for (const auto& part : row.parts) {
+    const double value = part.*distance.part;
+    if (value > 0) {
+      FigurePoint bar{.x = left + width / 2,
+                      .y = value,
+                      .open = is_open,
+                      .name = fmt::format("{}, {} → {}", row.solution, part.from, part.to),
+                      .width = width};
+      if (part.uncertainty && distance.part == kL1.part) {
+        bar.lower = value - *part.uncertainty;
+        bar.upper = value + *part.uncertainty;
+      }
+      std::ranges::find(all, part.name(), &FigureSeries::name)->points.push_back(bar);
+    }
+    left += width;
   }
-  const DecadeRange y = range(panel, budgets);
-  return fmt::format(
-      "set title {}\nset ylabel {}\n{}"
-      "set xtics ({}) rotate by 35 right\n"
-      "set xrange [0.4:{:.1f}]\nset yrange [{:g}:{:g}]\n",
-      gnuplot_text(fmt::format("({}) {}", letter, panel.title)), gnuplot_text(panel.label),
-      panel_position_commands(place_of_panel), fmt::join(tics, ", "),
-      static_cast<double>(budgets.size()) + 0.6, y.from, y.to);
+  const double total = row.*distance.total;
+  if (!(total > 0)) return;
+  for (const double side : {-0.5, 0.0, 0.5}) {
+    all.back().points.push_back(
+        {.x = centre + side * kGroupWidth, .y = total, .name = row.solution + ", total"});
+  }
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  all.back().points.push_back({.x = kGap, .y = kGap});
 }
 
-std::string plot(const BudgetPanel& panel, const std::vector<std::string>& names) {
-  std::vector<std::string> plots;
-  for (std::size_t n = 0; n < names.size(); ++n) {
-    for (const bool ok : {true, false}) {
-      plots.push_back(fmt::format("{} using 1:2:3 {} notitle", block(panel, n, ok),
-                                  budget_part_bar_style(names[n], !ok)));
+FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, Variable variable,
+                         const Distance& distance) {
+  FigurePanel panel{.title = std::string(base::meaning_of(variable)) +
+                             (distance.part == kL1.part ? ' ' + density_symbol(variable) : "") +
+                             distance.title,
+                    .x = closure_axis(budgets),
+                    .y = {}};
+  for (const auto& part : compare::budget_part_names(budgets)) {
+    panel.series.push_back(part_series(part));
+  }
+  panel.series.push_back({.name = "total",
+                          .group = "part total",
+                          .colour = "#000000",
+                          .dash = "solid",
+                          .line_width = 2.5});
+  bool any_open = false;
+  for (std::size_t k = 0; k < budgets.size(); ++k) {
+    const bool is_open = budgets[k].status != Status::ok;
+    any_open = any_open || is_open;
+    if (const ErrorBudgetRow* row = budgets[k].row(variable)) {
+      add_closure(panel.series, *row, static_cast<double>(k + 1), is_open, distance);
     }
   }
-  plots.push_back(totals_block(panel) +
-                  " using 1:2:3:(0) with vectors nohead linewidth 2.5 linecolor rgb '#000000' "
-                  "notitle");
-  return fmt::format("plot {}\n\n", fmt::join(plots, ", \\\n     "));
-}
-
-Legend legend(const std::vector<std::string>& names, bool any_not_ok) {
-  Legend legend{{}, 2};
-  for (const auto& name : names) {
-    legend.entries.push_back({"NaN " + budget_part_bar_style(name, false), name});
+  panel.y = distance_axis(distance.label, panel.series);
+  if (distance.part == kL1.part) {
+    panel.id = fmt::format("budget-{}", name(variable));
+    panel.caption =
+        fmt::format("Error budget of {}{}", density_text(variable), any_open ? "; *: not ok" : "");
   }
-  legend.entries.push_back({"NaN with lines linewidth 2.5 linecolor rgb '#000000'", "total"});
-  if (any_not_ok) {
-    legend.entries.push_back(
-        {"NaN with boxes fillstyle solid 0.3 linecolor rgb '#000000'", "* not ok"});
-  }
-  return legend;
+  return panel;
 }
 
 }  // namespace
 
-bool has_budget(const results::CaseResult& case_result) { return !case_result.budget.empty(); }
-
-std::string budget_script(const results::CaseResult& case_result, const std::string& file_stem,
-                          FigureWidth width) {
-  constexpr int kOnScreen = 1500, kRotatedTics = 120;
+Figure budget_figure(const results::CaseResult& case_result, FigureWidth width) {
+  Figure figure{
+      .title = problem_title(case_result.problem), .screen_width = 1500, .panel_height = 280};
   const auto budgets = compare::closure_error_budgets(case_result.budget, case_result.solutions);
-  const auto names = compare::budget_part_names(budgets);
-  const bool any_not_ok =
-      std::ranges::any_of(budgets, [](const auto& budget) { return budget.status != Status::ok; });
-  const Legend entries = legend(names, any_not_ok);
-  PanelGrid grid = panel_grid(width, kOnScreen);
-  // A figure for a single journal column is too narrow for the panels of the tail distances.
-  const bool narrow = width == FigureWidth::one_column;
-  grid.columns = narrow ? 1 : 2;
-  grid.rows = 2;
-  grid.panel_height = width == FigureWidth::screen ? 280 : 180;
-  grid.below = kRotatedTics;
-  grid.legend_height = legend_height(entries, grid.width);
-  const FigureTitle title = figure_title(case_result.problem, grid.size());
-  grid.title_height = title.height;
-  std::string text =
-      gnuplot_output_commands(file_stem, grid.size()) + "# Columns: place, value, width\n";
-  for (const auto& panel : kPanels) text += data(panel, budgets, names);
-  text += fmt::format(
-      "\nset grid ytics linetype 1 dashtype solid linecolor rgb '#DDDDDD' linewidth 0.6\n"
-      "set tics nomirror\nset border 3\nset logscale y\nset format y {}\n{}{}",
-      kPowerOfTenFormat, PanelGrid::kLabels, title.command);
-  for (std::size_t k = 0; k < kPanels.size(); ++k) {
-    if (narrow && k % 2 == 1) continue;
-    const std::size_t place = narrow ? k / 2 : k;
-    text += axes(kPanels[k], static_cast<char>('a' + place), budgets, case_result,
-                 grid.panel_box(place)) +
-            plot(kPanels[k], names);
+  if (budgets.empty()) return figure;
+  for (const Variable variable : transform::kVariables) {
+    figure.panels.push_back(budget_panel(budgets, variable, kL1));
+    // A figure for a single journal column is too narrow for the panels of the tail distances.
+    if (width == FigureWidth::one_column) continue;
+    figure.panels.push_back(budget_panel(budgets, variable, kTail));
   }
-  return text + legend_strip_commands(entries, grid.size()) + "unset multiplot\nunset output\n";
+  return figure;
 }
 
 }  // namespace fpkcheck::report

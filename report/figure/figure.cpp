@@ -48,6 +48,10 @@ bool has_points(const FigureSeries& series) {
   });
 }
 
+bool has_open_bars(const FigureSeries& series) {
+  return series.is_bars && std::ranges::any_of(series.points, &FigurePoint::open);
+}
+
 bool has_open_marks(const FigureSeries& series) {
   const auto [filled, open] = point_types(series.symbol);
   return !series.symbol.empty() && filled != open &&
@@ -61,10 +65,35 @@ bool has_intervals(const FigureSeries& series) {
 
 std::string series_kind(const FigureSeries& series) {
   return series.is_area          ? "filledcurves"
+         : series.is_bars        ? has_intervals(series) ? "boxerrorbars" : "boxes"
          : has_intervals(series) ? "yerrorbars"
          : series.symbol.empty() ? "lines"
          : series.dash.empty()   ? "points"
                                  : "linespoints";
+}
+
+constexpr double kPaleFraction = 0.3;
+
+// Mixes a colour "#RRGGBB" with white.
+std::string paler(const std::string& colour) {
+  std::string mixed = "#";
+  for (const std::size_t position : {1, 3, 5}) {
+    const int component = std::stoi(colour.substr(position, 2), nullptr, 16);
+    mixed += fmt::format("{:02X}", 255 - std::lround(kPaleFraction * (255 - component)));
+  }
+  return mixed;
+}
+
+// gnuplot has no fill density for patterns: the colour of a pale pattern is mixed with white.
+std::string bar_style(const FigureSeries& series, const std::string& kind, bool is_pale) {
+  const std::string colour = gnuplot_string(series.colour);
+  if (series.hatch.empty()) {
+    return fmt::format("with {} fillstyle solid {:.1f} border rgb {} linecolor rgb {}", kind,
+                       is_pale ? kPaleFraction : 1, colour, colour);
+  }
+  return fmt::format("with {} fillstyle pattern {} border rgb {} linecolor rgb {}", kind,
+                     fill_pattern(series.hatch), colour,
+                     is_pale ? gnuplot_string(paler(series.colour)) : colour);
 }
 
 // The plot style of a series, in the colour of the series or of its legend entry. Styles may come
@@ -76,6 +105,7 @@ std::string series_style(const FigureSeries& series, const std::string& kind,
     return fmt::format("with {0} fillstyle solid 0.4 border rgb {1} fillcolor rgb {1}", kind,
                        gnuplot_string(colour));
   }
+  if (series.is_bars) return bar_style(series, kind, is_open);
   std::string style = fmt::format("with {} linewidth {:g} linecolor rgb {}", kind,
                                   series.line_width, gnuplot_string(colour));
   if (kind.starts_with("lines")) style += fmt::format(" dashtype {}", dash_type(series.dash));
@@ -85,7 +115,8 @@ std::string series_style(const FigureSeries& series, const std::string& kind,
          fmt::format(" pointtype {} pointsize {:g}", is_open ? open : filled, series.mark_size);
 }
 
-// The data block of a series: abscissa, ordinate, 1 for an open mark, and the ends of intervals.
+// The data block of a series: abscissa, ordinate, 1 for an open mark, the width of a bar, and the
+// ends of intervals.
 std::string series_block(const FigureSeries& series, const FigurePanel& panel, DataBlocks& blocks) {
   const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
   std::string rows;
@@ -96,10 +127,14 @@ std::string series_block(const FigureSeries& series, const FigurePanel& panel, D
     }
     rows += fmt::format("{} {} {:d}", number_cell(point.x, panel.x.is_logarithmic),
                         number_cell(point.y, is_logarithmic), point.open);
+    if (series.is_bars) rows += fmt::format(" {:.6g}", point.width);
     if (with_intervals) {
       // An interval that reaches below a logarithmic axis ends at the axis.
       const double lower = is_logarithmic ? std::max(point.lower, panel.y.from) : point.lower;
-      rows += fmt::format(" {} {}", number_cell(lower, false), number_cell(point.upper, false));
+      // gnuplot omits a bar without an interval.
+      const bool is_empty = series.is_bars && !std::isfinite(point.upper);
+      rows += fmt::format(" {} {}", number_cell(is_empty ? point.y : lower, false),
+                          number_cell(is_empty ? point.y : point.upper, false));
     }
     rows += '\n';
   }
@@ -115,11 +150,21 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
                         const std::string& style) {
     return fmt::format("{}{} using {} {} notitle", block, every, columns, style);
   };
+  std::vector<std::string> plots;
+  if (series.is_bars) {
+    for (const bool is_open : {false, true}) {
+      if (std::ranges::count(series.points, is_open, &FigurePoint::open) == 0) continue;
+      plots.push_back(plot("",
+                           fmt::format("1:($3 == {:d} ? $2 : NaN){}", is_open,
+                                       has_intervals(series) ? ":5:6:4" : ":4"),
+                           series_style(series, kind, series.colour, is_open)));
+    }
+    return plots;
+  }
   const std::string columns = series.is_area         ? fmt::format("1:({:.6g}):2", panel.y.from)
                               : kind == "yerrorbars" ? "1:2:4:5"
                                                      : "1:2";
   std::string every;
-  std::vector<std::string> plots;
   if (kind == "linespoints" && series.mark_step > 1) {
     every = fmt::format(" every {}::{}", series.mark_step, series.first_mark);
     plots = {plot("", columns, series_style(series, "lines", series.colour)),
@@ -193,7 +238,8 @@ std::string axis_commands(const FigureAxis& axis, const std::string& name) {
       "unset logscale {0}\nset {0}label {1}\nset {0}range [{2:.6g}:{3:.6g}]\nset {0}tics {4}\n"
       "{5}set format {0} {6}\n",
       name, gnuplot_text(axis.label), axis.from, axis.to,
-      !tics.empty()       ? fmt::format("({})", fmt::join(tics, ", "))
+      !tics.empty()       ? fmt::format("({}){}", fmt::join(tics, ", "),
+                                  axis.rotated_tics ? " rotate by 35 right" : "")
       : axis.tic_step > 0 ? fmt::format("{:g}", axis.tic_step)
                           : "autofreq",
       axis.is_logarithmic ? fmt::format("set logscale {}\n", name) : "",
@@ -227,10 +273,11 @@ std::string colour_commands(const FigureHeatMap& map, const PanelBox& place, int
 Legend figure_legend(const Figure& figure) {
   Legend legend{{}, 4};
   std::vector<const FigureSeries*> listed;
-  bool any_open = false;
+  bool any_open = false, any_pale = false;
   for (const auto& panel : figure.panels) {
     for (const auto& series : panel.series) {
       any_open = any_open || has_open_marks(series);
+      any_pale = any_pale || has_open_bars(series);
       if (!has_points(series)) continue;
       const auto same = std::ranges::find(listed, series.name, &FigureSeries::name);
       if (same == listed.end()) {
@@ -241,11 +288,12 @@ Legend figure_legend(const Figure& figure) {
     }
   }
   for (const FigureSeries* series : listed) {
+    const std::string kind = series->is_bars ? "boxes" : series_kind(*series);
     const auto& colour = series->legend_colour.empty() ? series->colour : series->legend_colour;
     legend.entries.push_back(
-        {fmt::format("{} {}", has_intervals(*series) ? "'+' using 1:(NaN):(0):(0)" : "NaN",
-                     series_style(*series, series_kind(*series), colour,
-                                  series->dash.empty() &&
+        {fmt::format("{} {}", kind == "yerrorbars" ? "'+' using 1:(NaN):(0):(0)" : "NaN",
+                     series_style(*series, kind, colour,
+                                  series->dash.empty() && !series->is_bars &&
                                       std::ranges::all_of(series->points, &FigurePoint::open))),
          series->name});
   }
@@ -262,6 +310,11 @@ Legend figure_legend(const Figure& figure) {
     legend.entries.push_back(
         {"NaN with points linecolor rgb '#444444' linewidth 2 pointtype 6 pointsize 1.3",
          "open: not ok"});
+  }
+  if (any_pale) {
+    legend.entries.push_back(
+        {fmt::format("NaN with boxes fillstyle solid {} linecolor rgb '#000000'", kPaleFraction),
+         "* not ok"});
   }
   if (!figure.legend_note.empty()) {
     legend.entries.push_back({"NaN with lines linetype nodraw", figure.legend_note});
@@ -288,6 +341,7 @@ PanelGrid figure_grid(const Figure& figure, const Legend& legend, FigureWidth wi
   grid.panel_height = width == FigureWidth::screen        ? figure.panel_height
                       : width == FigureWidth::two_columns ? 3 * figure.panel_height / 4
                                                           : 2 * figure.panel_height / 3;
+  if (figure.panels.front().x.rotated_tics) grid.below = 120;
   if (has_common_colours(figure)) {
     grid.right_margin = kColourBarSpace;
   } else if (figure.panels.front().map) {
@@ -375,7 +429,8 @@ std::string figure_script(const Figure& figure, const std::string& file_stem, Fi
         fmt::join(plots, ", \\\n     "));
   }
   return gnuplot_output_commands(file_stem, grid.size()) +
-         "# Columns of a series: abscissa, ordinate, 1 for an open mark, ends of the interval\n" +
+         "# Columns of a series: abscissa, ordinate, 1 for an open mark, width of a bar, ends of the\n"
+         "# interval\n" +
          blocks.text() +
          // By default the box of a point type erases the lines below an interval.
          "set pointintervalbox 0.0001\n"

@@ -26,6 +26,7 @@ struct FigurePoint {
   std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
   /// Ends of the interval at a point of a series without a line; NaN without an interval.
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
+  double width = 0;  ///< of the bar, on the axis x
 };
 
 /// Points with marks, a line through the points, or both. Series with the same name share an entry
@@ -39,7 +40,9 @@ struct FigureSeries {
   std::string symbol = "";                    ///< symbol of plotly.js; "" for no marks
   double mark_size = 1.3;                     ///< in units of gnuplot's point size
   std::size_t mark_step = 1, first_mark = 0;  ///< a mark at each step-th point of a line
-  bool is_area = false;  ///< whether the area below the line is filled, in a paler colour
+  bool is_area = false;    ///< whether the area below the line is filled, in a paler colour
+  bool is_bars = false;    ///< whether each point is the top of a bar; an open bar is paler
+  std::string hatch = "";  ///< fill pattern of bars in plotly.js; "" for a solid fill
   std::vector<FigurePoint> points = {};
   std::string legend_colour = "";  ///< colour of an entry that series of several colours share
 };
@@ -58,6 +61,7 @@ struct FigureAxis {
   bool is_logarithmic = false;
   double tic_step = 0;               ///< 0 for an automatic step
   std::vector<FigureTic> tics = {};  ///< empty for automatic tics
+  bool rotated_tics = false;         ///< whether long labels of tics are slanted in a picture
 };
 
 /// Makes a logarithmic axis that contains one coordinate (x or y) of all points, with a margin for
@@ -84,7 +88,7 @@ struct FigureHeatMap {
 };
 
 struct FigurePanel {
-  std::string id = "";       ///< part of the id of the plot on the page
+  std::string id = "";       ///< part of the id of the plot on the page; "" for no plot there
   std::string title;         ///< title in a picture, after the letter; in gnuplot's enhanced text
   std::string caption = "";  ///< caption on the page, plain text
   std::string letter = "";   ///< letter of the panel in a picture; "" for the next letter

@@ -37,8 +37,8 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
     const auto width = options.width;
     pictures.push_back(
         {stem, figure_script(density_figure(case_result.problem, content, width), stem, width)});
-    if (has_budget(case_result)) {
-      pictures.push_back({budget_stem(stem), budget_script(case_result, budget_stem(stem), width)});
+    if (const Figure budget = budget_figure(case_result, width); !budget.panels.empty()) {
+      pictures.push_back({budget_stem(stem), figure_script(budget, budget_stem(stem), width)});
     }
     if (has_error_sources(case_result)) {
       pictures.push_back(

@@ -88,18 +88,18 @@ PointTypes point_types(const std::string& symbol) {
   return {kCross, kPlus};
 }
 
+int fill_pattern(const std::string& hatch) {
+  constexpr std::pair<std::string_view, int> kPatterns[] = {
+      {"x", 1}, {".", 2}, {"/", 4}, {"\\", 5}, {"|", 6}};
+  for (const auto& [name, pattern] : kPatterns) {
+    if (name == hatch) return pattern;
+  }
+  return 3;  // solid
+}
+
 std::string dash_type(const std::string& dash) {
   const bool lengths = dash.find_first_not_of("(),.0123456789") == std::string::npos;
   return lengths && !dash.empty() ? dash : "solid";
-}
-
-std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdentity> identities) {
-  std::vector<SeriesStyle> looks;
-  for (const auto& one : identities) {
-    const auto [filled, open] = point_types(one.plot_style.symbol);
-    looks.push_back({one.plot_style.colour, filled, open, dash_type(one.plot_style.dash)});
-  }
-  return looks;
 }
 
 std::string with_minus_signs(std::string number) {

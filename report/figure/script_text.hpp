@@ -1,12 +1,8 @@
 #pragma once
 
-#include <span>
 #include <string>
-#include <vector>
 
-#include "transform/identity.hpp"
 #include "transform/marginal.hpp"
-#include "transform/solution.hpp"
 
 /// Parts of gnuplot scripts: texts in gnuplot's enhanced text and in LaTeX, data blocks, tics, point
 /// and dash types.
@@ -38,21 +34,12 @@ struct PointTypes {
 /// The gnuplot point types with the shape of a plotly.js marker (the symbol of a plot style).
 PointTypes point_types(const std::string& symbol);
 
+/// The gnuplot fill pattern that is similar to a fill pattern of plotly.js.
+int fill_pattern(const std::string& hatch);
+
 /// Returns the dash type for gnuplot, or "solid" for an invalid dash type, which a file may
 /// contain.
 std::string dash_type(const std::string& dash);
-
-/// The plot style of a series of points. In grey print the shapes of marks distinguish families,
-/// and the dash types distinguish members of a family.
-struct SeriesStyle {
-  std::string colour;
-  int filled, open;            ///< PointTypes
-  std::string dash = "solid";  ///< dash type of the line
-};
-
-/// The series style of each solution, with colour, symbol and dash type of the solution's plot
-/// style.
-std::vector<SeriesStyle> series_styles(std::span<const transform::SolutionIdentity> identities);
 
 /// Converts gnuplot's enhanced text, as used in these pictures, to LaTeX: italics to formulas,
 /// Greek letters, exponents; characters with a meaning in LaTeX are escaped.

@@ -3,23 +3,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "compare/error_budget.hpp"
-#include "report/budget/part_style.hpp"
-#include "report/figure/ranges.hpp"
 #include "report/page/html.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using compare::ClosureErrorBudget;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
 using transform::Variable;
@@ -54,86 +48,6 @@ std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_res
     if (!marginal.rows.empty()) sides.push_back(std::move(marginal));
   }
   return sides;
-}
-
-Json total_trace(const MarginalBudget& marginal) {
-  Json x = Json::array(), y = Json::array();
-  for (const auto& [label, row] : marginal.rows) {
-    if (!(row->total > 0)) continue;
-    x.push_back(row->total);
-    y.push_back(plotly_text(label));
-  }
-  return {
-      {"type", "scatter"},
-      {"mode", "markers"},
-      {"name", "total"},
-      {"legendgroup", "part total"},
-      {"x", x},
-      {"y", y},
-      {"marker",
-       {{"symbol", "line-ns-open"}, {"size", 16}, {"color", "#000000"}, {"line", {{"width", 2}}}}},
-      {"hovertemplate", "%{y}: total %{x:.3g}"}};
-}
-
-Json bars(const MarginalBudget& marginal, const std::string& name) {
-  Json x = Json::array(), y = Json::array(), errors = Json::array(), steps = Json::array();
-  for (const auto& [label, row] : marginal.rows) {
-    const ErrorBudgetPart* part = row->find(name);
-    // A part of the error budget without a positive L1 distance is omitted, since the axis is
-    // logarithmic.
-    if (part == nullptr || !(part->l1 > 0)) continue;
-    x.push_back(part->l1);
-    y.push_back(plotly_text(label));
-    errors.push_back(part->uncertainty.value_or(0));
-    steps.push_back(plotly_text(fmt::format("{} \u2192 {}", part->from, part->to)));
-  }
-  return {{"type", "bar"},
-          {"orientation", "h"},
-          {"name", plotly_text(name)},
-          {"legendgroup", "part " + name},
-          {"x", x},
-          {"y", y},
-          {"customdata", steps},
-          {"error_x", {{"type", "data"}, {"array", errors}, {"thickness", 1}, {"width", 2}}},
-          {"marker",
-           {{"color", budget_part_colour(name)},
-            {"pattern",
-             {{"shape", budget_part_fill_pattern(name)},
-              {"fillmode", "overlay"},
-              {"fgcolor", "#ffffff"},
-              {"size", 6}}}}},
-          {"hovertemplate", "%{y}: %{x:.3g}<br>%{customdata}"}};
-}
-
-std::string figure(const MarginalBudget& marginal) {
-  Json data = Json::array(), labels = Json::array();
-  for (const auto& name : marginal.parts) data.push_back(bars(marginal, name));
-  data.push_back(total_trace(marginal));
-  LogAxisRange range;
-  for (const auto& [label, row] : marginal.rows) {
-    labels.push_back(plotly_text(label));
-    range.include(row->total);
-    for (const auto& part : row->parts) range.include(part.l1);
-  }
-  const Json json{{"height", 140 + 44 * marginal.rows.size()},
-                  {"arrays", Json::object()},
-                  {"data", data},
-                  {"layout",
-                   {{"barmode", "group"},
-                    {"bargap", 0.25},
-                    {"hovermode", "closest"},
-                    {"xaxis",
-                     {{"type", "log"},
-                      {"dtick", 1},
-                      {"exponentformat", "power"},
-                      {"range", range.exponents(0.5, 0.3)},
-                      {"title", {{"text", "L1 in " + density_text(marginal.variable)}}}}},
-                    {"yaxis",
-                     {{"autorange", "reversed"},
-                      {"type", "category"},
-                      {"categoryorder", "array"},
-                      {"categoryarray", labels}}}}}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// A function that makes the table cell of a part of the budget.
@@ -204,19 +118,6 @@ std::string budget_introduction(const results::CaseResult& case_result) {
       "mean |\u0394 log<sub>10</sub> p|. The total is at most the sum of the parts, and smaller if "
       "parts cancel. (<a href=\"#budget-terms\">Definition of the parts</a>)</p>\n",
       escape_html(case_result.budget.front().reference));
-}
-
-std::vector<Plot> budget_plots(const results::CaseResult& case_result, const std::string& prefix) {
-  std::vector<Plot> plots;
-  for (const auto& marginal : marginal_budgets(case_result)) {
-    const bool marked = std::ranges::any_of(
-        marginal.rows, [](const auto& row) { return row.label.ends_with(kNotOkMark); });
-    plots.push_back({fmt::format("{}-budget-{}", prefix, name(marginal.variable)),
-                     fmt::format("Error budget of {}{}", density_text(marginal.variable),
-                                 marked ? "; *: not ok" : ""),
-                     figure(marginal)});
-  }
-  return plots;
 }
 
 std::string budget_tables(const results::CaseResult& case_result) {

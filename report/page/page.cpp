@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
 #include "report/findings.hpp"
 #include "report/page/budget_view.hpp"
@@ -72,7 +73,7 @@ class CaseSection {
       sentences.push_back(limits);
     html_ += list_html(sentences);
     add_plots("budget", "Error budget", budget_introduction(case_result),
-              budget_plots(case_result, id));
+              figure_plots(budget_figure(case_result), id));
     html_ += details_html(id + "-budget-table", "The error budget in numbers",
                           budget_tables(case_result));
     add_plots("convergence", "Convergence", "", figure_plots(convergence_figure(case_result), id));

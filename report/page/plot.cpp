@@ -47,7 +47,48 @@ const char* label_position(std::size_t series, std::size_t point) {
   return kSides[(series + point) % kSides.size()];
 }
 
+// The lengths of the intervals at points of a series, on both sides.
+Json error_bars(const FigureSeries& series) {
+  Json above = Json::array(), below = above;
+  for (const auto& point : series.points) {
+    above.push_back(std::isfinite(point.upper) ? point.upper - point.y : 0);
+    below.push_back(std::isfinite(point.lower) ? point.y - point.lower : 0);
+  }
+  return {{"type", "data"},      {"symmetric", false}, {"array", above},
+          {"arrayminus", below}, {"thickness", 1},     {"width", 2}};
+}
+
+// The trace of bars, which the page draws horizontally, since the names of bars are long.
+Json bar_trace(const FigureSeries& series) {
+  constexpr double kPaleOpacity = 0.4;
+  Json x = Json::array(), y = x, widths = x, names = x, opacities = x;
+  for (const auto& point : series.points) {
+    x.push_back(point.y);
+    y.push_back(point.x);
+    widths.push_back(point.width);
+    names.push_back(plotly_text(point.name));
+    opacities.push_back(point.open ? kPaleOpacity : 1);
+  }
+  return {
+      {"type", "bar"},
+      {"orientation", "h"},
+      {"name", plotly_text(series.name)},
+      {"legendgroup", series.group},
+      {"x", x},
+      {"y", y},
+      {"width", widths},
+      {"customdata", names},
+      {"error_x", error_bars(series)},
+      {"marker",
+       {{"color", series.colour},
+        {"opacity", opacities},
+        {"pattern",
+         {{"shape", series.hatch}, {"fillmode", "overlay"}, {"fgcolor", "#ffffff"}, {"size", 6}}}}},
+      {"hovertemplate", "%{customdata}: %{x:.3g}"}};
+}
+
 Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::size_t number) {
+  if (series.is_bars) return bar_trace(series);
   Json x = Json::array(), y = x, names = x, labels = x, positions = x, symbols = x, colours = x;
   const auto number_or_null = [](double value, const FigureAxis& axis) {
     const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
@@ -62,8 +103,11 @@ Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::siz
     symbols.push_back(series.symbol + (point.open ? "-open" : ""));
     colours.push_back(point.colour.empty() ? series.colour : point.colour);
   }
-  const bool has_labels =
-      std::ranges::any_of(series.points, [](const auto& point) { return !point.label.empty(); });
+  const auto any_has = [&](std::string FigurePoint::*text) {
+    return std::ranges::any_of(series.points,
+                               [&](const FigurePoint& point) { return !(point.*text).empty(); });
+  };
+  const bool has_labels = any_has(&FigurePoint::label);
   std::string mode = series.dash.empty() ? "" : "lines";
   if (!series.symbol.empty()) mode += mode.empty() ? "markers" : "+markers";
   if (has_labels) mode += "+text";
@@ -79,6 +123,8 @@ Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::siz
     trace["marker"] = {{"color", colours},
                        {"symbol", symbols},
                        {"size", std::round(kPixelsPerPointSize * series.mark_size)}};
+  }
+  if (any_has(&FigurePoint::name)) {
     trace["customdata"] = names;
     trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
   }
@@ -94,6 +140,14 @@ Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::siz
 
 Json axis_json(const FigureAxis& axis) {
   Json json{{"title", {{"text", plotly_markup(axis.label)}}}};
+  if (!axis.tics.empty()) {
+    Json places = Json::array(), labels = places;
+    for (const auto& tic : axis.tics) {
+      places.push_back(tic.place);
+      labels.push_back(plotly_markup(tic.label));
+    }
+    json.update({{"tickvals", places}, {"ticktext", labels}});
+  }
   if (axis.is_logarithmic) {
     json.update({{"type", "log"},
                  {"range", {std::log10(axis.from), std::log10(axis.to)}},
@@ -160,15 +214,27 @@ std::string plotly_dash(const std::string& gnuplot_dash) {
 std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix) {
   std::vector<Plot> plots;
   for (const auto& panel : figure.panels) {
+    if (panel.id.empty()) continue;
+    const bool is_horizontal = std::ranges::any_of(panel.series, &FigureSeries::is_bars);
     Json data = Json::array();
-    for (const auto& series : panel.series)
+    for (const auto& series : panel.series) {
       data.push_back(series_trace(series, panel, data.size()));
-    const Json json{
-        {"height", 340},
-        {"arrays", Json::object()},
-        {"data", data},
-        {"layout",
-         {{"hovermode", "closest"}, {"xaxis", axis_json(panel.x)}, {"yaxis", axis_json(panel.y)}}}};
+      if (!is_horizontal || series.is_bars) continue;
+      std::swap(data.back()["x"], data.back()["y"]);
+      data.back()["hovertemplate"] = "%{customdata}: %{x:.3g}<extra></extra>";
+    }
+    Json layout{
+        {"hovermode", "closest"}, {"xaxis", axis_json(panel.x)}, {"yaxis", axis_json(panel.y)}};
+    if (is_horizontal) {
+      layout["barmode"] = "overlay";
+      std::swap(layout["xaxis"], layout["yaxis"]);
+      layout["yaxis"]["range"] = {panel.x.to, panel.x.from};
+      layout["yaxis"]["showgrid"] = false;
+    }
+    const Json json{{"height", is_horizontal ? 140 + 44 * panel.x.tics.size() : 340},
+                    {"arrays", Json::object()},
+                    {"data", data},
+                    {"layout", layout}};
     plots.push_back({prefix + '-' + panel.id, panel.caption,
                      json.dump(-1, ' ', false, Json::error_handler_t::replace)});
   }

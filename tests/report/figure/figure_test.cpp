@@ -29,6 +29,12 @@ Figure whole_figure() {
                   .symbol = "square",
                   .points = {{1, 0.1}, {3, 0.3}},
                   .legend_colour = "#444444"},
+      bars{.name = "bars",
+           .colour = "#E69F00",
+           .is_bars = true,
+           .hatch = "/",
+           .points = {{.x = 1, .y = 0.2, .lower = 0.1, .upper = 0.3, .width = 0.5},
+                      {.x = 2, .y = 0.3, .open = true, .width = 0.5}}},
       nothing{.name = "nothing", .colour = "#000000", .dash = "solid"};
   const FigureAxis logarithmic{"{/:Italic y}", 0.01, 1, true},
       words{"law", 0, 4, false, 0, {{"gauss\\_ian", 1}, {"laplace", 2}}};
@@ -37,7 +43,7 @@ Figure whole_figure() {
       .panels = {{.title = "first",
                   .x = {"{/:Italic x}", 0, 4, false, 2},
                   .y = logarithmic,
-                  .series = {line, marks, nothing}},
+                  .series = {line, marks, bars, nothing}},
                  {.title = "second", .x = words, .y = logarithmic, .series = {line, other_marks}},
                  {.title = "map",
                   .x = {"t", 0, 2},
@@ -67,6 +73,16 @@ TEST(FigureScript, HasGapsAndSharesDataOfEqualSeries) {
   EXPECT_EQ(
       std::ranges::count_if(plots, [](const auto& plot) { return plot.text.find("$data0 ") < 2; }),
       2);
+}
+
+TEST(FigureScript, DrawsBarsWithIntervalsAndPalerBarsThatAreOpen) {
+  const auto script = figure_script(whole_figure(), "stem");
+  EXPECT_TRUE(contains(script, "<< EOD\n1 0.2 0 0.5 0.1 0.3\n2 0.3 1 0.5 0.3 0.3\nEOD\n"))
+      << script;
+  EXPECT_TRUE(contains(script, "pattern 4 border rgb '#E69F00' linecolor rgb '#E69F00'"));
+  // 255 - 0.3 (255 - colour): E6, 9F, 00.
+  EXPECT_TRUE(contains(script, "pattern 4 border rgb '#E69F00' linecolor rgb '#F7E2B2'"));
+  EXPECT_TRUE(contains(script, "'* not ok'"));
 }
 
 TEST(FigureScript, LetsTheLastPanelFillItsRow) {

@@ -4,24 +4,8 @@
 
 #include <set>
 
-#include "made_up_solutions.hpp"
-
 namespace fpkcheck::report {
 namespace {
-
-TEST(ScriptParts, SeriesHaveTheStyleOfTheirMethods) {
-  auto moment = tests::closure_identity("moment", 2);
-  moment.plot_style.symbol = "square";
-  moment.plot_style.dash = "(2,4)";
-  const auto looks = series_styles(std::vector{tests::closure_identity("gaussian", 2), moment});
-  ASSERT_EQ(looks.size(), 2u);
-  EXPECT_EQ(looks[0].colour, "#D55E00");
-  EXPECT_EQ(looks[1].colour, "#CC79A7");
-  EXPECT_EQ(looks[0].dash, "(10,4)");
-  EXPECT_EQ(looks[1].dash, "(2,4)");
-  EXPECT_EQ(looks[1].filled, 5);  // point type of gnuplot
-  EXPECT_EQ(looks[1].open, 4);
-}
 
 TEST(ScriptParts, EveryShapeIsFilledOrOpen) {
   std::set<int> types;
