@@ -60,7 +60,8 @@ CurveDifference smooth_difference(const Curve* curve, const Curve& reference) {
 
 MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
                                const std::string& reference,
-                               const std::optional<std::set<std::string>>& shown) {
+                               const std::optional<std::set<std::string>>& shown,
+                               const std::optional<std::set<std::string>>& visible) {
   MarginalCurves marginal{variable, {}, {}};
   const Curve *reference_curve = case_result.curve(reference, variable),
               *smooth = smooth_reference(case_result, reference, variable);
@@ -71,7 +72,9 @@ MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
           {&solution, curve,
            smooth == nullptr
                ? difference(*curve, reference_curve)
-               : smooth_difference(case_result.smooth_curve(solution.id(), variable), *smooth)});
+               : smooth_difference(case_result.smooth_curve(solution.id(), variable), *smooth),
+           static_cast<std::size_t>(&solution - case_result.solutions.data()),
+           visible && !visible->contains(solution.id())});
     }
   }
   std::ranges::stable_sort(marginal.curves, {},
@@ -81,8 +84,11 @@ MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
   std::ranges::copy_if(marginal.curves, std::back_inserter(ok_curves),
                        [](const auto& drawn) { return drawn.solution->is_ok(); });
   marginal.ranges = density_axis_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
-  const MarginalAxisRanges of_differences =
-      difference_axis_ranges(marginal.curves, smooth != nullptr);
+  std::vector<DrawnCurve> visible_curves;
+  std::ranges::copy_if(marginal.curves, std::back_inserter(visible_curves),
+                       [](const auto& drawn) { return !drawn.is_hidden; });
+  const MarginalAxisRanges of_differences = difference_axis_ranges(
+      visible_curves.empty() ? marginal.curves : visible_curves, smooth != nullptr);
   marginal.ranges.largest_difference = of_differences.largest_difference;
   marginal.ranges.least_difference = of_differences.least_difference;
   return marginal;
@@ -99,15 +105,18 @@ MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bo
   return differing.empty() ? density_axis_ranges(curves) : density_axis_ranges(differing);
 }
 
-FigureContent figure_content(const CaseResult& case_result,
-                             const std::optional<std::set<std::string>>& shown) {
+namespace {
+
+FigureContent content_of(const CaseResult& case_result,
+                         const std::optional<std::set<std::string>>& shown,
+                         const std::optional<std::set<std::string>>& visible) {
   FigureContent content{
       .reference = reference_id(case_result), .smooth_differences = false, .marginals = {}};
   content.smooth_differences = std::ranges::all_of(transform::kVariables, [&](Variable variable) {
     return smooth_reference(case_result, content.reference, variable) != nullptr;
   });
   for (const auto variable : transform::kVariables) {
-    auto marginal = marginal_curves(case_result, variable, content.reference, shown);
+    auto marginal = marginal_curves(case_result, variable, content.reference, shown, visible);
     if (!marginal.curves.empty()) content.marginals.push_back(std::move(marginal));
   }
   for (const auto& solution : case_result.solutions) {
@@ -116,6 +125,19 @@ FigureContent figure_content(const CaseResult& case_result,
     });
     if (has_curve && shown && !shown->contains(solution.id())) ++content.hidden_count;
   }
+  return content;
+}
+
+}  // namespace
+
+FigureContent figure_content(const CaseResult& case_result,
+                             const std::optional<std::set<std::string>>& shown) {
+  return content_of(case_result, shown, {});
+}
+
+FigureContent page_content(const CaseResult& case_result, const std::set<std::string>& visible) {
+  FigureContent content = content_of(case_result, {}, visible);
+  content.smallest_density = kSmallestDensityOnPage;
   return content;
 }
 

@@ -17,7 +17,7 @@ struct MarginalCurves {
   std::vector<DrawnCurve> curves;
   /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
   /// solution is ok. difference_axis_ranges computes the axis ranges of the differences from the
-  /// reference.
+  /// reference, excluding hidden curves.
   MarginalAxisRanges ranges;
 };
 
@@ -30,6 +30,8 @@ struct FigureContent {
   /// Averages over smooth bins have small errors, so that absolute differences are shown on a
   /// logarithmic axis.
   bool smooth_differences = false;
+  /// The lower end of the logarithmic axes, unless all densities are larger.
+  double smallest_density = kSmallestDrawnDensity;
   std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
   std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
@@ -44,5 +46,10 @@ MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bo
 /// @param shown ids of the solutions to show; all solutions are shown if this argument is empty
 FigureContent figure_content(const results::CaseResult& case_result,
                              const std::optional<std::set<std::string>>& shown = {});
+
+/// The content of the plots of a case on the page: all curves, of which some are initially hidden.
+/// @param visible ids of the solutions that are initially visible
+FigureContent page_content(const results::CaseResult& case_result,
+                           const std::set<std::string>& visible);
 
 }  // namespace fpkcheck::report

@@ -76,6 +76,22 @@ std::set<std::string> select_curves(const results::CaseResult& case_result,
   return ids;
 }
 
+std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result) {
+  std::set<std::string> ids, families;
+  for (const auto* closure : case_result.assessment.ranked_closures()) {
+    const auto& family = case_result.find(closure->id)->identity.family;
+    if (families.insert(family).second) ids.insert(closure->id);
+  }
+  for (const auto* solution : references(case_result)) ids.insert(solution->id());
+  for (const auto& solution : case_result.solutions) {
+    if (transform::is_external(solution.identity)) ids.insert(solution.id());
+  }
+  if (ids.size() < 2) {
+    for (const auto& solution : case_result.solutions) ids.insert(solution.id());
+  }
+  return ids;
+}
+
 void validate_curves(const std::vector<std::string>& requested,
                      std::span<const SolutionIdentity> available) {
   for (const auto& item : requested) {

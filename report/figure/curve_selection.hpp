@@ -25,6 +25,11 @@ inline constexpr std::size_t kMaxCurves = 6;
 std::set<std::string> select_curves(const results::CaseResult& case_result,
                                     const std::vector<std::string>& requested = {});
 
+/// The ids of the solutions that are initially visible on the page: the solutions of the full problem
+/// (report/references.hpp), the closest closure of each family, and external densities. If fewer
+/// than two solutions would be visible, all solutions of the case are visible.
+std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
+
 /// Checks that every requested id, family or solver matches a solution.
 /// @param requested as in select_curves
 /// @param available  identities of the available solutions

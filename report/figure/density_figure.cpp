@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -51,14 +51,14 @@ FigureAxis abscissa(Panel panel, const MarginalCurves& marginal) {
           tic_step(from, to)};
 }
 
-FigureAxis ordinate(Panel panel, const MarginalCurves& marginal) {
+FigureAxis ordinate(Panel panel, const MarginalCurves& marginal, double smallest_density) {
   const MarginalAxisRanges& r = marginal.ranges;
   const std::string density = density_symbol(marginal.variable);
   switch (panel) {
     case Panel::linear:
       return {density, 0, 1.08 * r.linear_top};
     case Panel::logarithmic:
-      return {density, logarithmic_axis_bottom(r), logarithmic_axis_top(r), true};
+      return {density, logarithmic_axis_bottom(r, smallest_density), logarithmic_axis_top(r), true};
     case Panel::difference: {
       // If all differences are 0, as for the reference alone, the range is arbitrary.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
@@ -72,12 +72,10 @@ FigureAxis ordinate(Panel panel, const MarginalCurves& marginal) {
   return {};
 }
 
-std::string legend_label(const DrawnCurve& drawn) {
-  const auto& solution = *drawn.solution;
-  std::string label = solution.id();
-  if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
-  // A curve cannot show atoms: the label states the probabilities of the atoms.
-  for (const auto& atom : solution.atoms) {
+// A curve cannot show atoms: the legend states the probabilities of the atoms.
+std::string legend_note(const DrawnCurve& drawn) {
+  std::string label;
+  for (const auto& atom : drawn.solution->atoms) {
     label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
   }
   if (!drawn.curve->lower.empty()) label += ", with 95 % intervals";
@@ -100,10 +98,13 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
   const auto& lower = of_differences ? difference.lower : drawn.curve->lower;
   const auto& upper = of_differences ? difference.upper : drawn.curve->upper;
   const auto& plot_style = drawn.plot_style();
-  FigureSeries series = make_series(legend_label(drawn), plot_style);
+  const std::string& id = drawn.solution->id();
+  const bool is_ok = drawn.solution->is_ok();
+  FigureSeries series = make_series(
+      is_ok ? id : fmt::format("{} ({})", id, name(drawn.solution->status)), plot_style);
   series.line_width = plot_style.width;
-  std::size_t step = 1;
-  if (panel == Panel::smooth_difference && drawn.solution->id() == reference) {
+  series.note = legend_note(drawn);
+  if (panel == Panel::smooth_difference && id == reference) {
     // The values are the half-widths of the reference's confidence intervals.
     series = {.name = fmt::format("half-width of the interval of {}", reference),
               .colour = "#444444",
@@ -111,19 +112,21 @@ FigureSeries curve_series(const DrawnCurve& drawn, Panel panel, const std::strin
   } else if (plot_style.as_points) {
     // The number of points is limited, since more points would hide the lines of other curves.
     constexpr std::size_t kPointsOnACurve = 35;
-    step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
+    series.mark_step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
     series.dash = "";
     series.symbol = "circle-open";
-    series.mark_size = 0.6;
+    series.mark_size = 0.8;
   } else if (has_marks(drawn.solution->identity)) {
     series.mark_size = 1.1;
   } else {
     series.symbol = "";
   }
-  const bool with_interval =
-      plot_style.as_points && panel != Panel::linear && !lower.empty() && !upper.empty();
-  for (std::size_t k = 0; k < places.size(); k += step) {
-    series.points.push_back({.x = places[k], .y = values[k], .open = !drawn.solution->is_ok()});
+  series.group = id;
+  series.rank = drawn.rank;
+  series.is_hidden = drawn.is_hidden;
+  const bool with_interval = plot_style.as_points && !lower.empty() && !upper.empty();
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    series.points.push_back({.x = places[k], .y = values[k], .open = !is_ok});
     if (!with_interval) continue;
     series.points.back().lower = lower[k];
     series.points.back().upper = upper[k];
@@ -136,7 +139,7 @@ FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const Fig
   FigurePanel result{.title = escape_enhanced_text(
                          panel_title(panel, marginal.variable, content.reference, short_title)),
                      .x = abscissa(panel, marginal),
-                     .y = ordinate(panel, marginal)};
+                     .y = ordinate(panel, marginal, content.smallest_density)};
   if (panel == Panel::linear) result.note = spike_note(marginal.ranges);
   std::vector<FigureSeries*> marked;
   for (const auto& drawn : marginal.curves) {
@@ -155,11 +158,24 @@ FigurePanel density_panel(Panel panel, const MarginalCurves& marginal, const Fig
   return result;
 }
 
+std::string page_caption(Variable variable, const FigureContent& content) {
+  std::string caption(base::meaning_of(variable));
+  caption.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(caption.front())));
+  caption += fmt::format(" {}: ", variable_text(variable));
+  if (!content.reference.empty()) {
+    caption += "difference from " + content.reference;
+    if (content.smooth_differences) {
+      caption += " over smooth bins, with the half-width of its 95 % confidence intervals";
+    }
+    caption += "; ";
+  }
+  return caption + "logarithm of the density; density";
+}
+
 }  // namespace
 
 Figure density_figure(const problem::Problem& problem, const FigureContent& content,
                       FigureWidth width) {
-  assert(!content.marginals.empty());
   const bool narrow = width == FigureWidth::one_column;
   std::vector<Panel> shown{Panel::linear, Panel::logarithmic};
   if (!content.reference.empty()) {
@@ -172,9 +188,12 @@ Figure density_figure(const problem::Problem& problem, const FigureContent& cont
                 .panel_height = 280};
   for (const auto& marginal : content.marginals) {
     const bool of_y = marginal.variable == Variable::y;
+    const std::string caption = page_caption(marginal.variable, content);
     for (const Panel panel : shown) {
       figure.panels.push_back(
           density_panel(panel, marginal, content, width != FigureWidth::screen));
+      figure.panels.back().id = fmt::format("density-{}", name(marginal.variable));
+      figure.panels.back().caption = caption;
       if (narrow) continue;  // the remaining panels are lettered consecutively
       figure.panels.back().letter = panel == Panel::linear        ? (of_y ? "a" : "c")
                                     : panel == Panel::logarithmic ? (of_y ? "b" : "d")

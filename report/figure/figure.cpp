@@ -165,12 +165,14 @@ std::vector<std::string> series_plots(const FigureSeries& series, const FigurePa
                               : kind == "yerrorbars" ? "1:2:4:5"
                                                      : "1:2";
   std::string every;
-  if (kind == "linespoints" && series.mark_step > 1) {
+  if (series.mark_step > 1) {
     every = fmt::format(" every {}::{}", series.mark_step, series.first_mark);
+  }
+  if (kind == "linespoints" && series.mark_step > 1) {
     plots = {plot("", columns, series_style(series, "lines", series.colour)),
              plot(every, columns, series_style(series, "points", series.colour))};
   } else {
-    plots = {plot("", columns, series_style(series, kind, series.colour))};
+    plots = {plot(every, columns, series_style(series, kind, series.colour))};
   }
   if (!has_open_marks(series)) return plots;
   const std::string open_points = "1:($3 == 1 ? $2 : NaN)";
@@ -287,6 +289,7 @@ Legend figure_legend(const Figure& figure) {
       }
     }
   }
+  std::ranges::stable_sort(listed, {}, &FigureSeries::rank);
   for (const FigureSeries* series : listed) {
     const std::string kind = series->is_bars ? "boxes" : series_kind(*series);
     const auto& colour = series->legend_colour.empty() ? series->colour : series->legend_colour;
@@ -295,7 +298,7 @@ Legend figure_legend(const Figure& figure) {
                      series_style(*series, kind, colour,
                                   series->dash.empty() && !series->is_bars &&
                                       std::ranges::all_of(series->points, &FigurePoint::open))),
-         series->name});
+         series->name + series->note});
   }
   const auto with_gap = std::ranges::find_if(figure.panels, [](const FigurePanel& panel) {
     return panel.map && !panel.map->no_value_name.empty() &&

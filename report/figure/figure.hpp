@@ -24,7 +24,8 @@ struct FigurePoint {
   std::string name = "";    ///< name that the page shows beside the pointer
   std::string label = "";   ///< text beside the mark, on the page only
   std::string colour = "";  ///< colour of the mark on the page; "" for the colour of the series
-  /// Ends of the interval at a point of a series without a line; NaN without an interval.
+  /// Ends of the interval at a point of a series without a line; NaN without an interval. Intervals
+  /// at marks are error bars in a picture and a band on the page.
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
   double width = 0;  ///< of the bar, on the axis x
 };
@@ -39,12 +40,15 @@ struct FigureSeries {
   double line_width = 2;
   std::string symbol = "";                    ///< symbol of plotly.js; "" for no marks
   double mark_size = 1.3;                     ///< in units of gnuplot's point size
-  std::size_t mark_step = 1, first_mark = 0;  ///< a mark at each step-th point of a line
+  std::size_t mark_step = 1, first_mark = 0;  ///< a mark at each step-th point
   bool is_area = false;    ///< whether the area below the line is filled, in a paler colour
   bool is_bars = false;    ///< whether each point is the top of a bar; an open bar is paler
   std::string hatch = "";  ///< fill pattern of bars in plotly.js; "" for a solid fill
   std::vector<FigurePoint> points = {};
   std::string legend_colour = "";  ///< colour of an entry that series of several colours share
+  std::string note = "";           ///< continues the entry of the legend in a picture, plain text
+  std::size_t rank = 0;            ///< entries of the legend have the order of ranks
+  bool is_hidden = false;          ///< whether the page initially hides the series
 };
 
 /// A series without points, with colour, dash type and symbol of a plot style.
@@ -87,6 +91,7 @@ struct FigureHeatMap {
   double disc_size = 1;                           ///< in units of gnuplot's point size
 };
 
+/// A panel. On the page, panels with the same id are the rows of one plot, from the lowest row.
 struct FigurePanel {
   std::string id = "";       ///< part of the id of the plot on the page; "" for no plot there
   std::string title;         ///< title in a picture, after the letter; in gnuplot's enhanced text

@@ -94,9 +94,12 @@ MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
     double peak_difference = 0;
     const bool of_the_same_bins = drawn.difference.abscissa == curve->abscissa;
     for (std::size_t k = 0; k < drawn.difference.values.size(); ++k) {
-      const double d = drawn.difference.values[k];
-      if (!std::isfinite(d) || (of_the_same_bins && !broad[k])) continue;
-      peak_difference = std::max(peak_difference, std::abs(d));
+      if (of_the_same_bins && !broad[k]) continue;
+      for (const auto* values :
+           {&drawn.difference.values, &drawn.difference.lower, &drawn.difference.upper}) {
+        if (k >= values->size() || !std::isfinite((*values)[k])) continue;
+        peak_difference = std::max(peak_difference, std::abs((*values)[k]));
+      }
     }
     largest_difference = std::max(largest_difference, peak_difference);
     if (peak_difference > 0) least_difference = std::min(least_difference, peak_difference);

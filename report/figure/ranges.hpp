@@ -34,18 +34,19 @@ class LogAxisRange {
   double least_ = std::numeric_limits<double>::infinity(), most_ = 0;
 };
 
-/// The smallest density on the logarithmic axes, as in the figures of the paper.
-inline constexpr double kSmallestDrawnDensity = 1e-6;
+/// The smallest density on the logarithmic axes, as in the figures of the paper; and on the page.
+inline constexpr double kSmallestDrawnDensity = 1e-6, kSmallestDensityOnPage = 1e-7;
 
 /// The axis ranges of the panels of one marginal density.
 struct MarginalAxisRanges {
   double linear_from, linear_to;            ///< abscissae where a density exceeds linear_top/500
   double logarithmic_from, logarithmic_to;  ///< where a density is > kSmallestDrawnDensity
-  double linear_top;          ///< the largest density, excluding the narrow bins at a spike
-  double largest_density;     ///< over all bins
-  double least_density;       ///< over all bins; 0 with an empty bin
-  double largest_difference;  ///< from the reference, excluding narrow bins; 0 without reference
-  double least_difference;    ///< smallest of the maxima of all curves of differences
+  double linear_top;       ///< the largest density, excluding the narrow bins at a spike
+  double largest_density;  ///< over all bins
+  double least_density;    ///< over all bins; 0 with an empty bin
+  /// From the reference, with the ends of intervals, excluding narrow bins; 0 without reference.
+  double largest_difference;
+  double least_difference;  ///< smallest of the maxima of all curves of differences
 };
 
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
@@ -63,6 +64,8 @@ struct DrawnCurve {
   const transform::Solution* solution;
   const results::Curve* curve;
   CurveDifference difference;  ///< from the curve of the reference; empty without reference
+  std::size_t rank = 0;        ///< position of the solution in the tables
+  bool is_hidden = false;      ///< whether the page initially hides the curve
 
   /// Whether each bin has the regular width. At a spike of the density compare::comparison_axes
   /// uses narrow bins, whose large densities would compress all other values on an axis.

@@ -9,10 +9,11 @@
 
 #include "report/budget/figure.hpp"
 #include "report/figure/convergence_figure.hpp"
+#include "report/figure/curve_selection.hpp"
+#include "report/figure/density_figure.hpp"
 #include "report/findings.hpp"
 #include "report/page/budget_view.hpp"
 #include "report/page/case_tables.hpp"
-#include "report/page/density_plots.hpp"
 #include "report/page/error_maps.hpp"
 #include "report/page/html.hpp"
 #include "report/page/joint_maps.hpp"
@@ -64,7 +65,10 @@ class CaseSection {
                         escape_html(case_result.name()), escape_html(parameters));
     const std::string hint = has_simulation(case_result) ? kSimulationHint : "";
     add_plots("densities", "Densities and differences", hint + kLegendHint,
-              density_plots(case_result, id));
+              figure_plots(density_figure(
+                               case_result.problem,
+                               page_content(case_result, initially_visible_solutions(case_result))),
+                           id));
     begin("results", "Results");
     html_ += html_element("p", reference) + results_table(case_result) + reasons_html(case_result);
     auto sentences = findings(case_result);

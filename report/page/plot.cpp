@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "report/page/html.hpp"
 
@@ -45,6 +50,11 @@ std::string plotly_markup(std::string_view enhanced) {
 const char* label_position(std::size_t series, std::size_t point) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(series + point) % kSides.size()];
+}
+
+// The name of an axis of a row in plotly.js: "x", "x2", ..
+std::string axis_name(char letter, std::size_t row) {
+  return row == 0 ? std::string(1, letter) : fmt::format("{}{}", letter, row + 1);
 }
 
 // The lengths of the intervals at points of a series, on both sides.
@@ -87,58 +97,135 @@ Json bar_trace(const FigureSeries& series) {
       {"hovertemplate", "%{customdata}: %{x:.3g}"}};
 }
 
-Json series_trace(const FigureSeries& series, const FigurePanel& panel, std::size_t number) {
-  if (series.is_bars) return bar_trace(series);
-  Json x = Json::array(), y = x, names = x, labels = x, positions = x, symbols = x, colours = x;
-  const auto number_or_null = [](double value, const FigureAxis& axis) {
-    const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
-    return is_drawn ? Json(value) : Json();
-  };
-  for (const auto& point : series.points) {
-    x.push_back(number_or_null(point.x, panel.x));
-    y.push_back(number_or_null(point.y, panel.y));
-    names.push_back(plotly_text(point.name));
-    labels.push_back(plotly_text(point.label));
-    positions.push_back(label_position(number, positions.size()));
-    symbols.push_back(series.symbol + (point.open ? "-open" : ""));
-    colours.push_back(point.colour.empty() ? series.colour : point.colour);
+// Traces of one plot, and the arrays of numbers that its traces share.
+class PlotTraces {
+ public:
+  void add(const FigurePanel& panel, std::size_t row) {
+    const bool is_horizontal = std::ranges::any_of(panel.series, &FigureSeries::is_bars);
+    for (const auto& series : panel.series) {
+      if (series.points.empty()) continue;
+      const bool has_band = !series.is_bars && std::isfinite(series.points.front().upper);
+      if (has_band) add_band(series, panel, row);
+      Json trace = series.is_bars ? bar_trace(series) : series_trace(series, panel);
+      if (is_horizontal && !series.is_bars) {
+        std::swap(trace["x"], trace["y"]);
+        trace["hovertemplate"] = "%{customdata}: %{x:.3g}<extra></extra>";
+      }
+      if (!listed_.insert(series.name).second) trace["showlegend"] = false;
+      push(std::move(trace), series, row);
+    }
   }
-  const auto any_has = [&](std::string FigurePoint::*text) {
-    return std::ranges::any_of(series.points,
-                               [&](const FigurePoint& point) { return !(point.*text).empty(); });
-  };
-  const bool has_labels = any_has(&FigurePoint::label);
-  std::string mode = series.dash.empty() ? "" : "lines";
-  if (!series.symbol.empty()) mode += mode.empty() ? "markers" : "+markers";
-  if (has_labels) mode += "+text";
-  Json trace{{"type", "scatter"},           {"mode", mode}, {"name", plotly_text(series.name)},
-             {"legendgroup", series.group}, {"x", x},       {"y", y},
-             {"hovertemplate", "%{y:.3g}"}};
-  if (!series.dash.empty()) {
-    trace["line"] = {
-        {"color", series.colour}, {"width", series.line_width}, {"dash", plotly_dash(series.dash)}};
-  }
-  if (!series.symbol.empty()) {
-    constexpr double kPixelsPerPointSize = 7;
-    trace["marker"] = {{"color", colours},
-                       {"symbol", symbols},
-                       {"size", std::round(kPixelsPerPointSize * series.mark_size)}};
-  }
-  if (any_has(&FigurePoint::name)) {
-    trace["customdata"] = names;
-    trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
-  }
-  if (has_labels) {
-    trace["text"] = labels;
-    trace["textposition"] = positions;
-    trace["textfont"] = {{"size", 10}};
-    trace["cliponaxis"] = false;
-    trace["hovertemplate"] = "%{customdata}: %{y:.3g} at %{x:.2g}<extra></extra>";
-  }
-  return trace;
-}
+  const Json& traces() const { return traces_; }
+  const Json& arrays() const { return arrays_; }
 
-Json axis_json(const FigureAxis& axis) {
+ private:
+  void push(Json trace, const FigureSeries& series, std::size_t row) {
+    trace.update({{"name", plotly_text(series.name)},
+                  {"legendgroup", series.group},
+                  {"legendrank", series.rank},
+                  {"xaxis", axis_name('x', row)},
+                  {"yaxis", axis_name('y', row)}});
+    if (series.is_hidden) trace["visible"] = "legendonly";
+    traces_.push_back(std::move(trace));
+  }
+
+  // One coordinate of the points of a series. Long arrays are stored once and referred to by name.
+  Json coordinates(const FigureSeries& series, double FigurePoint::*member,
+                   const FigureAxis& axis) {
+    constexpr std::size_t kLong = 50;
+    std::vector<double> values;
+    for (const auto& point : series.points) {
+      const double value = point.*member;
+      const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
+      values.push_back(is_drawn ? value : std::numeric_limits<double>::quiet_NaN());
+    }
+    if (values.size() < kLong) return values;  // NaN becomes null
+    const TypedArray array = float_array(values);
+    const auto [found, is_new] = names_.try_emplace(array.bdata, fmt::format("{}", names_.size()));
+    if (is_new) arrays_[found->second] = array;
+    return "@" + found->second;
+  }
+
+  void add_band(const FigureSeries& series, const FigurePanel& panel, std::size_t row) {
+    // Far below a logarithmic axis; the logarithm of an end <= 0 does not exist.
+    const double least =
+        panel.y.is_logarithmic ? 1e-5 * panel.y.from : -std::numeric_limits<double>::infinity();
+    for (const bool is_upper : {false, true}) {
+      FigureSeries edge = series;
+      for (auto& point : edge.points)
+        point.y = std::max(is_upper ? point.upper : point.lower, least);
+      Json trace{{"type", "scatter"},
+                 {"mode", "lines"},
+                 {"x", coordinates(edge, &FigurePoint::x, panel.x)},
+                 {"y", coordinates(edge, &FigurePoint::y, panel.y)},
+                 {"showlegend", false},
+                 {"line", {{"width", 0}}},
+                 {"hoverinfo", "skip"}};
+      if (is_upper) trace.update({{"fill", "tonexty"}, {"fillcolor", "rgba(0,0,0,0.18)"}});
+      push(std::move(trace), series, row);
+    }
+  }
+
+  Json series_trace(const FigureSeries& series, const FigurePanel& panel) {
+    Json names = Json::array(), labels = names, positions = names, symbols = names, colours = names;
+    for (const auto& point : series.points) {
+      names.push_back(plotly_text(point.name));
+      labels.push_back(plotly_text(point.label));
+      positions.push_back(label_position(traces_.size(), positions.size()));
+      const bool is_open = point.open && !series.symbol.ends_with("-open");
+      symbols.push_back(series.symbol + (is_open ? "-open" : ""));
+      colours.push_back(point.colour.empty() ? series.colour : point.colour);
+    }
+    const auto any_has = [&](std::string FigurePoint::*text) {
+      return std::ranges::any_of(series.points,
+                                 [&](const FigurePoint& point) { return !(point.*text).empty(); });
+    };
+    const bool has_labels = any_has(&FigurePoint::label);
+    // Colours and the pointer distinguish lines on the page: sparse marks are unnecessary.
+    const bool has_marks = !series.symbol.empty() && (series.dash.empty() || series.mark_step == 1);
+    std::string mode = series.dash.empty() ? "" : "lines";
+    if (has_marks) mode += mode.empty() ? "markers" : "+markers";
+    if (has_labels) mode += "+text";
+    Json trace{{"type", "scatter"},
+               {"mode", mode},
+               {"x", coordinates(series, &FigurePoint::x, panel.x)},
+               {"y", coordinates(series, &FigurePoint::y, panel.y)},
+               {"hovertemplate", "%{y:.4g}"}};
+    if (!series.dash.empty()) {
+      trace["line"] = {{"color", series.colour},
+                       {"width", series.line_width},
+                       {"dash", plotly_dash(series.dash)}};
+    }
+    if (has_marks) {
+      constexpr double kPixelsPerPointSize = 7;
+      trace["marker"] = {{"color", colours},
+                         {"symbol", symbols},
+                         {"size", std::round(kPixelsPerPointSize * series.mark_size)}};
+      if (series.mark_step > 1) {
+        trace["marker"]["maxdisplayed"] = series.points.size() / series.mark_step;
+      }
+    }
+    if (any_has(&FigurePoint::name)) {
+      trace["customdata"] = names;
+      trace["hovertemplate"] = "%{customdata}: %{y:.3g}<extra></extra>";
+    }
+    if (has_labels) {
+      trace["text"] = labels;
+      trace["textposition"] = positions;
+      trace["textfont"] = {{"size", 10}};
+      trace["cliponaxis"] = false;
+      trace["hovertemplate"] = "%{customdata}: %{y:.3g} at %{x:.2g}<extra></extra>";
+    }
+    return trace;
+  }
+
+  Json traces_ = Json::array(), arrays_ = Json::object();
+  std::map<std::string, std::string> names_;  // by the numbers in base64
+  std::set<std::string> listed_;              // series that have an entry in the legend
+};
+
+// @param is_zoomed whether readers zoom into the axis, which needs automatic steps of tics
+Json axis_json(const FigureAxis& axis, bool is_zoomed) {
   Json json{{"title", {{"text", plotly_markup(axis.label)}}}};
   if (!axis.tics.empty()) {
     Json places = Json::array(), labels = places;
@@ -155,10 +242,65 @@ Json axis_json(const FigureAxis& axis) {
                  {"dtick", 1},
                  {"automargin", true}});
   } else {
-    json["range"] = {axis.from, axis.to};
-    if (axis.tic_step > 0) json.update({{"dtick", axis.tic_step}, {"tick0", 0}});
+    json.update({{"range", {axis.from, axis.to}}, {"exponentformat", "power"}});
+    if (axis.tic_step > 0 && !is_zoomed) json.update({{"dtick", axis.tic_step}, {"tick0", 0}});
   }
   return json;
+}
+
+bool has_named_points(const FigurePanel& panel) {
+  return std::ranges::any_of(panel.series, [](const FigureSeries& series) {
+    return std::ranges::any_of(series.points,
+                               [](const FigurePoint& point) { return !point.name.empty(); });
+  });
+}
+
+// The layout of a plot whose rows are panels, from the lowest row.
+Json layout_json(std::span<const FigurePanel> rows) {
+  constexpr double kGap = 0.07;  // between rows
+  const bool is_single = rows.size() == 1;
+  const double height = (1 + kGap) / static_cast<double>(rows.size()) - kGap;
+  Json layout = Json::object();
+  // Series without names at their points are curves: one label has the values of all curves.
+  if (std::ranges::any_of(rows, has_named_points)) layout["hovermode"] = "closest";
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const FigurePanel& panel = rows[row];
+    Json x = axis_json(panel.x, !is_single), y = axis_json(panel.y, !is_single);
+    if (!is_single) {
+      const double bottom = static_cast<double>(row) * (height + kGap);
+      y["domain"] = {bottom, std::min(1.0, bottom + height)};
+      x["anchor"] = axis_name('y', row);
+      y["anchor"] = axis_name('x', row);
+      if (row > 0) x["title"]["text"] = "";
+    }
+    const std::string number = row == 0 ? "" : std::to_string(row + 1);
+    if (std::ranges::any_of(panel.series, &FigureSeries::is_bars)) {
+      layout["barmode"] = "overlay";
+      std::swap(x, y);
+      y["range"] = {panel.x.to, panel.x.from};
+      y["showgrid"] = false;
+    }
+    layout["xaxis" + number] = x;
+    layout["yaxis" + number] = y;
+    if (panel.note.empty()) continue;
+    layout["annotations"].push_back({{"xref", axis_name('x', row)},
+                                     {"yref", axis_name('y', row) + " domain"},
+                                     {"x", 0},
+                                     {"y", 0.97},
+                                     {"xanchor", "left"},
+                                     {"xshift", 8},
+                                     {"showarrow", false},
+                                     {"text", plotly_text(panel.note)}});
+  }
+  return layout;
+}
+
+std::size_t plot_height(std::span<const FigurePanel> rows) {
+  const auto& panel = rows.front();
+  if (std::ranges::any_of(panel.series, &FigureSeries::is_bars)) {
+    return 140 + 44 * panel.x.tics.size();
+  }
+  return rows.size() == 1 ? 340 : 40 + 240 * rows.size();
 }
 
 }  // namespace
@@ -197,11 +339,6 @@ std::string plotly_text(std::string_view text) {
   return shown;
 }
 
-std::string legend_name(const transform::Solution& solution) {
-  const std::string name = plotly_text(solution.id());
-  return solution.is_ok() ? name : fmt::format("{} ({})", name, transform::name(solution.status));
-}
-
 std::string plotly_dash(const std::string& gnuplot_dash) {
   std::string dash;
   for (const char c : gnuplot_dash) {
@@ -213,28 +350,20 @@ std::string plotly_dash(const std::string& gnuplot_dash) {
 
 std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix) {
   std::vector<Plot> plots;
-  for (const auto& panel : figure.panels) {
+  for (auto from = figure.panels.begin(); from != figure.panels.end();) {
+    const auto to = std::find_if(from, figure.panels.end(), [&](const FigurePanel& panel) {
+      return panel.id != from->id || panel.id.empty();
+    });
+    const std::span rows(from, std::max(to, from + 1));
+    from += static_cast<std::ptrdiff_t>(rows.size());
+    const FigurePanel& panel = rows.front();
     if (panel.id.empty()) continue;
-    const bool is_horizontal = std::ranges::any_of(panel.series, &FigureSeries::is_bars);
-    Json data = Json::array();
-    for (const auto& series : panel.series) {
-      data.push_back(series_trace(series, panel, data.size()));
-      if (!is_horizontal || series.is_bars) continue;
-      std::swap(data.back()["x"], data.back()["y"]);
-      data.back()["hovertemplate"] = "%{customdata}: %{x:.3g}<extra></extra>";
-    }
-    Json layout{
-        {"hovermode", "closest"}, {"xaxis", axis_json(panel.x)}, {"yaxis", axis_json(panel.y)}};
-    if (is_horizontal) {
-      layout["barmode"] = "overlay";
-      std::swap(layout["xaxis"], layout["yaxis"]);
-      layout["yaxis"]["range"] = {panel.x.to, panel.x.from};
-      layout["yaxis"]["showgrid"] = false;
-    }
-    const Json json{{"height", is_horizontal ? 140 + 44 * panel.x.tics.size() : 340},
-                    {"arrays", Json::object()},
-                    {"data", data},
-                    {"layout", layout}};
+    PlotTraces traces;
+    for (std::size_t row = 0; row < rows.size(); ++row) traces.add(rows[row], row);
+    const Json json{{"height", plot_height(rows)},
+                    {"arrays", traces.arrays()},
+                    {"data", traces.traces()},
+                    {"layout", layout_json(rows)}};
     plots.push_back({prefix + '-' + panel.id, panel.caption,
                      json.dump(-1, ' ', false, Json::error_handler_t::replace)});
   }

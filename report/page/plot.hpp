@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "report/figure/figure.hpp"
-#include "transform/solution.hpp"
 
 namespace fpkcheck::report {
 
@@ -31,14 +30,11 @@ std::string plots_json(const std::vector<Plot>& plots);
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string plotly_text(std::string_view text);
 
-/// The name of a solution in legends of plotly.js, escaped by plotly_text: the id, followed by the
-/// status unless the status is ok.
-std::string legend_name(const transform::Solution& solution);
-
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 
-/// Writes a figure for the page: a plot for each panel.
+/// Writes a figure for the page: a plot for each panel with an id. Consecutive panels with the same
+/// id are the rows of one plot.
 /// @param prefix prefix of the ids of the plots
 std::vector<Plot> figure_plots(const Figure& figure, const std::string& prefix);
 

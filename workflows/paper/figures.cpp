@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "report/figure/content.hpp"
 #include "report/figure/density_figure.hpp"
 #include "report/figure/ranges.hpp"
-#include "report/page/density_plots.hpp"
+#include "report/page/plot.hpp"
 #include "workflows/paper/claims.hpp"
 
 namespace fpkcheck::paper {
@@ -105,9 +104,10 @@ std::vector<std::vector<report::Plot>> paper_figure_plots(const results::Run& ru
   std::vector<std::vector<report::Plot>> all;
   for_each_figure(
       run, [&](int figure, const CaseResult& shown, const report::FigureContent& content) {
-        std::set<std::string> ids;
-        for (const auto& solution : shown.solutions) ids.insert(solution.id());
-        auto plots = report::density_plots(shown, content, ids, figure_stem(figure));
+        auto shown_content = content;
+        shown_content.smallest_density = report::kSmallestDensityOnPage;
+        auto plots = report::figure_plots(report::density_figure(shown.problem, shown_content),
+                                          figure_stem(figure));
         for (std::size_t k = 0; k < plots.size(); ++k) {
           const bool is_y = content.marginals[k].variable == transform::Variable::y;
           plots[k].caption = fmt::format("Fig. {}{} ({}). {}", figure, is_y ? "a, b" : "c, d",

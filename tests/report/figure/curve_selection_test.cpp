@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../page/made_up_page.hpp"
 #include "base/input_error.hpp"
 #include "modified_case.hpp"
 
@@ -60,6 +61,29 @@ TEST(CurveSelection, RejectsAnUnknownName) {
     EXPECT_TRUE(std::string(error.what()).starts_with("--curves: 'fd-kv' matches no solution"))
         << error.what();
   }
+}
+
+TEST(InitiallyVisible, AreTheReferencesAndTheClosestClosureOfEachFamily) {
+  auto case_result = tests::whole_case();
+  EXPECT_EQ(initially_visible_solutions(case_result), (Ids{"epc-gaussian-n6", "fd-kf", "mcs"}));
+  tests::solution_of(case_result, "epc-gaussian-n2").identity.family = "of-another";
+  EXPECT_EQ(initially_visible_solutions(case_result),
+            (Ids{"epc-gaussian-n2", "epc-gaussian-n6", "fd-kf", "mcs"}));
+}
+
+TEST(InitiallyVisible, IncludeExternalDensities) {
+  auto case_result = tests::whole_case();
+  tests::solution_of(case_result, "epc-gaussian-n2").identity.method = transform::kExternalFile;
+  EXPECT_TRUE(initially_visible_solutions(case_result).contains("epc-gaussian-n2"));
+}
+
+TEST(InitiallyVisible, AreAllWhereThatLeavesFewerThanTwo) {
+  auto case_result = tests::whole_case();
+  for (auto& solution : case_result.solutions) {
+    if (solution.id() != "mcs") solution.status = transform::Status::failed;
+  }
+  case_result.assess();
+  EXPECT_EQ(initially_visible_solutions(case_result).size(), case_result.solutions.size());
 }
 
 }  // namespace

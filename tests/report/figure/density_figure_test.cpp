@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
+#include "../page/made_up_page.hpp"
 #include "modified_case.hpp"
 #include "saved_run.hpp"
 #include "script_legend.hpp"
@@ -62,14 +64,15 @@ TEST(DensityFigure, HasTheStylesOfTheMethods) {
   EXPECT_EQ(line.line_width, 2.5);
   EXPECT_EQ(line.symbol, "");  // closures alone have marks
   EXPECT_GT(series_of(figure.panels[1], "epc-gaussian-n2")->mark_step, 1u);
-  // The simulation has hollow points, with intervals except on the linear axis.
-  const FigureSeries &linear = *series_of(figure.panels[0], "mcs, with 95 % intervals"),
-                     &logarithmic = *series_of(figure.panels[1], "mcs, with 95 % intervals");
+  // The simulation has hollow points with intervals.
+  const FigureSeries &linear = *series_of(figure.panels[0], "mcs"),
+                     &logarithmic = *series_of(figure.panels[1], "mcs");
   EXPECT_EQ(linear.dash, "");
   EXPECT_EQ(linear.symbol, "circle-open");
-  EXPECT_TRUE(std::isnan(linear.points[0].upper));
+  EXPECT_EQ(linear.note, ", with 95 % intervals");
+  EXPECT_GT(linear.points[0].upper, linear.points[0].lower);
   EXPECT_GT(logarithmic.points[0].upper, logarithmic.points[0].lower);
-  EXPECT_LE(logarithmic.points.size(), 70u);
+  EXPECT_LE(logarithmic.points.size() / logarithmic.mark_step, 70u);
 }
 
 TEST(DensityFigure, HasALegendEntryForEachStyle) {
@@ -86,6 +89,55 @@ TEST(DensityFigure, HasALegendEntryForEachStyle) {
   }
 }
 
+TEST(DensityFigure, IsAPlotOfThePageForEachMarginal) {
+  const auto case_result = tests::whole_case();
+  const std::set<std::string> visible{"epc-gaussian-n6", "fd-kf", "mcs"};
+  const auto figure = density_figure(case_result.problem, page_content(case_result, visible));
+  ASSERT_EQ(figure.panels.size(), 6u);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto& panel = figure.panels[k];
+    EXPECT_EQ(panel.id, k < 3 ? "density-y" : "density-ydot");
+    std::set<std::string> groups, shown;
+    for (const auto& series : panel.series) {
+      EXPECT_EQ(case_result.solutions.at(series.rank).id(), series.group);
+      EXPECT_FALSE(series.points.empty()) << series.name;
+      groups.insert(series.group);
+      if (!series.is_hidden) shown.insert(series.group);
+    }
+    EXPECT_EQ(groups.size(), 7u);
+    EXPECT_EQ(shown, visible);
+  }
+  EXPECT_EQ(figure.panels[0].caption,
+            "Displacement y: difference from fd-kf; logarithm of the density; density");
+}
+
+TEST(DensityFigure, HasNoDifferenceOnOtherBins) {
+  auto case_result = tests::whole_case();
+  case_result.curves.front().abscissa.back() += 1;
+  const std::string id = case_result.curves.front().solution;
+  const auto figure = figure_of(case_result);
+  EXPECT_FALSE(series_of(figure.panels[1], id)->points.empty());
+  EXPECT_TRUE(series_of(figure.panels[2], id)->points.empty());
+}
+
+// A density that decays is shown down to 1e-7 on the page, a density between walls down to its
+// minimum.
+TEST(DensityFigure, BeginsTheLogarithmBelowTheData) {
+  auto case_result = tests::whole_case();
+  const auto bottom = [&](std::size_t panel) {
+    return density_figure(case_result.problem, page_content(case_result, {"fd-kf", "mcs"}))
+        .panels[panel]
+        .y.from;
+  };
+  EXPECT_NEAR(bottom(1), 1e-7, 1e-16);
+  EXPECT_NEAR(figure_of(case_result).panels[1].y.from, 1e-6, 1e-15);
+  for (auto& curve : case_result.curves) {
+    for (double& p : curve.density) p = std::max(p, 0.35);
+  }
+  EXPECT_NEAR(bottom(1), 0.1, 1e-9);
+  EXPECT_NEAR(bottom(4), 0.1, 1e-9);
+}
+
 TEST(DensityFigure, InOneColumnHasLogarithmsAndDifferencesOnly) {
   EXPECT_EQ(titles(figure_of(made_up_case(), FigureWidth::one_column)),
             (Texts{" displacement", " difference from mcs", " velocity", " difference from mcs"}));
@@ -96,7 +148,11 @@ TEST(DensityFigure, HasDifferencesWhereThereIsAReference) {
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
   solution_of(case_result, "mcs").status = transform::Status::failed;
   case_result.assess();
-  EXPECT_EQ(figure_of(case_result).panels.size(), 4u);
+  const auto figure = figure_of(case_result);
+  EXPECT_EQ(figure.panels.size(), 4u);
+  EXPECT_EQ(figure.panels[0].caption, "Displacement y: logarithm of the density; density");
+  case_result.curves.clear();
+  EXPECT_TRUE(figure_of(case_result).panels.empty());
 }
 
 // A summary from an untrusted source must not inject commands: an id is plain text and cannot end
