@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace fpkcheck::report {
 namespace {
@@ -58,6 +59,19 @@ CurveDifference smooth_difference(const Curve* curve, const Curve& reference) {
   return result;
 }
 
+// Axis ranges of the differences between the curves and the reference. A logarithmic axis contains
+// the differences of all curves. A linear axis contains only the differences of solutions with
+// status ok or inaccurate, since a single outlier would compress all other curves; if no solution
+// has status ok or inaccurate, the linear axis contains the differences of all curves.
+MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
+  std::vector<DrawnCurve> differing;
+  std::ranges::copy_if(curves, std::back_inserter(differing), [&](const auto& drawn) {
+    return logarithmic || drawn.solution->is_ok() ||
+           drawn.solution->status == transform::Status::inaccurate;
+  });
+  return differing.empty() ? density_axis_ranges(curves) : density_axis_ranges(differing);
+}
+
 MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
                                const std::string& reference,
                                const std::optional<std::set<std::string>>& shown,
@@ -93,19 +107,6 @@ MarginalCurves marginal_curves(const CaseResult& case_result, Variable variable,
   marginal.ranges.least_difference = of_differences.least_difference;
   return marginal;
 }
-
-}  // namespace
-
-MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic) {
-  std::vector<DrawnCurve> differing;
-  std::ranges::copy_if(curves, std::back_inserter(differing), [&](const auto& drawn) {
-    return logarithmic || drawn.solution->is_ok() ||
-           drawn.solution->status == transform::Status::inaccurate;
-  });
-  return differing.empty() ? density_axis_ranges(curves) : density_axis_ranges(differing);
-}
-
-namespace {
 
 FigureContent content_of(const CaseResult& case_result,
                          const std::optional<std::set<std::string>>& shown,

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,7 @@ struct MarginalCurves {
   transform::Variable variable;
   std::vector<DrawnCurve> curves;
   /// Axis ranges that contain the curves of the solutions with status ok, or all curves if no
-  /// solution is ok. difference_axis_ranges computes the axis ranges of the differences from the
-  /// reference, excluding hidden curves.
+  /// solution is ok; and the differences of the curves that are not hidden.
   MarginalAxisRanges ranges;
 };
 
@@ -35,12 +33,6 @@ struct FigureContent {
   std::vector<MarginalCurves> marginals;  ///< y and ydot, without a marginal that has no curve
   std::size_t hidden_count = 0;           ///< number of solutions with curves that are not shown
 };
-
-/// Axis ranges of the differences between the curves and the reference. A logarithmic axis contains
-/// the differences of all curves. A linear axis contains only the differences of solutions with
-/// status ok or inaccurate, since a single outlier would compress all other curves; if no solution
-/// has status ok or inaccurate, the linear axis contains the differences of all curves.
-MarginalAxisRanges difference_axis_ranges(std::span<const DrawnCurve> curves, bool logarithmic);
 
 /// The content of the figure of a case: curves, ranges and reference.
 /// @param shown ids of the solutions to show; all solutions are shown if this argument is empty

@@ -330,9 +330,7 @@ Legend figure_legend(const Figure& figure) {
 bool has_common_colours(const Figure& figure) {
   const auto& first = figure.panels.front().map;
   return std::ranges::all_of(figure.panels, [&](const FigurePanel& panel) {
-    return panel.map && panel.map->colour_axis.label == first->colour_axis.label &&
-           panel.map->colour_axis.from == first->colour_axis.from &&
-           panel.map->colour_axis.to == first->colour_axis.to;
+    return panel.map && panel.map->colour_axis == first->colour_axis;
   });
 }
 

@@ -57,6 +57,8 @@ FigureSeries make_series(const std::string& name, const transform::PlotStyle& pl
 struct FigureTic {
   std::string label;  ///< in gnuplot's enhanced text
   double place;
+
+  bool operator==(const FigureTic&) const = default;
 };
 
 struct FigureAxis {
@@ -66,6 +68,8 @@ struct FigureAxis {
   double tic_step = 0;               ///< 0 for an automatic step
   std::vector<FigureTic> tics = {};  ///< empty for automatic tics
   bool rotated_tics = false;         ///< whether long labels of tics are slanted in a picture
+
+  bool operator==(const FigureAxis&) const = default;
 };
 
 /// Makes a logarithmic axis that contains one coordinate (x or y) of all points, with a margin for
@@ -89,7 +93,17 @@ struct FigureHeatMap {
   std::vector<std::array<double, 3>> discs = {};  ///< x, y and value of single points
   std::string no_value_name = "";                 ///< legend entry of cells without a colour
   double disc_size = 1;                           ///< in units of gnuplot's point size
+  /// If positive, a value v is a signed square root: the page shows v |v| root_scale beside the
+  /// pointer, with the name of this quantity.
+  double root_scale = 0;
+  std::string quantity = "";
 };
+
+/// The positions and colours of a diverging colour scale, distinct for colour-blind readers, with
+/// white for 0.
+inline constexpr std::pair<double, const char*> kDivergingColours[] = {
+    {0, "#053061"},   {0.2, "#2166ac"}, {0.4, "#92c5de"}, {0.5, "#ffffff"},
+    {0.6, "#f4a582"}, {0.8, "#b2182b"}, {1, "#67001f"}};
 
 /// A panel. On the page, panels with the same id are the rows of one plot, from the lowest row.
 struct FigurePanel {
@@ -101,6 +115,8 @@ struct FigurePanel {
   FigureAxis x, y;
   std::vector<FigureSeries> series = {};
   std::optional<FigureHeatMap> map = {};
+  /// Panels with different choices share a place on the page, where a control selects the choice.
+  std::string choice = "";
 };
 
 struct Figure {

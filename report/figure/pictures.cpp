@@ -9,7 +9,7 @@
 #include "report/figure/curve_selection.hpp"
 #include "report/figure/density_figure.hpp"
 #include "report/figure/drawing.hpp"
-#include "report/figure/error_source_script.hpp"
+#include "report/figure/error_source_figure.hpp"
 #include "results/output_directory.hpp"
 
 namespace fpkcheck::report {
@@ -40,9 +40,8 @@ std::vector<PictureScript> pictures_of(const results::Run& run, const FigureOpti
     if (const Figure budget = budget_figure(case_result, width); !budget.panels.empty()) {
       pictures.push_back({budget_stem(stem), figure_script(budget, budget_stem(stem), width)});
     }
-    if (has_error_sources(case_result)) {
-      pictures.push_back(
-          {sources_stem(stem), error_source_script(case_result, sources_stem(stem), width)});
+    if (const Figure sources = error_source_figure(case_result, width); !sources.panels.empty()) {
+      pictures.push_back({sources_stem(stem), figure_script(sources, sources_stem(stem), width)});
     }
     if (const Figure convergence = convergence_figure(case_result); !convergence.panels.empty()) {
       pictures.push_back({order_stem(stem), figure_script(convergence, order_stem(stem), width)});

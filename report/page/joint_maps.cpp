@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/rest_atoms.hpp"
-#include "report/page/heat_map_values.hpp"
+#include "report/figure/figure.hpp"
+#include "report/figure/heat_map_values.hpp"
 #include "report/page/html.hpp"
 #include "report/references.hpp"
 #include "report/text/number_text.hpp"
@@ -149,6 +150,7 @@ std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
             {"y_edges", float_array(maps.y_edges)},
             {"v_edges", float_array(maps.v_edges)},
             {"decades", -std::log10(kLogarithmicFraction)},
+            {"colours", kDivergingColours},
             {"y_bulk", maps.y_bulk},
             {"v_bulk", maps.v_bulk},
             {"density", float_array(maps.reference_density)},

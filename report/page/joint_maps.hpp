@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/page/heat_map_values.hpp"
+#include "report/figure/heat_map_values.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {

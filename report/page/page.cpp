@@ -11,10 +11,11 @@
 #include "report/figure/convergence_figure.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/figure/density_figure.hpp"
+#include "report/figure/error_source_figure.hpp"
 #include "report/findings.hpp"
 #include "report/page/budget_view.hpp"
 #include "report/page/case_tables.hpp"
-#include "report/page/error_maps.hpp"
+#include "report/page/figure_maps.hpp"
 #include "report/page/html.hpp"
 #include "report/page/joint_maps.hpp"
 #include "report/page/plot.hpp"
@@ -36,6 +37,10 @@ std::string list_html(const std::vector<std::string>& sentences) {
 constexpr const char* kSimulationHint =
     "<p>Circles in a grey band: the simulation with its 95 % confidence intervals, without control "
     "variates.</p>\n";
+constexpr const char* kErrorSourceIntroduction =
+    "<p>The integral of a map is the error of the moment (dual-weighted residual). The map shows "
+    "minus the solution of the backward equation times the residual of the density in the "
+    "stationary equation. No other density is needed.</p>\n";
 constexpr const char* kLegendHint =
     "<p class=\"on-screen\">A click on a name in a legend hides or shows the solution in all plots "
     "of this case; a double click hides all other solutions.</p>\n";
@@ -85,9 +90,10 @@ class CaseSection {
       add_details("joint", "Joint densities", joint_maps_html(*maps, id));
       maps_ = joint_maps_json(*maps, id);
     }
-    if (const auto maps = error_maps(case_result)) {
-      add_details("sources", "Sources of the errors of moments", error_maps_html(*maps, id));
-      errors_ = error_maps_json(*maps, id);
+    if (const Figure maps = error_source_page_figure(case_result); !maps.panels.empty()) {
+      add_details("sources", "Sources of the errors of moments",
+                  figure_maps_html(maps, id, "Errors of", kErrorSourceIntroduction));
+      errors_ = figure_maps_json(maps, id);
     }
     const auto cost = figure_plots(cost_figure(case_result), id);
     if (!cost.empty()) add_details("cost", "L1 distance against computing time", plots_html(cost));

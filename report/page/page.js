@@ -124,22 +124,18 @@ function drawables(one) {
     };
     return {element: div, fit, draw};
   });
-  return [...plots, ...(one.maps ? mapDrawables(one.maps) : []), ...(one.errors ? errorDrawables(one.errors) : [])];
+  return [...plots, ...(one.maps ? mapDrawables(one.maps) : []), ...(one.errors ? choiceDrawables(one.errors) : [])];
 }
 
 const bytesOf = base64 => Uint8Array.from(atob(base64), c => c.charCodeAt(0));
 const numbers = array => new Float32Array(bytesOf(array.bdata).buffer);
 
-// Unpacks signed roots (report/page/heat_map_values.hpp): the roots from -1 to 1, then the values.
+// Unpacks signed roots (report/figure/heat_map_values.hpp): the roots from -1 to 1, then the values.
 function roots({steps, levels}) {
   let sum = 0;
   return Float64Array.from(steps, step => (sum += step) / levels);
 }
 const signedNumbers = packed => roots(packed).map(q => Math.sign(q) * q * q * packed.largest);
-
-// A diverging colour scale, distinct for colour-blind readers, with white for 0.
-const diverging = [[0, '#053061'], [0.2, '#2166ac'], [0.4, '#92c5de'], [0.5, '#ffffff'], [0.6, '#f4a582'],
-                   [0.8, '#b2182b'], [1, '#67001f']];
 
 // The values as rows, the input of heat maps.
 function rows(values, length) {
@@ -205,7 +201,7 @@ function mapDrawables(maps) {
     draw('chosen', shown(density), sequential, title);
     const ratio = Array.from(density, (p, k) => p > 0 && reference[k] > 0 ? Math.log10(p / reference[k]) : null);
     const limit = log ? 1 : chosen().largest || 1;
-    draw('difference', log ? ratio : Array.from(difference), {colorscale: diverging, zmin: -limit, zmax: limit},
+    draw('difference', log ? ratio : Array.from(difference), {colorscale: maps.colours, zmin: -limit, zmax: limit},
          log ? 'log<sub>10</sub> of the ratio' : 'difference');
     const name = chosen().solution;
     part('name').textContent = name;
@@ -218,33 +214,22 @@ function mapDrawables(maps) {
   return [{element: part('reference'), fit, draw: drawAll}];
 }
 
-// Tic values between -largest and largest at equal steps of 1, 2 or 5 times a power of ten, and their texts in units
-// of a power of ten.
-function equalSteps(largest) {
-  const least = largest / 5, power = Math.floor(Math.log10(least) + 1e-9);
-  const step = [1, 2, 5, 10].map(digit => digit * 10 ** power).find(step => step >= least * (1 - 1e-9));
-  const most = Math.floor(largest / step + 1e-9), unit = Math.floor(Math.log10(step) + 1e-9);
-  const values = Array.from({length: 2 * most + 1}, (_, k) => (k - most) * step);
-  return {values, texts: values.map(value => (value / 10 ** unit).toFixed(0).replace('-', '−')),
-          unit: unit === 0 ? '' : `, 10<sup>${String(unit).replace('-', '−')}</sup>`};
-}
-
-function errorDrawables(errors) {
-  const part = name => document.getElementById(`${errors.id}-${name}`);
-  const y = Array.from(numbers(errors.y_edges)), v = Array.from(numbers(errors.v_edges));
-  const maps = () => errors.solutions[part('choice').selectedIndex].moments;
-  // Colours show the signed root, so that values small relative to those at the wall remain visible.
-  const drawAll = () => maps().forEach((map, k) => {
-    const {values, texts, unit} = equalSteps(map.largest || 1);
-    drawMap(part(`map${k}`), y, v, Array.from(roots(map)), {
-      colours: {colorscale: diverging, zmin: -1, zmax: 1}, title: `error per area${unit}`, ranges: [ends(y), ends(v)],
-      ticks: {tickvals: values.map(value => Math.sign(value) * Math.sqrt(Math.abs(value) / (map.largest || 1))), ticktext: texts},
-      told: signedNumbers(map), name: 'error per area'});
-    part(`caption${k}`).textContent = `${map.moment}: error ${map.error.replaceAll('-', '−')}`;
+// The heat maps of a figure (report/page/figure_maps.hpp); a control selects the drawn maps.
+function choiceDrawables({control, choices}) {
+  const select = document.getElementById(control);
+  const maps = () => choices[select.selectedIndex];
+  const place = map => document.getElementById(map.id);
+  const edges = ([from, to], cells) => Array.from({length: cells + 1}, (_, k) => from + (to - from) * k / cells);
+  const drawAll = () => maps().forEach(map => {
+    drawMap(place(map), edges(map.x, map.columns), edges(map.y, map.steps.length / map.columns), Array.from(roots(map)), {
+      colours: {colorscale: map.colours, zmin: -1, zmax: 1}, title: map.title, ranges: [map.x, map.y],
+      ticks: {tickvals: map.tickvals, ticktext: map.ticktext}, told: signedNumbers(map), name: map.quantity});
+    place(map).parentElement.querySelector('figcaption').textContent = map.caption;
+    place(map).setAttribute('aria-label', map.spoken);
   });
-  part('choice').addEventListener('change', drawAll);
-  const fit = () => maps().forEach((map, k) => { part(`map${k}`).style.height = `${mapHeight(part(`map${k}`))}px`; });
-  return [{element: part('map0'), fit, draw: drawAll}];
+  select.addEventListener('change', drawAll);
+  const fit = () => { for (const map of maps()) place(map).style.height = `${mapHeight(place(map))}px`; };
+  return [{element: place(maps()[0]), fit, draw: drawAll}];
 }
 
 let all = [], waiting = [];

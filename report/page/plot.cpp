@@ -21,30 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Converts gnuplot's enhanced text to the HTML of plotly.js: italics, one-letter subscripts, and
-// escaped characters.
-std::string plotly_markup(std::string_view enhanced) {
-  constexpr std::string_view kItalic = "{/:Italic ";
-  std::string html;
-  while (!enhanced.empty()) {
-    std::size_t length = 1;
-    if (enhanced.starts_with(kItalic)) {
-      const auto end = std::min(enhanced.find('}'), enhanced.size() - 1);
-      const auto symbol = enhanced.substr(kItalic.size(), end - kItalic.size());
-      html += "<i>" + plotly_text(symbol) + "</i>";
-      length = end + 1;
-    } else if (enhanced.size() > 1 && (enhanced[0] == '\\' || enhanced[0] == '_')) {
-      const std::string letter = plotly_text(enhanced.substr(1, 1));
-      html += enhanced[0] == '_' ? "<sub>" + letter + "</sub>" : letter;
-      length = 2;
-    } else {
-      html += enhanced[0] == '\'' ? "\u2032" : plotly_text(enhanced.substr(0, 1));
-    }
-    enhanced.remove_prefix(length);
-  }
-  return html;
-}
-
 // The position of the label beside a mark. The position differs between neighbouring marks of a
 // series and between series, so that fewer labels overlap.
 const char* label_position(std::size_t series, std::size_t point) {
@@ -82,8 +58,6 @@ Json bar_trace(const FigureSeries& series) {
   return {
       {"type", "bar"},
       {"orientation", "h"},
-      {"name", plotly_text(series.name)},
-      {"legendgroup", series.group},
       {"x", x},
       {"y", y},
       {"width", widths},
@@ -97,16 +71,17 @@ Json bar_trace(const FigureSeries& series) {
       {"hovertemplate", "%{customdata}: %{x:.3g}"}};
 }
 
-// Traces of one plot, and the arrays of numbers that its traces share.
+/// The traces of one plot, and the arrays of numbers that its traces share.
 class PlotTraces {
  public:
   void add(const FigurePanel& panel, std::size_t row) {
     const bool is_horizontal = std::ranges::any_of(panel.series, &FigureSeries::is_bars);
     for (const auto& series : panel.series) {
       if (series.points.empty()) continue;
-      const bool has_band = !series.is_bars && std::isfinite(series.points.front().upper);
-      if (has_band) add_band(series, panel, row);
-      Json trace = series.is_bars ? bar_trace(series) : series_trace(series, panel);
+      const bool has_intervals = std::ranges::any_of(
+          series.points, [](const FigurePoint& point) { return std::isfinite(point.upper); });
+      if (has_intervals && !series.is_bars) add_band(series, panel, row);
+      Json trace = series.is_bars ? bar_trace(series) : series_trace(series);
       if (is_horizontal && !series.is_bars) {
         std::swap(trace["x"], trace["y"]);
         trace["hovertemplate"] = "%{customdata}: %{x:.3g}<extra></extra>";
@@ -130,15 +105,10 @@ class PlotTraces {
   }
 
   // One coordinate of the points of a series. Long arrays are stored once and referred to by name.
-  Json coordinates(const FigureSeries& series, double FigurePoint::*member,
-                   const FigureAxis& axis) {
+  Json coordinates(const FigureSeries& series, double FigurePoint::*member) {
     constexpr std::size_t kLong = 50;
     std::vector<double> values;
-    for (const auto& point : series.points) {
-      const double value = point.*member;
-      const bool is_drawn = std::isfinite(value) && (value > 0 || !axis.is_logarithmic);
-      values.push_back(is_drawn ? value : std::numeric_limits<double>::quiet_NaN());
-    }
+    for (const auto& point : series.points) values.push_back(point.*member);
     if (values.size() < kLong) return values;  // NaN becomes null
     const TypedArray array = float_array(values);
     const auto [found, is_new] = names_.try_emplace(array.bdata, fmt::format("{}", names_.size()));
@@ -156,8 +126,8 @@ class PlotTraces {
         point.y = std::max(is_upper ? point.upper : point.lower, least);
       Json trace{{"type", "scatter"},
                  {"mode", "lines"},
-                 {"x", coordinates(edge, &FigurePoint::x, panel.x)},
-                 {"y", coordinates(edge, &FigurePoint::y, panel.y)},
+                 {"x", coordinates(edge, &FigurePoint::x)},
+                 {"y", coordinates(edge, &FigurePoint::y)},
                  {"showlegend", false},
                  {"line", {{"width", 0}}},
                  {"hoverinfo", "skip"}};
@@ -166,7 +136,7 @@ class PlotTraces {
     }
   }
 
-  Json series_trace(const FigureSeries& series, const FigurePanel& panel) {
+  Json series_trace(const FigureSeries& series) {
     Json names = Json::array(), labels = names, positions = names, symbols = names, colours = names;
     for (const auto& point : series.points) {
       names.push_back(plotly_text(point.name));
@@ -188,8 +158,8 @@ class PlotTraces {
     if (has_labels) mode += "+text";
     Json trace{{"type", "scatter"},
                {"mode", mode},
-               {"x", coordinates(series, &FigurePoint::x, panel.x)},
-               {"y", coordinates(series, &FigurePoint::y, panel.y)},
+               {"x", coordinates(series, &FigurePoint::x)},
+               {"y", coordinates(series, &FigurePoint::y)},
                {"hovertemplate", "%{y:.4g}"}};
     if (!series.dash.empty()) {
       trace["line"] = {{"color", series.colour},
@@ -337,6 +307,35 @@ std::string plotly_text(std::string_view text) {
     }
   }
   return shown;
+}
+
+std::string plotly_markup(std::string_view enhanced) {
+  constexpr std::string_view kItalic = "{/:Italic ";
+  std::string html;
+  while (!enhanced.empty()) {
+    const char c = enhanced[0];
+    std::size_t length = 1;
+    if (enhanced.starts_with(kItalic)) {
+      const auto end = std::min(enhanced.find('}'), enhanced.size() - 1);
+      const auto symbol = enhanced.substr(kItalic.size(), end - kItalic.size());
+      html += "<i>" + plotly_text(symbol) + "</i>";
+      length = end + 1;
+    } else if (enhanced.size() > 1 && (c == '_' || c == '^')) {
+      const bool in_braces = enhanced[1] == '{';
+      const auto end = in_braces ? std::min(enhanced.find('}'), enhanced.size() - 1) : 2;
+      const auto from = in_braces ? 2 : 1;
+      html += fmt::format("<{0}>{1}</{0}>", c == '_' ? "sub" : "sup",
+                          plotly_text(enhanced.substr(from, end - from)));
+      length = in_braces ? end + 1 : end;
+    } else if (enhanced.size() > 1 && c == '\\') {
+      html += plotly_text(enhanced.substr(1, 1));
+      length = 2;
+    } else {
+      html += c == '\'' ? "\u2032" : plotly_text(enhanced.substr(0, 1));
+    }
+    enhanced.remove_prefix(length);
+  }
+  return html;
 }
 
 std::string plotly_dash(const std::string& gnuplot_dash) {

@@ -30,6 +30,10 @@ std::string plots_json(const std::vector<Plot>& plots);
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string plotly_text(std::string_view text);
 
+/// Converts gnuplot's enhanced text to the HTML of plotly.js: italics, subscripts, superscripts and
+/// escaped characters.
+std::string plotly_markup(std::string_view enhanced);
+
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash(const std::string& gnuplot_dash);
 

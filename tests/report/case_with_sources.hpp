@@ -9,7 +9,8 @@ namespace fpkcheck::tests {
 /// made_up_case() with errors of the second moments and their sources: 0.001 and -0.002 in
 /// epc-gaussian-n6, a thousandth of these in fd-kf. All sources are in the two cells at the wall
 /// next to y' = 0.
-inline results::CaseResult case_with_sources() {
+/// @param equation id of fd-kf in the case
+inline results::CaseResult case_with_sources(const std::string& equation = "fd-kf") {
   auto case_result = made_up_case();
   const auto axes = compare::comparison_axes(case_result.problem);
   case_result.joints.clear();
@@ -33,6 +34,12 @@ inline results::CaseResult case_with_sources() {
       case_result.error_sources.push_back(source);
     }
   }
+  const auto rename = [&](std::string& id) {
+    if (id == "fd-kf") id = equation;
+  };
+  for (auto& solution : case_result.solutions) rename(solution.identity.id);
+  for (auto& estimate : case_result.moment_error_estimates) rename(estimate.solution);
+  for (auto& source : case_result.error_sources) rename(source.solution);
   return case_result;
 }
 

@@ -100,6 +100,11 @@ TEST(Plot, IntervalsAtMarksAreABand) {
   EXPECT_EQ(data[4].at("marker").at("symbol")[0], "circle-open");
 }
 
+TEST(Plot, TextsOfPicturesBecomeHtml) {
+  EXPECT_EQ(plotly_markup("{/:Italic L}_1, 10^{−3} {/:Italic y}' a\\_b<"),
+            "<i>L</i><sub>1</sub>, 10<sup>−3</sup> <i>y</i>′ a_b&lt;");
+}
+
 TEST(Plot, DashesAreInPixels) {
   EXPECT_EQ(plotly_dash("solid"), "solid");
   EXPECT_EQ(plotly_dash("(10,4,2,4)"), "10px,4px,2px,4px");

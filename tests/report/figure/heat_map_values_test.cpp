@@ -1,4 +1,4 @@
-#include "report/page/heat_map_values.hpp"
+#include "report/figure/heat_map_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "transform/density.hpp"
 
-/// Cells and quantised values of the heat maps of the page.
+/// Cells and quantised values of heat maps.
 namespace fpkcheck::report {
 
 /// Fractions of the peak down to which a joint density is shown, on logarithmic and on linear

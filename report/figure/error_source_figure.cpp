@@ -1,0 +1,202 @@
+#include "report/figure/error_source_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compare/assessment.hpp"
+#include "report/figure/gnuplot.hpp"
+#include "report/figure/heat_map_values.hpp"
+#include "report/figure/layout.hpp"
+#include "report/figure/script_text.hpp"
+#include "report/text/number_text.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using results::CaseResult;
+using results::ErrorSource;
+using transform::Moments;
+
+constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
+// Outer cells with values below this fraction of the largest value are invisible, and are omitted.
+constexpr double kVisibleErrorFraction = 1e-3;
+
+struct MappedMoment {
+  const char* name;
+  const char* symbol;  ///< in gnuplot's enhanced text
+  const char* text;
+  double Moments::*member;
+};
+constexpr MappedMoment kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
+                                     {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
+
+double largest_value(const ErrorSource& source) {
+  double most = 0;
+  for (const double x : source.density.averages) most = std::max(most, std::abs(x));
+  return most;
+}
+
+bool has_all_sources(const CaseResult& case_result, const std::string& id) {
+  return std::ranges::all_of(kMoments, [&](const MappedMoment& moment) {
+    return case_result.error_source(id, moment.name) != nullptr;
+  });
+}
+
+std::vector<std::string> selected_solutions(const CaseResult& case_result, std::size_t most) {
+  std::vector<std::string> ids;
+  std::set<std::string> formulations;
+  for (const auto* ranked : case_result.assessment.ranked_closures()) {
+    const auto& closure = *case_result.find(ranked->id);
+    if (ids.size() + 1 < most && formulations.insert(closure.identity.formulation).second &&
+        has_all_sources(case_result, closure.id())) {
+      ids.push_back(closure.id());
+    }
+  }
+  std::ranges::reverse(ids);  // by increasing accuracy from left to right
+  for (const auto& solution : case_result.solutions) {
+    if (ids.size() < most && compare::is_solution_of_full_problem(solution) &&
+        has_all_sources(case_result, solution.id())) {
+      ids.push_back(solution.id());
+    }
+  }
+  return ids;
+}
+
+// The window of the cells that have a visible value in at least one map. The window is symmetric in
+// y', and includes y = 0 if the cells begin at y = 0.
+CellWindow visible_window(const CaseResult& case_result, const std::vector<std::string>& ids) {
+  const auto& cells = case_result.error_sources.front().density;
+  CellWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
+  if (cells.y_edges.front() != 0) window.y_begin = cells.ny() - 1;
+  for (const auto& id : ids) {
+    for (const MappedMoment& moment : kMoments) {
+      const ErrorSource& source = *case_result.error_source(id, moment.name);
+      const double least = kVisibleErrorFraction * largest_value(source);
+      for (std::size_t i = 0; i < source.density.ny(); ++i) {
+        for (std::size_t j = 0; j < source.density.nv(); ++j) {
+          if (std::abs(source.density.cell_average(i, j)) <= least) continue;
+          window.y_begin = std::min(window.y_begin, i);
+          window.y_end = std::max(window.y_end, i + 1);
+          window.v_begin = std::min({window.v_begin, j, cells.nv() - 1 - j});
+          window.v_end = std::max({window.v_end, j + 1, cells.nv() - j});
+        }
+      }
+    }
+  }
+  return window;
+}
+
+// The colour scale uses the signed square root, so that values remain visible that are small
+// relative to the values at the wall.
+double signed_root(double value, double limit) {
+  return std::copysign(std::sqrt(std::abs(value) / limit), value);
+}
+
+// An axis with tics at equal steps of the value. The positions of the tics are signed square roots
+// of the values; the tic labels are in units of the power of ten in the axis label.
+FigureAxis colour_axis(const std::string& quantity, double limit) {
+  constexpr int kMostSteps = 5;  // on either side of 0; then at least two tics are on each side
+  const double step = tic_step(0, limit, kMostSteps);
+  const auto power = static_cast<int>(std::floor(std::log10(step)));
+  FigureAxis axis{quantity, -1, 1};
+  if (power != 0) axis.label += with_minus_signs(fmt::format(", 10^{{{}}}", power));
+  const int most = static_cast<int>(limit / step * (1 + 1e-9));
+  for (int k = -most; k <= most; ++k) {
+    axis.tics.push_back({with_minus_signs(fmt::format("{:.0f}", k * step / std::pow(10, power))),
+                         signed_root(k * step, limit)});
+  }
+  return axis;
+}
+
+FigurePanel source_panel(const CaseResult& case_result, const std::string& id,
+                         const MappedMoment& moment, const CellWindow& window) {
+  constexpr int kMostTics = 4;  // fit under a map on a screen
+  const auto* own = case_result.moment_error_estimate(id);
+  const double error = own == nullptr ? 0 : own->error.*moment.member;
+  const ErrorSource& source = *case_result.error_source(id, moment.name);
+  const double limit = std::max(largest_value(source), 1e-300);
+  const auto& y = source.density.y_edges;
+  const auto& v = source.density.v_edges;
+  const FigureAxis x_axis{"{/:Italic y}", y[window.y_begin], y[window.y_end], false,
+                          tic_step(y[window.y_begin], y[window.y_end], kMostTics)},
+      y_axis{"{/:Italic y}'", v[window.v_begin], v[window.v_end]};
+  FigureHeatMap map{.x_range = {x_axis.from, x_axis.to},
+                    .y_range = {y_axis.from, y_axis.to},
+                    .columns = window.y_end - window.y_begin,
+                    .values = rows_of_constant_velocity(source.density, window),
+                    .colour_axis = colour_axis("error per area", limit),
+                    .colours = {std::begin(kDivergingColours), std::end(kDivergingColours)},
+                    .root_scale = limit,
+                    .quantity = "error per area"};
+  for (double& value : map.values) {
+    constexpr double kDecimals = 1000;  // resolve the colours, and shorten scripts
+    value = std::round(kDecimals * signed_root(value, limit)) / kDecimals;
+  }
+  return {
+      .id = fmt::format("errors-{}", moment.name),
+      .title = fmt::format("{} of {}: {}", moment.symbol, escape_enhanced_text(id),
+                           scientific_text(error)),
+      .caption = fmt::format("{}: error {}", moment.text, with_minus_signs(number_text(error, 2))),
+      .x = x_axis,
+      .y = y_axis,
+      .map = std::move(map),
+      .choice = id};
+}
+
+// On a screen each solution has a column of two maps, but a single solution has a row of two maps.
+// On paper each solution has a row of two maps. In a single journal column all maps are below one
+// another.
+Figure figure_of(const CaseResult& case_result, const std::vector<std::string>& ids,
+                 FigureWidth width) {
+  constexpr int kColumnOnScreen = 400, kMomentCount = static_cast<int>(std::size(kMoments));
+  const bool has_columns = width == FigureWidth::screen && ids.size() > 1;
+  const int columns = has_columns ? static_cast<int>(ids.size()) : kMomentCount;
+  Figure figure{.title = problem_title(case_result.problem),
+                .columns = columns,
+                .screen_width = columns * kColumnOnScreen,
+                .panel_height = 275};
+  const bool has_error = std::ranges::any_of(ids, [&](const std::string& id) {
+    return std::ranges::any_of(kMoments, [&](const MappedMoment& moment) {
+      return largest_value(*case_result.error_source(id, moment.name)) > 0;
+    });
+  });
+  const bool same_cells = std::ranges::all_of(case_result.error_sources, [&](const auto& source) {
+    const auto& cells = case_result.error_sources.front().density;
+    return source.density.y_edges == cells.y_edges && source.density.v_edges == cells.v_edges;
+  });
+  if (!has_error || !same_cells) return figure;
+  const CellWindow window = visible_window(case_result, ids);
+  for (std::size_t k = 0; k < ids.size() * std::size(kMoments); ++k) {
+    const std::size_t solution = has_columns ? k % ids.size() : k / std::size(kMoments),
+                      moment = has_columns ? k / ids.size() : k % std::size(kMoments);
+    figure.panels.push_back(source_panel(case_result, ids[solution], kMoments[moment], window));
+  }
+  return figure;
+}
+
+}  // namespace
+
+Figure error_source_figure(const CaseResult& case_result, FigureWidth width) {
+  const bool narrow = width == FigureWidth::one_column;
+  return figure_of(case_result,
+                   selected_solutions(case_result, narrow ? kMaxSolutionsInColumn : kMaxSolutions),
+                   width);
+}
+
+Figure error_source_page_figure(const CaseResult& case_result) {
+  std::vector<std::string> ids;
+  const auto add = [&](const std::string& id) {
+    const bool is_new = std::ranges::find(ids, id) == ids.end();
+    if (is_new && has_all_sources(case_result, id)) ids.push_back(id);
+  };
+  for (const auto* closure : case_result.assessment.ranked_closures()) add(closure->id);
+  for (const auto& estimate : case_result.moment_error_estimates) add(estimate.solution);
+  return figure_of(case_result, ids, FigureWidth::screen);
+}
+
+}  // namespace fpkcheck::report

@@ -1,0 +1,105 @@
+#include "report/page/figure_maps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "report/figure/heat_map_values.hpp"
+#include "report/page/html.hpp"
+#include "report/page/plot.hpp"
+
+namespace fpkcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Number of levels of a map's values, which limits the resolution of the colours and of the value
+// shown for a cell.
+constexpr int kMapLevels = 127;
+
+std::vector<std::string> choices_of(const Figure& figure) {
+  std::vector<std::string> choices;
+  for (const auto& panel : figure.panels) {
+    if (std::ranges::find(choices, panel.choice) == choices.end()) choices.push_back(panel.choice);
+  }
+  return choices;
+}
+
+std::vector<const FigurePanel*> panels_of(const Figure& figure, const std::string& choice) {
+  std::vector<const FigurePanel*> panels;
+  for (const auto& panel : figure.panels) {
+    if (panel.choice == choice) panels.push_back(&panel);
+  }
+  return panels;
+}
+
+std::string spoken_text(const FigurePanel& panel) {
+  return fmt::format("Heat map, {}: {}", panel.map.value().quantity, panel.caption);
+}
+
+Json map_json(const FigurePanel& panel, const std::string& prefix) {
+  const FigureHeatMap& map = panel.map.value();
+  assert(map.root_scale > 0 && !map.values.empty());
+  std::vector<int> levels;
+  for (const double value : map.values) {
+    levels.push_back(static_cast<int>(std::lround(kMapLevels * value)));
+  }
+  Json places = Json::array(), labels = places;
+  for (const auto& tic : map.colour_axis.tics) {
+    places.push_back(tic.place);
+    labels.push_back(plotly_markup(tic.label));
+  }
+  return {{"id", prefix + '-' + panel.id},
+          {"caption", panel.caption},
+          {"spoken", spoken_text(panel)},
+          {"x", map.x_range},
+          {"y", map.y_range},
+          {"columns", map.columns},
+          {"colours", map.colours},
+          {"title", plotly_markup(map.colour_axis.label)},
+          {"tickvals", places},
+          {"ticktext", labels},
+          {"quantity", map.quantity},
+          {"largest", map.root_scale},
+          {"levels", kMapLevels},
+          {"steps", successive_differences(levels)}};
+}
+
+std::string control_id(const Figure& figure, const std::string& prefix) {
+  return fmt::format("{}-{}-choice", prefix, figure.panels.front().id);
+}
+
+}  // namespace
+
+std::string figure_maps_html(const Figure& figure, const std::string& prefix,
+                             const std::string& label, const std::string& introduction) {
+  const auto choices = choices_of(figure);
+  std::string options, places;
+  for (const auto& choice : choices) options += html_element("option", choice);
+  for (const auto* panel : panels_of(figure, choices.front())) {
+    places += fmt::format(
+        "<figure>\n<figcaption></figcaption>\n<div class=\"plot\" id=\"{}-{}\" role=\"img\" "
+        "aria-label=\"{}\"></div>\n</figure>\n",
+        prefix, panel->id, escape_html(spoken_text(*panel)));
+  }
+  return fmt::format(
+      "<p class=\"controls\"><label>{}: <select id=\"{}\">{}</select></label></p>\n{}"
+      "<div class=\"maps\">\n{}</div>\n",
+      label, control_id(figure, prefix), options, introduction, places);
+}
+
+std::string figure_maps_json(const Figure& figure, const std::string& prefix) {
+  Json json{{"control", control_id(figure, prefix)}, {"choices", Json::array()}};
+  for (const auto& choice : choices_of(figure)) {
+    Json maps = Json::array();
+    for (const auto* panel : panels_of(figure, choice)) maps.push_back(map_json(*panel, prefix));
+    json["choices"].push_back(std::move(maps));
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace fpkcheck::report

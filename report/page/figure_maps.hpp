@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "report/figure/figure.hpp"
+
+namespace fpkcheck::report {
+
+/// The HTML elements of the heat maps of a figure: a control that selects a choice, and a place for
+/// each panel of a choice; page.js draws the maps.
+/// @param prefix prefix of the ids of the maps
+/// @param label label of the control
+/// @param introduction HTML between the control and the maps
+/// @pre the figure has at least one panel
+std::string figure_maps_html(const Figure& figure, const std::string& prefix,
+                             const std::string& label, const std::string& introduction);
+
+/// The heat maps of a figure in JSON, the input of page.js.
+/// @pre all maps have cells on which values are signed roots, from -1 to 1
+std::string figure_maps_json(const Figure& figure, const std::string& prefix);
+
+}  // namespace fpkcheck::report
