@@ -52,8 +52,8 @@ std::string cairo_scale(const FigureSize& size) {
                      kPointsPerPixel);
 }
 
-// Left margin, in pixels, of a panel with tics and axis label, and of a panel with tics only.
-constexpr int kLeft = 92, kTicsAlone = 52;
+// Left margin, in pixels, of a panel with tics and axis label.
+constexpr int kLeft = 92;
 
 // Letter width and line height, in pixels, that gnuplot assumes for the larger font, which is the
 // font of the SVG.
@@ -161,10 +161,6 @@ std::vector<std::string> problem_title(const problem::Problem& problem) {
   return parts;
 }
 
-FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size) {
-  return figure_title(problem_title(problem), size);
-}
-
 FigureSize PanelGrid::size() const {
   const int row = above + panel_height + below;
   return {.width = width, .height = title_height + rows * row + legend_height, .medium = medium};
@@ -172,11 +168,10 @@ FigureSize PanelGrid::size() const {
 
 PanelBox PanelGrid::panel_box(int row, int column) const {
   const double height = size().height;
-  const double of_a_column = static_cast<double>(width - left_margin - right_margin) / columns;
+  const double of_a_column = static_cast<double>(width - right_margin) / columns;
   const double top = title_height + row * (above + panel_height + below) + above;
-  const int left = left_margin > 0 ? kTicsAlone : kLeft;
-  return {.left = (left_margin + column * of_a_column + left) / width,
-          .right = (left_margin + (column + 1) * of_a_column - panel_right_margin) / width,
+  return {.left = (column * of_a_column + kLeft) / width,
+          .right = ((column + 1) * of_a_column - panel_right_margin) / width,
           .top = 1 - top / height,
           .bottom = 1 - (top + panel_height) / height};
 }

@@ -43,7 +43,6 @@ FigureTitle figure_title(const std::vector<std::string>& parts, const FigureSize
 
 /// The name and the parameters of a problem as the parts of a figure's title.
 std::vector<std::string> problem_title(const problem::Problem& problem);
-FigureTitle figure_title(const problem::Problem& problem, const FigureSize& size);
 
 /// The layout of a figure, in pixels: panels of equal size in rows and columns between the title
 /// and the legend.
@@ -57,7 +56,6 @@ struct PanelGrid {
   int above = 44;               ///< height of the title of a panel
   int below = 74;               ///< height of tics and axis label of a panel
   int right_margin = 15;        ///< right margin of the picture, for a common colour bar
-  int left_margin = 0;          ///< left margin of the picture, for a common label of the rows
   int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
   /// gnuplot commands that shift labels and titles, so that neighbouring rows do not overlap. The

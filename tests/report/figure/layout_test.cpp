@@ -18,7 +18,7 @@ using tests::contains;
 TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
   auto problem = tests::paper_case(1);
   problem.name = "it's a_b";
-  const auto title = figure_title(problem, {.width = 1500, .height = 900});
+  const auto title = figure_title(problem_title(problem), {.width = 1500, .height = 900});
   EXPECT_TRUE(title.command.starts_with(
       "set multiplot title say('it''s a\\_b: c = 0.1, k = 1, μ = 0.1, r = 0.98;"))
       << title.command;
@@ -26,9 +26,9 @@ TEST(Frame, TitlesAFigureWithTheNameAndTheParameters) {
 
 TEST(Frame, BreaksATitleThatIsLongerThanTheFigureIsWide) {
   const auto problem = tests::paper_case(1);
-  const auto wide = figure_title(problem, {.width = 1500, .height = 900});
-  const auto narrow =
-      figure_title(problem, {.width = 471, .height = 900, .medium = FigureWidth::one_column});
+  const auto wide = figure_title(problem_title(problem), {.width = 1500, .height = 900});
+  const auto narrow = figure_title(
+      problem_title(problem), {.width = 471, .height = 900, .medium = FigureWidth::one_column});
   EXPECT_EQ(wide.command.find("\"\\n\""), std::string::npos) << wide.command;
   EXPECT_NE(narrow.command.find(";').\"\\n\".say('gaussian impulses"), std::string::npos)
       << narrow.command;
