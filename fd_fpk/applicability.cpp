@@ -7,8 +7,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Whether the equation that is solved has a diffusion term: from external white noise, or in place
-// of the term of the impulses.
+// Returns whether the equation has a diffusion term, from white noise or from the impulses.
 bool has_diffusion(const problem::ProblemFeatures& features, const Options& options) {
   return features.noise || options.equation == Equation::white || options.equation == Equation::km4;
 }
@@ -19,8 +18,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   const auto features = problem::features(problem);
   const bool noise = has_diffusion(features, options);
   // The approximations km4 and delta act like white noise at the wall. For the paper's oscillator
-  // their equations are solved nevertheless, since the paper does so; under `white` with the exact
-  // impact the discretisation reports the collapse.
+  // the solver accepts km4 and delta, as in the paper; under `white` with the exact impact, the
+  // discretisation reports an inelastic collapse.
   if (noise && !has_linearised_scales(problem)) {
     std::string collapse = problem::inelastic_collapse_reason(problem, Equation::white);
     if (!collapse.empty()) return collapse;

@@ -7,27 +7,23 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Returns, in one phrase, the reason why finite volumes do not solve a problem. The reason is
-/// empty if they solve the problem.
+/// Returns the reason why finite volumes cannot solve the problem; empty for a supported problem.
 std::string unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// Returns the reason why finite volumes do not compute the density of a problem over time; empty
-/// if they compute it. Only upwind differences compute a density over time.
+/// Returns the reason why the density over time is unsupported; empty for a supported problem.
 std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options);
 
-/// Whether the options allow the transport along characteristics: the equation is `kf` with the
-/// impact `map`, and no option is set that only upwind differences have (numbers of cells, grading,
-/// order, transport `upwind`).
+/// Returns whether the options allow transport along characteristics. The equation must be `kf`
+/// with the impact `map`. No option that only upwind differences have (cells, grading, order) may
+/// be set.
 bool can_use_characteristics(const Options& options);
 
-/// The reason why the density of `kf` cannot be computed along characteristics
-/// (fd_fpk/characteristics/). The reason is empty if characteristics can be used. Characteristics
-/// start at walls and on the sides of the box and end at rest points, so every motion has to lose
-/// energy.
+/// Returns the reason why characteristics (fd_fpk/characteristics/) cannot compute the density of
+/// `kf`; empty if characteristics are applicable. Every motion must lose energy, since
+/// characteristics end at rest points.
 std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
-/// Whether probability mass comes to rest in contact with a wall, so that the stationary law of the
-/// equation has an atom at the wall.
+/// Returns whether mass comes to rest in contact, as an atom of the stationary law at a wall.
 bool has_rest_in_contact(const problem::Problem& problem, const Options& options);
 
 }  // namespace fpkcheck::fd_fpk

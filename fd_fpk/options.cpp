@@ -11,13 +11,13 @@ namespace {
 
 using namespace base;
 
-// Minimum number of cells of an axis: sufficient for one-sided stencils on both sides of x2 = 0.
+// Minimum number of cells of an axis, sufficient for one-sided stencils on both sides of x2 = 0.
 constexpr int kFewestAxisCells = 16;
 constexpr int kMostAxisCells = 2000;
 constexpr double kMostOriginRefinement = 1000;
 constexpr double kSmallestTolerance = 1e-10;
 
-// The impact models of the density equations. Only the simulation has Impact::exact.
+// Impact conditions of the density equations; only the simulation has Impact::exact.
 constexpr Impact kImpacts[] = {Impact::map, Impact::delta};
 
 std::vector<std::string> impact_names() {
@@ -117,8 +117,8 @@ Description<Options> make_description() {
 }  // namespace
 
 const Description<Options>& description() {
-  // The description is constructed in a function of its own, because Clang 14 would destroy
-  // temporaries of this initialiser at every call.
+  // A separate function constructs the description, because Clang 14 would destroy temporaries of
+  // this initialiser at every call.
   static const auto description = make_description();
   return description;
 }
@@ -176,10 +176,9 @@ using namespace base;
 constexpr int kMostSnapshots = 10000;
 constexpr int kHighestBdfOrder = 5;
 
-// Upwind-biased operators of orders 3 and 5 have no eigenvalue with a positive real part. Centred
-// operators, and operators of order 7 with their one-sided stencils at the walls, have such
-// eigenvalues. Long implicit steps to stationarity damp these modes; accurate time steps amplify
-// them.
+// Upwind-biased operators of orders 3 and 5 have no growing modes. Centred operators, and operators
+// of order 7 with one-sided stencils at the walls, have growing modes. Long implicit steps to
+// stationarity damp growing modes; accurate time steps amplify growing modes.
 void require_stable_order(int order) {
   if (order != 3 && order != 5) {
     throw InputError(fmt::format(
@@ -235,8 +234,8 @@ Description<TransientOptions> make_transient_description() {
 }  // namespace
 
 const Description<TransientOptions>& transient_option_descriptions() {
-  // The description is constructed in a function of its own, because Clang 14 would destroy
-  // temporaries of this initialiser at every call.
+  // A separate function constructs the description, because Clang 14 would destroy temporaries of
+  // this initialiser at every call.
   static const auto description = make_transient_description();
   return description;
 }

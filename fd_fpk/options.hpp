@@ -28,7 +28,7 @@ constexpr std::string_view name(StationarySolver stepper) { return base::name_of
 /// Discretisation of the transport between two impulses.
 enum class TransportScheme {
   upwind,          ///< finite volumes of high order, upwind-biased for odd orders
-  characteristics  ///< along the characteristics of the motion, for `kf` with impact `map`
+  characteristics  ///< transport along characteristics of the motion, for `kf` with impact `map`
 };
 inline constexpr base::EnumEntry<TransportScheme> kTransportNames[] = {
     {TransportScheme::upwind, "upwind", "finite volumes of high order"},
@@ -39,81 +39,74 @@ constexpr std::string_view name(TransportScheme transport) { return base::name_o
 
 struct Options {
   Equation equation = Equation::kf;
-  Impact impact = Impact::map;  ///< map or delta
+  Impact impact = Impact::map;  ///< impact condition, map or delta
   StationarySolver stepper = StationarySolver::cvode;
-  /// Automatic: transport along characteristics if impulses are rare or losses are strong, see
-  /// solve().
+  /// Automatic transport: along characteristics for rare impulses or strong losses; see solve()
   std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
-  /// about 1e-4 of the peak. Automatic: automatic_order() for the stationary density, kDefaultOrder
-  /// for the density over time; see transport_order().
+  /// about 1e-4 of the peak. The automatic order is automatic_order() for the stationary density
+  /// and kDefaultOrder for the density over time.
   std::optional<int> order{};
-  /// Factor by which the number of cells in each direction exceeds the automatic number: 2 halves
-  /// the cell widths.
+  /// Factor by which the number of cells in each direction exceeds the automatic number
   double refinement = 1;
   /// Ratio of the cell width far from the origin to the width at the origin; 1 for a uniform grid.
-  /// With losses at the impact the density jumps at the origin (by 1/r^2 along the wall). At the
-  /// jump a uniform grid converges only with the square of the cell width, whatever the order of
-  /// the scheme. Automatic: 16 if the relative jump of the density exceeds a tenth (32 under white
-  /// noise), else 1. Under white noise with losses at the impact the ratio applies to the cells of
-  /// x2, and the cells of x1 at the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
+  /// With losses at the impact the density at the wall is discontinuous at the origin, by a factor
+  /// of 1/r^2. With this discontinuity a uniform grid converges only with the square of the cell
+  /// width, for every order. The automatic ratio is 16 (32 under white noise) if the relative
+  /// discontinuity exceeds a tenth, otherwise 1. Under white noise with losses, the cells of x1 at
+  /// the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
-  std::optional<int> nx{};  ///< number of cells in x1; automatic: by equivalent linearisation
-  /// number of cells in x2, even; automatic: from equivalent linearisation
+  /// Number of cells in x1; automatic: from the length scales of the density
+  std::optional<int> nx{};
+  /// Number of cells in x2, even; automatic: from the length scales of the density
   std::optional<int> nv{};
   /// Upper end of the box in x1; automatic: an x1 at which the density is negligible.
   std::optional<double> x1_max{};
-  std::optional<double> x2_max{};  ///< upper end of |x2|; automatic: at a negligible density
-  /// Regularisation length of km4: the step l of the fourth difference. The value 0 selects the
-  /// literal scheme, in which l is the cell width. Automatic: default_regularisation_length for the
-  /// cells of the grid.
+  std::optional<double> x2_max{};  ///< upper end of |x2|; automatic: an end with negligible density
+  /// Regularisation length of km4, the step l of the fourth difference. The value 0 selects the
+  /// literal scheme, in which l is the cell width. The automatic length is
+  /// default_regularisation_length for the cells of the grid.
   std::optional<double> regularisation_length{};
-  /// Threshold of the density on a wall of the box, relative to the peak. An automatic box is
-  /// widened if the density on one of its walls exceeds the threshold.
+  /// Density on an edge of the box, relative to the peak, above which an automatic box is widened
   double wall_density = 1e-6;
-  /// Whether an automatic grid that does not resolve its density is refined.
+  /// Whether the solver refines an automatic grid that does not resolve the density
   bool refine_unresolved = true;
-  /// Whether the discretisation error is estimated, from two coarser grids. If the options fix
-  /// neither transport nor grid, the estimate selects both: see solve().
+  /// Whether the solver estimates the discretisation error, from two coarser grids. If the options
+  /// fix neither transport nor grid, the error estimate selects transport and grid.
   bool error_estimate = true;
-  /// Largest estimated L1 error of a marginal density with which the status is `ok`.
+  /// Largest estimated L1 error of a marginal density with the status `ok`
   double accuracy = 1e-2;
-  /// Time limit in seconds. The solver starts a solution on a finer grid only if the solution is
-  /// expected to end before the time limit. A solution that exceeds the time limit is aborted, and
-  /// the solver returns the most accurate solution so far.
+  /// Time limit in seconds. A solution on a finer grid starts only if the solver expects the end of
+  /// the solution before the time limit. A solution that exceeds the time limit is aborted, and the
+  /// solver returns the most accurate solution so far.
   double max_seconds = 20;
   /// Tolerance that selects the grid: the solver uses the first grid whose error estimate is below
   /// the tolerance. The error estimate comprises the L1 errors of both marginal densities and the
   /// relative errors of the second moments.
   std::optional<double> tolerance{};
-  /// Threshold of ||L P||_1 / ||P||_1 below which a density counts as stationary. The unit of the
-  /// threshold is the frequency sqrt(k_eq) of equivalent linearisation, so that the threshold does
-  /// not depend on the unit of time.
+  /// Largest ||L P||_1 / ||P||_1 of a stationary density, in units of the frequency sqrt(k_eq)
   double residual_tolerance = 1e-10;
 };
 
 inline constexpr int kDefaultOrder = 5;
 inline int transport_order(const Options& options) { return options.order.value_or(kDefaultOrder); }
 
-/// Names, help texts and ranges of the options, in files and on the command line.
+/// Returns names, help texts and ranges of the options, in files and on the command line.
 const base::Description<Options>& description();
 
 /// @throws InputError for the first invalid option or invalid combination of options
 void validate(const Options& options);
 
-/// The id of the solution that the options define, such as "fd-kf", or "fd-km4-delta" for the
-/// impact `delta`.
+/// Returns the id of the solution that the options define, such as "fd-kf" or "fd-km4-delta".
 std::string solution_id(const Options& options);
 
-/// The identity (id, method, equation, impact, role) of the solution that the options define.
 transform::SolutionIdentity solution_identity(const Options& options);
 
-/// Returns the options whose solution has the given id, with default values of all options that the
-/// id does not contain. The result is empty if no options give a solution with this id.
+/// Returns the options whose solution has the given id; empty for an unknown id.
 std::optional<Options> options_of(std::string_view id);
 
-/// Options of the density over time. Times are in the units of the problem.
+/// Options of the density over time, with times in the units of the problem.
 struct TransientOptions {
   double until = 0;    ///< end time T > 0 of the integration
   int snapshots = 50;  ///< number N of intervals: densities are stored at t = 0, T/N, .. T
@@ -121,22 +114,22 @@ struct TransientOptions {
   /// deviations of problem::MotionScales.
   std::optional<double> start_displacement{};
   std::optional<double> start_velocity{};
-  /// Means of the initial Gaussian; automatic: mean velocity 0, and mean displacement at the wall
-  /// for the paper's oscillator (a Gaussian of z and z'), else at the centre of
+  /// Means of the initial Gaussian. The automatic mean velocity is 0. The automatic mean
+  /// displacement is at the wall for the paper's oscillator, otherwise at the centre of
   /// problem::MotionScales.
   std::optional<double> start_mean_displacement{};
   std::optional<double> start_mean_velocity{};
-  /// Tolerance of the local error of a time step, relative to the largest density.
+  /// Tolerance of the local error of a time step, relative to the largest density
   double relative_tolerance = 1e-6;
   /// Highest order of BDF, 1 .. 5. BDF of an order above 2 is unstable on part of the imaginary
-  /// axis, and the eigenvalues of the rotating oscillator lie next to that axis.
+  /// axis, close to the eigenvalues of the rotating oscillator.
   int max_order = 2;
-  /// Function that is called with the completed fraction of the integration time; may be empty.
+  /// Function that is called with the completed fraction of the integration time; may be empty
   std::function<void(double)> progress{};
 };
 
-/// Names, help texts and ranges of the options of the density over time, in files and on the
-/// command line. All of these options require the option --until.
+/// Returns names, help texts and ranges of the options of the density over time. All options of the
+/// density over time require the option --until.
 const base::Description<TransientOptions>& transient_option_descriptions();
 
 /// @throws InputError for the first option that is invalid for a density over time

@@ -40,13 +40,13 @@ double linearised_frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
-// The options for a grid with the given velocity step: the box of the solver, with a velocity range
-// that is a whole number of steps.
+// Returns the options for a grid with the given velocity step, in the box of the solver. The
+// velocity range is a whole number of steps.
 Options options_for_step(const problem::Problem& problem, double step, int nx) {
   Options options;
   const Box box = initial_box(problem, options);
   const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
-  options.origin_refinement = 1;  // a uniform grid: all cells have the width h
+  options.origin_refinement = 1;  // a uniform grid: all velocity cells have the width `step`
   options.nx = nx;
   options.nv = 2 * half;
   options.x1_max = box.x1_max;
@@ -66,7 +66,6 @@ NullVector solve_null_vector(const problem::Problem& problem, const Options& opt
   return null_vector(op, preconditioner, initial_gaussian(on.grid, problem::scales(problem)));
 }
 
-// The density of the jump equation (kf) on a grid, or the reason why there is no density.
 NullVector kf_reference_density(const problem::Problem& problem, Options options) {
   options.equation = Equation::kf;
   const Discretisation on = discretise(problem, options, box_of_options(options));

@@ -8,10 +8,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Mean acceleration towards the wall due to impulses of nonzero mean, relative to the acceleration
-// of the spring at one standard deviation. If this ratio exceeds 1, the oscillator makes short
-// flights between impacts instead of half-cycles, and the height of the flights decreases with the
-// energy loss at an impact.
+// Returns the mean acceleration towards the wall by impulses of nonzero mean, relative to the
+// acceleration of the spring at one standard deviation. For a ratio above 1 the oscillator makes
+// short flights between impacts instead of half-cycles.
 double mean_force_ratio(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
   return -problem.impulses.rate_times_moment(1) /
@@ -23,8 +22,8 @@ bool has_short_flights(const problem::Problem& problem) {
   return mean_force_ratio(problem) > kBouncing && problem.system.restitution() < kLosses;
 }
 
-// Whether a nonzero mean of the impulses keeps the oscillator so far from the wall that impacts
-// are rare.
+// Returns whether impacts are rare, because impulses of nonzero mean keep the oscillator away from
+// the wall.
 bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem) {
   constexpr double kDeviations = 4;
   return problem::static_deflection(problem) >
@@ -36,18 +35,17 @@ bool has_dissipative_wall(const problem::System& system) {
          has_dissipative_impacts(system.right_wall());
 }
 
-// Whether the cells of x1 may be graded as the cube of the cells of x2. On such uneven cells,
-// schemes of even orders and of order 7 oscillate.
+// Returns whether the cells of x1 may be graded as the cube of the cells of x2. Schemes of even
+// orders and of order 7 oscillate on cells graded as the cube.
 bool can_grade_cubically(const Options& options) {
   return transport_order(options) == 3 || transport_order(options) == 5;
 }
 
-// Whether single impulses are so small that the density at a wall has the singularity of white
-// noise down to lengths that cells resolve. Cells graded as under white noise are better if the
-// impulses are below an eighth of the standard deviation of velocity. This threshold was measured
-// by the estimated error and the limit of the finest grids for case 1 with r = 0.3 .. 0.7, rates 30
-// .. 1e6, gaussian and exponential (build/release/benchmarks/fpkcheck_rates --restitutions
-// 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
+// Returns whether impulses are so small that the density at a wall has the singularity of white
+// noise down to the resolved lengths. The threshold is an eighth of the standard deviation of
+// velocity. The threshold was measured by the estimated error and the limit of the finest grids,
+// for case 1 with r = 0.3 .. 0.7, rates 30 .. 1e6, gaussian and exponential
+// (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates 30,100,1e3,1e4,1e6).
 bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
   if (!problem.impulses.is_present()) return false;
@@ -55,17 +53,18 @@ bool are_impulses_small(const problem::Problem& problem) {
          kShort * problem::scales(problem).velocity_deviation;
 }
 
-// The coefficient of p'' in the terms that act on the shortest lengths that cells resolve. White
-// noise, the truncated series, and small impulses act at these lengths.
+// Returns the coefficient of p'' in the terms that act on the shortest resolved lengths: white
+// noise, the truncated series, and small impulses.
 double diffusion_coefficient(const problem::Problem& problem, Equation equation) {
   const bool local =
       equation == Equation::km4 || equation == Equation::white || are_impulses_small(problem);
   return problem.noise.diffusion() + (local ? problem.impulses.rate_times_moment(2) / 2 : 0);
 }
 
-// Whether the density at a wall with losses has the singularity u^-beta (exact::wall_exponent) and
-// cells are graded to this singularity: under white noise, or under impulses that act as white
-// noise. Outside the class of equivalent linearisation also under the truncated series km4.
+// Returns whether the density at a wall with losses has the singularity u^-beta
+// (exact::wall_exponent), to which cells are graded. The singularity occurs under white noise and
+// under impulses that act as white noise. For problems without has_linearised_scales() the
+// singularity also occurs under the truncated series km4.
 bool has_wall_singularity(const problem::Problem& problem, const Options& options) {
   if (!has_linearised_scales(problem)) {
     return diffusion_coefficient(problem, options.equation) > 0;
@@ -95,11 +94,11 @@ bool must_satisfy_balances(const problem::Problem& problem) {
   return !has_linearised_scales(problem);
 }
 
-// The thresholds are empirical, from random problems (docs/limits.md).
+// The thresholds for characteristics are empirical, from random problems (docs/limits.md).
 bool are_characteristics_preferred(const problem::Problem& problem, double per_decay_time) {
-  constexpr double kRare = 3, kFrequent = 500;  // impulses per decay time
+  constexpr double kRare = 3, kFrequent = 500;  // limits of the number of impulses per decay time
   constexpr double kStrongLosses = 0.4;
-  constexpr double kMaxDeflection = 2;  // static deflection, in standard deviations
+  constexpr double kMaxDeflection = 2;
   if (per_decay_time < kRare) return true;
   if (!has_linearised_scales(problem)) return false;
   const auto linear = problem::equivalent_linearisation(problem);
@@ -121,10 +120,10 @@ int automatic_order(const problem::Problem& problem) {
                                                                                 : kHighOrder;
 }
 
-// A box with the default wall density truncates the tails due to impulses. The truncated tails
+// A box with the default wall density truncates tails due to impulses. The truncated tails
 // contribute a fraction 2e-7 of E[v^2], and a hundred times this fraction of the part of E[v^4] due
-// to the fourth cumulant. With the scales of equivalent linearisation the error of the moments
-// outside the box is estimated by an enlarged box instead.
+// to the fourth cumulant. For problems with has_linearised_scales(), a solution in an enlarged box
+// estimates the truncation error instead.
 double wall_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
   return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
@@ -149,14 +148,13 @@ double origin_refinement(const problem::Problem& problem, const Options& options
   return options.origin_refinement.value_or(automatic_origin_refinement(problem, options));
 }
 
-// Under white noise with losses the density near the origin is v^-beta times a function of D2 y /
-// v^3 (Cornell, Swift, Bray 1998), whatever the force, since noise dominates slow motion at the
-// wall. If cells resolve x2 down to the length `core`, cells must resolve x1 down to core^3 / D2.
-// If x1 is graded like x2, the computed density at the wall is flat, and the impact rate is too
-// small (by 1 % at r = 0.6). Separate impulses cause only a step of the density at the origin. If
-// the widths of neighbouring cells differ by more than a quarter, a grid-scale ripple is amplified,
-// up to 4 % of p(y). The long reach keeps the differences below a quarter, also on grids twice as
-// coarse, as for an error estimate.
+// Under white noise with losses, the density near the origin is v^-beta times a function of D2 y /
+// v^3 (Cornell, Swift, Bray 1998). The force has no effect, since noise dominates slow motion at
+// the wall. Cells that resolve x2 down to the length `core` must resolve x1 down to core^3 / D2. If
+// x1 is graded like x2, the computed impact rate is too small (by 1 % at r = 0.6). If the widths of
+// neighbouring cells differ by more than a quarter, a grid-scale ripple of up to 4 % of p(y) is
+// amplified. The long reach keeps the differences below a quarter, also on the coarser grids of an
+// error estimate.
 Gradings gradings(const problem::Problem& problem, const Options& options,
                   const LengthScales& lengths) {
   // Distances from the refinement point, in length scales, at which cells have half of their full
@@ -181,10 +179,10 @@ Gradings gradings(const problem::Problem& problem, const Options& options,
 
 LengthScales cell_widths(const problem::Problem& problem, const Options& options,
                          const LengthScales& lengths) {
-  // In length scales. The steep tail of p(y) requires the narrower cells.
+  // Cell widths in length scales; the steep tail of p(y) requires the narrower cells in x1.
   constexpr double kX1Step = 0.15, kX2Step = 0.16;
-  // Wider cells far from the refinement points compensate the narrow cells near these points in the
-  // total number of cells.
+  // Wider cells far from the refinement points compensate the number of narrow cells near the
+  // refinement points.
   constexpr double kGradedWidth = 1.6;
   double factor =
       (origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;

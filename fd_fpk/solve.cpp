@@ -56,19 +56,18 @@ class Solver {
       return solve_with(along ? TransportScheme::characteristics : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
       return solve_with(TransportScheme::characteristics);
-    // The transport of first choice has half of the time limit; the other half remains for the
-    // alternative transport.
+    // The transport of first choice has half of the time limit; the alternative transport has the
+    // other half.
     Result first = solve_with(
         along ? TransportScheme::characteristics : TransportScheme::upwind,
         Deadline(options_.tolerance ? deadline_.limit_seconds() : deadline_.limit_seconds() / 2));
-    // If upwind differences are the alternative, they must reach a small estimated error, because
-    // their error estimate is unreliable for such problems.
+    // As first choice, upwind differences must reach a small error estimate (kSmallError).
     if (first.solution.is_ok() && (along || has_small_error(first))) return first;
-    // If the transport of first choice misses the tolerance, the alternative does not meet the
-    // tolerance faster.
+    // An alternative transport does not reach the tolerance faster than the transport of first
+    // choice.
     if (options_.tolerance && first.solution.density) return first;
-    // At this impulse rate characteristics would visit too many cells. A box that the options set
-    // is the same for both transports.
+    // Above kMostImpulsesOfCharacteristics characteristics would visit too many cells. A box that
+    // the options set is the same for both transports.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box || (!along && per_decay_time > kMostImpulsesOfCharacteristics)) return first;
     Result second =
@@ -88,12 +87,12 @@ class Solver {
   Result solve_with(TransportScheme transport, const Deadline& deadline) const {
     Options options = options_;
     options.transport = transport;
-    // Characteristics have no adjustable order.
+    // Transport along characteristics has no adjustable order.
     if (transport == TransportScheme::upwind) {
       options.order = options.order.value_or(automatic_order(problem_));
     }
     ScalesAndBox scales_and_box{.scales = scales_};
-    // All grids share one box and the length scales that set the cell widths.
+    // All grids share one box and the length scales that determine the cell widths.
     if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
       options.wall_density *= wall_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
@@ -115,8 +114,7 @@ class Solver {
   const problem::Problem& problem_;
   const problem::MotionScales scales_;
   const Options& options_;
-  // Time limit as a fraction of max_seconds. A running solve ends at the next check of its
-  // deadline.
+  // Fraction of max_seconds; a running solve ends only at the next check of the deadline.
   static constexpr double kDeadlineFraction = 0.98;
   Deadline deadline_;
 };

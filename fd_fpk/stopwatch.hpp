@@ -5,7 +5,6 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Stopwatch that measures the wall-clock time since its construction.
 class Stopwatch {
  public:
   double seconds() const {
@@ -16,14 +15,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// A time limit that begins at the construction of the object.
+/// Time limit that begins at the construction of the object.
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
-  /// A deadline that never passes.
   static Deadline unlimited() { return Deadline(std::numeric_limits<double>::infinity()); }
 
-  /// Whether a computation of this duration would end before the deadline if started now.
+  /// Returns whether a computation of this duration would end before the deadline if started now.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool has_passed() const { return !has_time_for(0); }
   double limit_seconds() const { return seconds_; }

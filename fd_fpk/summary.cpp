@@ -13,7 +13,7 @@ namespace {
 using transform::MetricBuilder;
 using transform::value_from_count;
 
-// Absolute tolerance for densities relative to the peak: smaller differences are insignificant.
+// Differences of densities below this fraction of the peak are insignificant.
 constexpr double kInsignificant = 1e-6;
 
 void add_density_metric(MetricBuilder& builder, const std::string& path, double density) {
@@ -21,16 +21,15 @@ void add_density_metric(MetricBuilder& builder, const std::string& path, double 
 }
 
 void add_metrics(MetricBuilder& builder, const ErrorEstimate& error) {
-  // A repeated run must reproduce the impact rate, but not the error estimate of the impact rate.
+  // The error estimate of the impact rate is a work metric, which need not be reproducible.
   if (std::isfinite(error.impact_rate)) builder.add_work("error.impact_rate", error.impact_rate);
-  // The observed order is the logarithm of a quotient of small differences, and therefore sensitive
-  // to rounding errors.
+  // The observed order, a logarithm of small differences, is sensitive to rounding errors.
   builder.add({.path = "error.observed_order",
                .value = error.observed_order,
                .is_rounding_sensitive = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The scale of rounding errors in an extrapolated moment is the moment itself; for E[y'] the
-    // scale is the root mean square velocity.
+    // Rounding errors of an extrapolated moment scale with the moment itself, rounding errors of
+    // E[y'] with the root mean square velocity.
     builder.add({.path = std::string("error.extrapolated.") + name,
                  .value = error.extrapolated.*moment,
                  .min_scale = std::max(0.1, std::abs(error.extrapolated.*size))});

@@ -12,21 +12,21 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Estimates of the discretisation errors, from solutions on coarser grids.
+/// Estimates of the discretisation errors from solutions on coarser grids.
 struct ErrorEstimate {
-  double y_l1 = 0;     ///< L1 error of p(y)
-  double ydot_l1 = 0;  ///< L1 error of p(y')
-  /// absolute errors of the moments, due to the discretisation and to the finite box
+  double y_l1 = 0;
+  double ydot_l1 = 0;
+  /// Absolute errors of the moments, due to the discretisation and to the finite box
   transform::Moments moments = {};
-  transform::Moments box_truncation = {};  ///< the part of `moments` due to the finite box
-  /// order of convergence observed in the differences of the marginal densities
+  transform::Moments box_truncation = {};  ///< part of `moments` due to the finite box
+  /// Order of convergence observed in the differences of the marginal densities
   double observed_order = 0;
   transform::Moments extrapolated = {};  ///< limits of the moments by Richardson extrapolation
   /// estimated error on the finest grid, divided by the difference of the two finest solutions
   double factor = 0;
-  std::vector<double> rest_probabilities = {};  ///< error of the probability of rest, for each atom
-  double impact_rate = 0;  ///< error of Summary::impact_rate; not finite if the rate is infinite
-  /// Whether the observed order is consistent with the order of the scheme.
+  std::vector<double> rest_probabilities = {};  ///< error of the probability of each atom at rest
+  double impact_rate = 0;  ///< error of Summary::impact_rate; infinite for an infinite rate
+  /// Whether the observed order is consistent with the order of the scheme
   bool has_richardson_limit = false;
 };
 
@@ -34,51 +34,48 @@ struct ErrorEstimate {
 struct Summary {
   int nx = 0;
   int nv = 0;
-  /// order of the finite volumes that was used; 0 along characteristics
+  /// Order of the finite volumes that was used; 0 along characteristics
   int order = 0;
-  double refinement = 1;         ///< the factor Options::refinement that was used
-  double origin_refinement = 1;  ///< the ratio Options::origin_refinement that was used
+  double refinement = 1;         ///< factor Options::refinement of the solution
+  double origin_refinement = 1;  ///< ratio Options::origin_refinement of the solution
   double x1_max = 0;
   double x2_max = 0;
-  TransportScheme transport = TransportScheme::upwind;  ///< transport that was used
+  TransportScheme transport = TransportScheme::upwind;
   long visits = 0;          ///< number of cell visits of all characteristics
   double rest_mass = 0;     ///< mass at rest in equilibria (innermost cells; characteristics only)
-  long nonzeros = 0;        ///< number of nonzeros of the operator without the jumps
-  double leak = 0;          ///< largest rate at which the operator loses mass in a cell
-  long steps = 0;           ///< steps of CVODE; 0 for the direct solution
+  long nonzeros = 0;        ///< nonzeros of the operator without the jumps
+  double leak = 0;          ///< largest rate of mass loss of the operator in a cell
+  long steps = 0;           ///< number of steps of CVODE; 0 for the direct solution
   long factorisations = 0;  ///< number of factorisations by KLU on the final grid
   long rhs_evaluations = 0;
-  long krylov_iterations = 0;  ///< total iterations of GMRES
-  long factor_entries = 0;     ///< number of entries of both factors of the preconditioner
-  double factor_seconds = 0;   ///< seconds that KLU took for factorisations on the final grid
-  double krylov_seconds = 0;   ///< seconds that GMRES took on the final grid
+  long krylov_iterations = 0;
+  long factor_entries = 0;  ///< number of entries of both factors of the preconditioner
+  double factor_seconds = 0;
+  double krylov_seconds = 0;
   double residual = 0;  ///< stationarity residual ||L P||_1 / ||P||_1, in units of sqrt(k_eq)
-  /// Largest |difference| of the pseudo-transient and the direct solution, relative to the
-  /// largest density; 0 if there is only the direct solution.
+  /// Largest difference of the pseudo-transient and the direct density, relative to the peak
   double stepped_against_direct = 0;
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (positive: ill-posed)
   double growth_wavenumber = 0;
-  WallDensity wall{0, 0};  ///< density on the walls of the box, relative to the peak
-  /// A larger box, in which a second solution measures the truncation error of this box. Empty if
-  /// the truncation error is negligible.
+  WallDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
+  /// Larger box in which a second solution measures the truncation error, if not negligible
   std::optional<BoxExtension> enlarged_box = {};
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
-  std::optional<ErrorEstimate> error = {};      ///< present if the options request an estimate
-  /// Residuals of the balances of power, virial and momentum, if there is a density.
+  /// Error estimates; absent if the options do not request an estimate
+  std::optional<ErrorEstimate> error = {};
+  /// Residuals of the balances of power, virial and momentum, if there is a density
   transform::BalanceResiduals balances = {};
   /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in
-  /// contact after infinitely many impacts.
+  /// contact after infinitely many impacts
   double impact_rate = 0;
 };
 
-/// The metrics of this solver for its solution, in the order of summary.json. The errors in
-/// transform::StatedError are not repeated.
+/// Returns the metrics in the order of summary.json, without the errors in transform::StatedError.
 transform::Metrics metrics(const Summary& summary);
 
-/// A solution and the numerical data of its computation.
 struct Result {
-  transform::Solution solution;  ///< its density is a transform::GridDensity
+  transform::Solution solution;  ///< solution whose density is a transform::GridDensity
   Summary summary;
 };
 

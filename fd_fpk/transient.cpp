@@ -31,7 +31,7 @@ using transform::Status;
 constexpr double kInitialBoxDeviations = 6;
 constexpr double kCellsPerDeviation = 5;
 
-// The initial Gaussian of the options, in wall coordinates.
+// Returns the initial Gaussian of the options, in wall coordinates.
 Gaussian initial_density(const problem::Problem& problem, const problem::MotionScales& scales,
                          const TransientOptions& transient) {
   constexpr double kDefault = 0.5;
@@ -40,7 +40,7 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
           transient.start_displacement.value_or(kDefault * scales.displacement_deviation),
       .velocity_deviation = transient.start_velocity.value_or(kDefault * scales.velocity_deviation),
       .mean_displacement = has_linearised_scales(problem) ? 0 : scales.centre};
-  // In a symmetric well the mean is 0 up to rounding errors.
+  // The mean displacement in a symmetric well is 0 up to rounding errors.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;
@@ -59,8 +59,8 @@ Gaussian initial_density(const problem::Problem& problem, const problem::MotionS
   return start;
 }
 
-// The largest energy v^2/2 + V(y) on the ellipse of kInitialBoxDeviations standard deviations of
-// the initial density, between the walls.
+// Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
+// kInitialBoxDeviations standard deviations of the initial density.
 double max_initial_energy(const problem::System& system, const numerics::Polynomial& potential,
                           const Gaussian& start) {
   constexpr int kDirections = 120;
@@ -78,8 +78,7 @@ double max_initial_energy(const problem::System& system, const numerics::Polynom
   return most;
 }
 
-// A box for the stationary density, the initial density, and all states that the initial energy can
-// reach.
+// Returns a box for both densities and all states that the initial energy can reach.
 Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
                   const Options& options, const Gaussian& start, const Deadline& deadline) {
   const auto& system = problem.system;
@@ -97,17 +96,15 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
   return box;
 }
 
-// The options with cells refined for the initial density. An initial density narrower than the
-// stationary density requires narrower cells in both directions, since the flow rotates the initial
-// density in the phase plane.
+// Returns the options with cells refined for the initial density. A narrow initial density requires
+// narrower cells in both directions, since the flow rotates the density in the phase plane.
 Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
                                    const Gaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const double narrowness = std::max(of_stationary.x1 / start.displacement_deviation,
                                      of_stationary.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kCellsPerDeviation / kCells);
-  // Time steps are short compared with the period. The narrow cells of an automatic grading would
-  // make the equations stiff and improve the accuracy only at the origin.
+  // Narrow cells at the origin would make the equations stiff and hardly improve the accuracy.
   options.origin_refinement = options.origin_refinement.value_or(1);
   return options;
 }
@@ -132,8 +129,7 @@ Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
                                           grid, averages, transport_order(options)));
   s.power = input - dissipated;
   s.power_residual = (s.power - energy_rate) / (problem::total_intensity(problem) / 2);
-  // For a bounded density the impact rate is the flux into the walls, and the initial Gaussian is
-  // bounded.
+  // The initial Gaussian is bounded, so that its impact rate is the flux into the walls.
   s.impact_rate = time == 0 ? flux_into_walls(system, grid, averages, transport_order(options))
                             : impact_rate(system, on.excitation, options.impact, grid, averages,
                                           change, transport_order(options));
@@ -150,7 +146,6 @@ Snapshot make_snapshot(const problem::Problem& problem, const Options& options,
   return s;
 }
 
-// Sets status and reason of the result if the snapshot violates a limit.
 void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapshot& at,
                     TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", at.time);
@@ -172,10 +167,10 @@ void check_snapshot(const problem::Frame& frame, const Grid& grid, const Snapsho
   }
 }
 
-// A discretisation that resolves the initial and the stationary density, with at most
-// kMaxTransientCells cells: time steps on more cells take minutes. A density that concentrates in
-// wells, or at rest under rare impulses, is narrower than the cells; the limits kTransientLimits
-// then detect the insufficient resolution.
+// Returns a discretisation that resolves the initial and the stationary density, with at most
+// kMaxTransientCells cells. Time steps on more cells take minutes. A density in narrow wells, or at
+// rest under rare impulses, is narrower than the cells; kTransientLimits detects the insufficient
+// resolution.
 Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
                                        Options& options) {
   constexpr double kMaxTransientCells = 10000;
@@ -191,10 +186,10 @@ void integrate_in_time(const problem::Problem& problem, const Options& options,
                        Preconditioner& preconditioner, const Deadline& deadline,
                        TransientResult& result) {
   constexpr long kMostSteps = 1000000;  // maximum number of steps between two snapshots
-  // Tolerance of GMRES as a fraction of the local error. The residual of GMRES causes a loss of
+  // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
   // mass.
   constexpr double kLinearTolerance = 1e-3;
-  // L is constant, so CVODE factors again only for a new gamma.
+  // The operator L is constant, so that CVODE factors again only for a new gamma.
   constexpr long kStepsPerFactorisation = 10000;
 
   const Grid& grid = on.grid;

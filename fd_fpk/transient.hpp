@@ -14,55 +14,50 @@ namespace fpkcheck::fd_fpk {
 struct Snapshot {
   double time = 0;
   transform::Moments moments{};
-  double yv = 0;      ///< E[y y']
+  double yv = 0;      ///< moment E[y y']
   double energy = 0;  ///< mean energy E[v^2]/2 + E[U(y)], with the potential U of the spring
-  /// Power input minus dissipation, problem::power; equal to dE/dt for the exact equation.
+  /// Power input minus dissipation (problem::power_balance); equal to dE/dt for the exact equation
   double power = 0;
   /// Difference between `power` and the dE/dt of the discrete equation dp/dt = L p, relative to D +
-  /// lambda E[Y^2]/2. The cause of the difference is the discretisation error alone.
+  /// lambda E[Y^2]/2. The discretisation error alone causes the difference of the two rates.
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
   double min_density = 0;   ///< smallest density, relative to the largest density
-  WallDensity wall{0, 0};   ///< relative_wall_density, for the problem in wall coordinates
+  WallDensity wall{0, 0};   ///< density on the edges of the box, relative to the peak
   std::vector<double> y{};  ///< p(y, t), averages over the cells between TransientResult::y_edges
   std::vector<double> v{};  ///< p(y', t), averages over the cells between TransientResult::v_edges
 };
 
-/// A density over time and the numerical data of its computation.
 struct TransientResult {
   transform::Status status = transform::Status::failed;
-  std::string reason;  ///< reason for the status, one sentence; empty only for the status ok
-  double seconds = 0;  ///< wall-clock time
-  double start_displacement = 0;  ///< standard deviation of y in the initial density that was used
+  std::string reason;  ///< reason for the status; empty only for the status ok
+  double seconds = 0;
+  double start_displacement = 0;  ///< standard deviation of y in the initial density
   double start_velocity = 0;
-  double start_mean_displacement = 0;  ///< mean of y in the initial density that was used
+  double start_mean_displacement = 0;  ///< mean of y in the initial density
   double start_mean_velocity = 0;
-  std::vector<double> y_edges;  ///< faces of the grid in y; v_edges: in y'
+  std::vector<double> y_edges;  ///< faces of the grid in y
   std::vector<double> v_edges;
-  std::vector<Snapshot> snapshots;   ///< densities up to the time at which the integration ended
-  long steps = 0;                    ///< number of steps of CVODE
-  long factorisations = 0;           ///< number of factorisations by KLU
-  long rhs_evaluations = 0;          ///< number of products L P evaluated for CVODE
-  long krylov_iterations = 0;        ///< total iterations of GMRES
+  std::vector<Snapshot> snapshots;  ///< snapshots up to the end of the integration
+  long steps = 0;
+  long factorisations = 0;
+  long rhs_evaluations = 0;
+  long krylov_iterations = 0;
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
 
-/// The density p(y, y', t) over time by the operator of solve(). The initial density is a Gaussian
-/// truncated at the walls and normalised to mass 1 between the walls. For the paper's oscillator
-/// the default initial Gaussian has mean zero in the (z, z') plane. CVODE integrates in time: BDF
-/// of variable step and order, GMRES preconditioned by KLU.
+/// Computes the density p(y, y', t) over time with the operator of solve(). The initial density is
+/// a Gaussian, truncated at the walls and normalised to mass 1 between the walls. CVODE integrates
+/// in time with BDF of variable step and order, and GMRES is preconditioned by KLU.
 ///
 /// An automatic box contains the stationary density, the initial density, and every state that the
 /// initial energy can reach. An automatic grid resolves both densities, as far as 10 000 cells
-/// suffice. Options::stepper and residual_tolerance are ignored. Options::order must be 3 or 5:
-/// operators of other orders have growing modes.
+/// suffice. The function ignores Options::stepper and residual_tolerance. Options::order must be 3
+/// or 5, since operators of other orders have growing modes.
 ///
-/// Status of the result: `ok`; `ill_posed` as in solve(); `not_converged` if CVODE stops before the
-/// end time; `inadmissible` if the density of a snapshot violates kTransientLimits; `failed` if the
-/// box is too small or the grid would be too large.
-/// @param problem the problem in any coordinates; the solver uses wall coordinates, the result has
-/// physical coordinates
+/// The status is `inadmissible` if the density of a snapshot violates kTransientLimits.
+/// @param problem problem in any coordinates; the result has physical coordinates
 /// @throws InputError for invalid options, or if transient_unsupported_reason is not empty
 TransientResult solve_transient(const problem::Problem& problem, const Options& options,
                                 const TransientOptions& transient);

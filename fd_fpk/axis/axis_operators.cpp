@@ -11,13 +11,12 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-// The average of xi^power over [a, b].
 double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Weights w with sum_c w_c avg_c(xi^a) = functional(a) for a < stencil_size. The cells c are first
-// .. first + stencil_size - 1, and xi = (x - origin)/scale.
+// Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
+// from `first`, with xi = (x - origin)/scale.
 Eigen::VectorXd exact_weights(const Axis& axis, int first, int stencil_size, double origin,
                               double scale, const std::function<double(int)>& functional) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
@@ -37,7 +36,7 @@ AxisOperator assemble(int rows, int columns, const Triplets& entries) {
   return matrix;
 }
 
-// Appends the entries of a stencil. Cells outside the axis have p = 0 and no entry.
+// Appends the entries of a stencil; cells outside the axis have p = 0 and no entry.
 void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell,
                     const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
@@ -48,23 +47,21 @@ void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell
   }
 }
 
-// First cell of a stencil, moved so that the stencil ends at the boundary at the last face or left
-// of it.
+// Returns the first cell of a stencil, moved left so that the stencil crosses no boundary.
 int clamp_at_right_boundary(const Axis& axis, int first, int stencil_size) {
   return axis.right_end_condition() == EndCondition::boundary
              ? std::min(first, axis.cell_count() - stencil_size)
              : first;
 }
 
-// First cell of a stencil, moved so that the stencil begins at the boundary at face `limit` or
-// right of it.
+// Returns the first cell of a stencil, moved right so that the stencil crosses no boundary.
 int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
   return limit > 0 || axis.left_end_condition() == EndCondition::boundary ? std::max(first, limit)
                                                                           : first;
 }
 
-// The matrix that applies a functional (value or derivative at xi = 0) on every inner face, with
-// the local coordinate xi = (x - x_face)/width; the result is divided by width^derivative.
+// Returns the matrix of a functional, such as the value at xi = 0, on every inner face. The local
+// coordinate is xi = (x - x_face)/width, and the result is divided by width^derivative.
 AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
                                  int derivative, const std::function<double(int)>& functional) {
   Triplets entries;
@@ -82,7 +79,6 @@ AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSid
   return assemble(axis.cell_count() + 1, axis.cell_count(), entries);
 }
 
-// The first cell of the stencil for cell i, moved so that the stencil does not cross the barrier.
 int first_stencil_cell(const Axis& axis, int i, int stencil_size, std::optional<int> barrier) {
   const bool beyond = barrier && i >= *barrier;
   int first = clamp_at_left_boundary(axis, i - stencil_size / 2, beyond ? *barrier : 0);
@@ -120,7 +116,7 @@ AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
   const std::size_t degree = weight.degree();
   for (int i = 0; i < axis.cell_count(); ++i) {
     const int first = first_stencil_cell(axis, i, stencil_size, barrier);
-    // The expansion weight(x_i + h_i xi) = sum_q local[q] xi^q, by repeated Horner division.
+    // Repeated Horner division gives the expansion weight(x_i + h_i xi) = sum_q local[q] xi^q.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
       for (std::size_t s = degree; s-- > q;) local[s] += axis.cell_centre(i) * local[s + 1];

@@ -85,7 +85,6 @@ AxisOperator local_excitation(const Axis& axis, const Excitation& excitation, in
 
 namespace {
 
-// The fastest growing wave of kramers_moyal_excitation on cells of this width.
 FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impulses,
                                               double cell_width, int stencil_size,
                                               double regularisation_length) {
@@ -105,8 +104,8 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
 
   constexpr int kWaves = 2000;
   const Eigen::ArrayXd phases =
-      Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);  // q step
-  // Sums row(middle + j) cos(j phase) over j, with the cosines by their three-term recurrence.
+      Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);
+  // The loop sums row(middle + j) cos(j phase) over j; a three-term recurrence gives the cosines.
   const Eigen::ArrayXd twice = 2 * phases.cos();
   Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
   Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
@@ -132,7 +131,7 @@ bool is_unstable(const FastestGrowingWave& growth, const problem::ImpulseTrain& 
 
 double shortest_regularisation_length(const problem::ImpulseLaw& law) {
   constexpr double kLargestSine =
-      0.5250616;  // max of sin^4 t / t^2, where tan t = 2 t: t = 1.16556
+      0.5250616;  // maximum of sin^4 t / t^2, at t = 1.16556, where tan t = 2 t
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
 }
 
@@ -162,8 +161,7 @@ double shortest_regularisation_length(const problem::ImpulseTrain& impulses,
     });
   };
   if (!too_short(min_length)) return min_length;
-  // The loop terminates, because the fourth difference over a length of many cells is negligible
-  // compared with the second difference.
+  // The loop terminates, since the second difference dominates for long lengths.
   double shorter = min_length, longer = kStep * min_length;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {

@@ -40,20 +40,19 @@ double graded_cell_count(double length, double step, const Grading& grading) {
 }
 
 std::vector<double> graded_faces(double length, int cells, const Grading& grading) {
-  // Faces of equal cells are exact, so that vanishing weights of stencils are exactly 0 and the
-  // operator is sparse.
+  // Exact uniform faces make vanishing stencil weights exactly 0 and the operator sparse.
   std::vector<double> uniform(cells + 1);
   for (int f = 0; f <= cells; ++f) uniform[f] = length * f / cells;
   if (grading.reach == 0) return uniform;
   const std::array origin{RefinementPoint{0, grading}};
-  // The margin prevents an additional cell due to rounding errors.
+  // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
   const double step = graded_cell_count(length, 1, grading) / cells * (1 + 1e-12);
   return faces_graded_to_points(0, length, step, origin);
 }
 
 std::vector<double> faces_graded_to_points(double from, double to, double step,
                                            std::span<const RefinementPoint> refinement_points) {
-  // The number of cells up to x, apart from an additive constant.
+  // Returns the number of cells up to x, apart from an additive constant.
   const auto cells_to = [&](double x) {
     double cells = x;
     for (const auto& [centre, grading] : refinement_points) {
@@ -73,8 +72,8 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
     const int count = std::max(1, static_cast<int>(std::ceil(last - first - 1e-9)));
     for (int k = 1; k < count; ++k) {
       const double wanted = first + (last - first) * k / count;
-      // By bisection, which finds a face at 0 exactly if the axis is symmetric: ConservativeRemap
-      // treats an edge at 0 differently.
+      // On a symmetric axis bisection gives a face at exactly 0, a special case of
+      // ConservativeRemap.
       double below = faces.back(), above = ends[n + 1];
       for (int bisection = 0; bisection < 60; ++bisection) {
         const double middle = (below + above) / 2;
@@ -90,16 +89,15 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
 std::vector<double> faces_with_local_width(std::span<const double> anchors,
                                            const std::function<double(double)>& width) {
   constexpr double kStepFraction =
-      0.05;  // fraction of a cell over which the width is nearly constant
+      0.05;  // a cell width is nearly constant over this fraction of a cell
   std::vector<double> faces{anchors.front()};
-  std::vector<double> x, cells;  // cells[k]: number of cells up to x[k]
+  std::vector<double> x, cells;  // cells[k] is the number of cells up to x[k]
   for (std::size_t n = 0; n + 1 < anchors.size(); ++n) {
     const double from = anchors[n], to = anchors[n + 1];
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // Next to an anchor with narrow cells the cell width decreases over the step. The step then
-      // uses the smaller width.
+      // The step uses the smaller of the cell widths at the two ends of the step.
       double step = kStepFraction * width(x.back());
       step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;
@@ -128,7 +126,7 @@ Eigen::VectorXd Grid::cell_areas() const {
 
 Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
                     EndCondition left, EndCondition right) {
-  std::vector<double> x2;  // the face 0 occurs once, as +0
+  std::vector<double> x2;  // x2 contains the face 0 once, as +0
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
   return {Axis(std::move(x1), left, right), Axis(std::move(x2))};

@@ -39,8 +39,8 @@ void CumulativeInterpolation::add_weights_at(double x, double factor,
   }
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
   const Stencil& stencil = stencils_[above - faces.begin() - 1];
-  // Lagrange weights: weight_a = prod_{b != a} (x - x_b) / (x_a - x_b), computed as the product
-  // over b < a times that over b > a.
+  // The Lagrange weight prod_{b != a} (x - x_b) / (x_a - x_b) is the product over b < a times the
+  // product over b > a.
   std::array<double, kMostPoints> before;
   double product = factor;
   for (int a = 0; a < points_; ++a) {
@@ -50,7 +50,7 @@ void CumulativeInterpolation::add_weights_at(double x, double factor,
   double after = 1;
   for (int a = points_ - 1; a >= 0; --a) {
     const int face = stencil.first + a;
-    if (face <= 0) break;  // C is 0 at the first face and left of the axis
+    if (face <= 0) break;  // C = 0 up to the first face
     face_weights(std::min(face, last)) += before[a] * after * stencil.inverse_denominators[a];
     after *= x - stencil.faces[a];
   }
@@ -76,8 +76,7 @@ AxisOperator exact_impact_map(const Axis& speeds, double restitution, int scheme
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
-    // The last cell receives the flux of all higher speeds, so that the sum of the differences is
-    // the total flux.
+    // The last cell receives the flux of every higher speed, for conservation of the total flux.
     const double face =
         a + 1 == cells ? speeds.face_position(cells) : speeds.face_position(a + 1) / restitution;
     cumulative.add_weights_at(face, 1.0, above);

@@ -13,22 +13,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-constexpr int kFaces = 8;  // number of faces in an interpolation stencil, for degree 7
+constexpr int kFaces = 8;  // number of faces in each interpolation stencil, for degree 7
 
-constexpr int kMoments = 8;  // degree of the polynomial through a face and its neighbours
+constexpr int kMoments = 8;  // degree of the polynomial through a face and neighbouring faces
 
-// Points of a composite rule on [a, b] with panels not longer than `longest`.
 std::vector<numerics::QuadraturePoint> gauss_points(double a, double b, double longest) {
   return numerics::composite_gauss_points<8>(
       a, b, std::max(1, static_cast<int>(std::ceil((b - a) / longest))));
 }
 
-// The generator matrix, from the change of the cumulative distribution C. Column f of `change`
-// contains the weights of C_0 .. C_cells in the change of C at face f.
+// Column f of `change` contains the weights of C_0 .. C_cells in the change of C at face f.
 Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cell_count();
-  // rate at which mass moves from cell j (average 1) to cell i
+  // Entry (i, j) is the rate at which mass moves to cell i from cell j, whose average is 1.
   Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
     masses.row(i) = cumulative.to_average_weights(change.col(i + 1) - change.col(i)).transpose();
@@ -39,7 +37,7 @@ Eigen::MatrixXd generator_matrix(const Axis& axis, const CumulativeInterpolation
   return axis.cell_widths().cwiseInverse().asDiagonal() * generator;
 }
 
-// Whether E[Y^8]^(1/8) is below the width of each of the two cells at the face.
+// Returns whether the four cells on each side of the face are wider than length = E[Y^8]^(1/8).
 bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= axis.cell_width(cell)) return false;
@@ -47,17 +45,16 @@ bool are_impulses_within_neighbours(const Axis& axis, int face, double length) {
   return true;
 }
 
-// Adds the weights of E[C(face - Y)] - C(face), with C approximated by the polynomial through this
-// face and its neighbours. The result is the sum of (-1)^k E[Y^k]/k! times the derivatives at the
-// face, k = 1 .. kMoments.
+// Adds the weights of E[C(face - Y)] - C(face), where the polynomial through this face and its
+// neighbours approximates C.
 void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw& law,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
   const double unit = axis.cell_width(face);
-  std::array<double, kMoments + 1> moments;  // moments of -Y / unit
+  std::array<double, kMoments + 1> moments;  // moments of the scaled impulse -Y / unit
   for (int k = 0; k <= kMoments; ++k) moments[k] = law.moment(k) / std::pow(-unit, k);
   for (int a = -kAround; a <= kAround; ++a) {
-    if (face + a <= 0) continue;  // C is 0 at the first face and left of the axis
+    if (face + a <= 0) continue;  // C = 0 up to the first face
     // Coefficients of the Lagrange polynomial prod_{b != a} (z - z_b) / (z_a - z_b).
     const auto at = [&](int b) {
       return (axis.face_position(face + b) - axis.face_position(face)) / unit;
@@ -78,8 +75,7 @@ void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw&
   }
 }
 
-// Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law, with
-// density f.
+// Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law.
 void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumulative, double face,
                           const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
@@ -96,7 +92,6 @@ void add_continuous_piece(const Axis& axis, const CumulativeInterpolation& cumul
     }
     u = end;
   }
-  // Right of the axis the cumulative distribution is constant.
   const double farthest = face - faces.back();
   if (from < std::min(to, farthest)) {
     for (const auto& [y, weight] : gauss_points(from, std::min(to, farthest), longest)) {
@@ -141,13 +136,13 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
 
 namespace {
 
-// The upper end of a cell; infinity for the last cell, which receives all mass above the axis.
+// Returns the upper end of a cell; infinity for the last cell, which receives all higher mass.
 double upper_end(const Axis& axis, int cell) {
   return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
                                       : std::numeric_limits<double>::infinity();
 }
 
-// Adds the jumps by a law with a density, by quadrature over four points of the source cell.
+// Adds the jumps of a law with a density, by quadrature over four points of the source cell.
 void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int from,
                        CellJumpMatrices& jumps) {
   for (const auto& [at, weight] : numerics::composite_gauss_points<4>(-0.5, 0.5, 1)) {
@@ -164,8 +159,7 @@ void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int fro
   }
 }
 
-// Adds the jumps by an atom of the law. The atom shifts the mass of the whole source cell; each
-// target cell receives the fraction that overlaps with the target cell.
+// Adds the jumps by a single atom of the law: each cell receives the overlap with the shifted cell.
 void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int from,
                     CellJumpMatrices& jumps) {
   const double left = axis.face_position(from) + atom.amplitude;

@@ -15,19 +15,18 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 constexpr double kCellWidth = 0.2;  // cell width far from rest points, in typical amplitudes
-// Parameters of the grading towards singularities other than the origin: over shorter distances
-// than towards the origin.
+// Grading towards singularities other than the origin, in units of the typical amplitude.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
 
-// Mean acceleration towards the wall due to impulses of nonzero mean.
+// Returns the mean acceleration towards the wall due to impulses of nonzero mean.
 double mean_acceleration_to_wall(const problem::Problem& problem) {
   return std::max(0.0, -problem.impulses.rate_times_moment(1));
 }
 
-// With a mean acceleration G towards the wall the oscillator makes short flights between impacts.
-// The oscillator meets the wall G / (2 v) times per unit time, and the input power D2 of the
-// impulses equals the dissipated power c v^2 + (1 - r^2) G v / 4.
+// Returns the standard deviation of the speed, also for short flights between impacts under a mean
+// acceleration G towards the wall. The input power D2 of the impulses equals the dissipated power c
+// v^2 + (1 - r^2) G v / 4.
 double speed_deviation(const problem::Problem& problem) {
   const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
   const double r = problem.system.restitution(), c = problem.system.damping();
@@ -37,7 +36,6 @@ double speed_deviation(const problem::Problem& problem) {
   return std::min(linear, bouncing);
 }
 
-// The typical speed, which is at least the speed due to half an impulse, even if impulses are rare.
 double typical_speed(const problem::Problem& problem, double deviation) {
   return std::max(deviation, 0.5 * std::sqrt(problem.impulses.law().moment(2)));
 }
@@ -49,7 +47,7 @@ double typical_height(const problem::Problem& problem, const Flow& flow, double 
   return std::min(flow.half_cycle(speed).height, bounce);
 }
 
-// The amplitude that the impulse |Y| exceeds with this probability.
+// Returns the amplitude that |Y| exceeds with the given probability.
 double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
   while (1 - law.cumulative_probability(amplitude) + law.cumulative_probability(-amplitude) >
@@ -59,14 +57,15 @@ double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   return amplitude;
 }
 
-// Amplitudes and speeds at which the density has a spike, as at the rest point, or a discontinuity.
+// Amplitudes and speeds at which the density has a spike or a discontinuity.
 struct Singularities {
   std::vector<double> y, v;
 };
 
-// An atom of the impulse law moves mass at rest to a single speed. The characteristic from this
-// speed has turning points and impacts, at whose heights and speeds the density has spikes. A law
-// whose density begins with a step causes a discontinuity of the density at the speed of that step.
+// Returns the amplitudes and speeds of spikes and discontinuities. An atom of the impulse law moves
+// mass at rest to a single speed. The density has spikes at turning points and impact speeds of the
+// characteristic that starts with the amplitude of an atom. A law whose density begins with a step
+// causes a discontinuity at the speed of the step.
 Singularities singularities(const problem::Problem& problem, const Flow& flow,
                             double typical_speed) {
   constexpr int kHalfCycles = 6;
@@ -97,8 +96,7 @@ Singularities singularities(const problem::Problem& problem, const Flow& flow,
   return found;
 }
 
-// Refinement points at the origin and at the other singularities. Of points that nearly coincide
-// only one is returned.
+// Returns the origin and the singularities as refinement points, without nearly coincident points.
 std::vector<RefinementPoint> refinement_points(double typical, double core,
                                                std::vector<double> singular) {
   const Grading to_spike{.reach = kSpikeReach * typical, .core = kSpikeCore * typical};
@@ -117,7 +115,7 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
   const double y = typical_height(problem, flow, v);
   const double width = kCellWidth / options.refinement;
   const double core = relative_core_width(deviation, v);
-  // An impulse displaces the spike of mass at rest without making it wider.
+  // An impulse displaces the spike of mass at rest without widening the spike.
   const Singularities singular =
       is_unbounded_at_origin(problem) ? singularities(problem, flow, v) : Singularities{};
   return symmetric_grid(
@@ -127,8 +125,7 @@ Grid linearised_grid(const problem::Problem& problem, const Options& options, co
 
 Box initial_linearised_box(const problem::Problem& problem, const Options& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
-  // With a constant force the height of the box, and so the number of cells, is proportional to the
-  // square of the speed.
+  // Under a constant force the height of the box is proportional to the square of the speed.
   constexpr double kTimesPressed = 5;
   const double times = mean_acceleration_to_wall(problem) > 0 ? kTimesPressed : kTimes;
   const double v_max =
@@ -143,17 +140,15 @@ Box initial_linearised_box(const problem::Problem& problem, const Options& optio
   return {.x1_max = options.x1_max.value_or(y_max), .x2_max = v_max};
 }
 
-// Speed, in units of the typical speed, below which the impacts at a contact are treated as a
-// cascade.
+// Speed, in typical speeds, below which impacts at a contact are treated as a cascade
 constexpr double kContactCore = 0.02;
 // Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
-// constant width: for rare impulses, and for frequent impulses, under which the motion hardly ever
-// has smaller amplitudes. Around an equilibrium between walls the errors of the cells on both sides
-// cancel in the mean. Towards an equilibrium at a wall the cell widths decrease further, to
-// relative_core_width().
+// constant width: for rare impulses, and for frequent impulses. Around an equilibrium between walls
+// the errors of the cells on both sides cancel in the mean. Towards an equilibrium at a wall the
+// cell widths decrease further, to relative_core_width().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
-// Typical distance to an equilibrium to which the motion decays between two impulses.
+// Returns the typical distance to an equilibrium to which the motion decays between two impulses.
 double equilibrium_core_distance(const problem::Problem& problem,
                                  const problem::MotionScales& scales, bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -174,8 +169,8 @@ bool is_at_wall(const Flow& flow, const RestPoint& point) {
 struct TypicalScales {
   double speed, core_v;
   std::vector<RestPoint> points;
-  std::vector<double> core_y = {};  // core of the grading in y, for each rest point
-  // largest distance from a rest point that motion with the typical speed attains
+  std::vector<double> core_y = {};  // Grading::core in y, for each rest point
+  // Largest distance from a rest point that motion with the typical speed attains
   double widest = 0;
 };
 
@@ -190,8 +185,8 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Mot
         std::max(point.y - accessible_interval.low, accessible_interval.high - point.y);
     found.widest = std::max(found.widest, length);
     if (point.contact) {
-      // The first cell in y has the height of a flight whose speed is the width of the first cell
-      // in v.
+      // The first cell in y has the height of a flight with the width of the first cell in v as
+      // speed.
       const double slow = kCellWidth * kContactCore * found.speed;
       const double height = slow * slow / (2 * std::abs(flow.force(point.y)));
       found.core_y.push_back(height / kCellWidth);

@@ -14,12 +14,10 @@ namespace {
 
 // Number of chords that represent the path of one time step.
 constexpr int kChords = 10;
-// Duration after which a characteristic ends, in mean times between impulses. The probability that
-// no impulse has occurred is then negligible.
+// Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
-// Lower limit of the flux of area along a characteristic. For overdamped motion that approaches
-// rest for a long time the flux decays to zero, but a positive area must remain for each visit.
+// Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
 int cell_of(const Axis& axis, double x) {
@@ -28,7 +26,6 @@ int cell_of(const Axis& axis, double x) {
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cell_count() - 1);
 }
 
-// Interpolates a coordinate over a time step by a cubic Hermite polynomial.
 class HermiteCubic {
  public:
   HermiteCubic(const Flow& flow, const State& from, const State& to, double time)
@@ -52,8 +49,8 @@ class HermiteCubic {
 
 struct Characteristics::Position {
   State state;
-  int i, j;           // indices of the cell that contains the state
-  double flux;        // current flux of area
+  int i, j;
+  double flux;
   std::size_t first;  // index of the first visit of the track
 };
 
@@ -86,9 +83,8 @@ std::string Characteristics::failure_reason() const {
   return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
 }
 
-// Traces characteristics from those parts of the outer sides of the box where the flow enters the
-// box. Every state inside the box comes from these parts, from a wall, or from the neighbourhood of
-// an unstable equilibrium.
+// Traces characteristics from those parts of the sides of the box where the flow enters the box.
+// Motion that does not enter through the sides starts at a wall or near an unstable equilibrium.
 void Characteristics::trace_from_box(int per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
@@ -119,10 +115,9 @@ void Characteristics::trace_from_box(int per_cell) {
   }
 }
 
-// Traces characteristics from a wall. At a wall with a rest point no characteristic starts in the
-// innermost cell: if the rest point is a contact, the motion from this cell is a cascade of
-// impacts; if the rest point is an equilibrium at the wall, the mass of this cell counts as at
-// rest.
+// At a wall with a rest point no characteristic starts in the innermost cell. Motion from the
+// innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an equilibrium
+// at a wall counts as at rest.
 void Characteristics::trace_from_wall(WallSide side, int per_cell) {
   const int middle = grid_.nv() / 2;
   const double y = flow_.wall(side)->position;
@@ -158,9 +153,8 @@ void Characteristics::sort_from_walls() {
   }
 }
 
-// Traces a characteristic from each cell that no other characteristic crosses, as happens where the
-// flow converges strongly. The strip of such a characteristic is so narrow that the strip covers a
-// negligible area of the other cells.
+// Traces a characteristic from each cell that no other characteristic crosses, where the flow
+// converges strongly. The narrow strip of the characteristic has a negligible area in other cells.
 void Characteristics::trace_through_gaps() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
@@ -180,8 +174,7 @@ void Characteristics::trace_through_gaps() {
   }
 }
 
-// Index of the equilibrium whose innermost cells contain this state and the whole motion from this
-// state.
+// Returns the index of the equilibrium whose innermost cells contain the motion from the state.
 std::optional<int> Characteristics::equilibrium_containing(const State& at) const {
   const int cell = cell_of(grid_.x1, at.y) * grid_.nv() + cell_of(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
@@ -240,8 +233,7 @@ Track Characteristics::trace_track(const State& from, double flux) {
   return track;
 }
 
-// Sets the end of a characteristic at a wall. Motion that leaves the wall at a speed inside the
-// innermost cells comes to rest in contact.
+// Motion that leaves a wall with a rest point within the innermost cells ends at the rest point.
 void Characteristics::set_end_at_wall(WallSide side, double speed, TrackEnd& track_end) const {
   track_end.wall = side;
   track_end.speed = speed;
@@ -257,12 +249,12 @@ void Characteristics::set_end_at_wall(WallSide side, double speed, TrackEnd& tra
   }
 }
 
-// Records the visits of a straight chord of the path, from cell face to cell face.
+// Records the cell visits of a straight chord of the path.
 void Characteristics::record_chord_visits(Position& at, const State& to, double time) {
   const State from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // The flow contracts areas (Liouville) by the factor exp(-x), on average over the chord by (1 -
-  // exp(-x)) / x.
+  // The flow contracts areas over the chord by exp(-x), on average by (1 - exp(-x)) / x
+  // (Liouville).
   const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   constexpr double kSmall = 1e-4;
   const double mean = x > kSmall ? -std::expm1(-x) / x : 1 - x / 2 + x * x / 6;
@@ -271,7 +263,7 @@ void Characteristics::record_chord_visits(Position& at, const State& to, double 
   at.state = to;
   double done = 0;
   while (true) {
-    // fractions of the chord at which the next faces are; above 1 if a face is not on the chord
+    // Fractions of the chord at which the next faces are; above 1 if a face is not on the chord
     double y_face = 2, v_face = 2;
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
@@ -307,8 +299,8 @@ void Characteristics::record_chord_visits(Position& at, const State& to, double 
   }
 }
 
-// Converts the areas of visits to fractions of the area of the cell, and positions relative to the
-// centre of the cell to positions relative to the mean of all visits.
+// Converts areas of visits to fractions of the cell area. Positions relative to the cell centre
+// become relative to the mean of all visits.
 void Characteristics::normalise_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
@@ -323,7 +315,7 @@ void Characteristics::normalise_areas() {
   for (std::size_t n = 0; n < visits_.size(); ++n) {
     CellVisit& visit = visits_[n];
     const Cover& cover = covers[visit.cell];
-    const double expected = rate_ * durations_[n];  // expected number of impulses during the visit
+    const double expected = rate_ * durations_[n];
     const double ended = -std::expm1(-expected);
     visit.ended = static_cast<float>(ended);
     visit.mean_end_probability =
@@ -364,8 +356,8 @@ std::vector<ContactDepartures> Characteristics::departures_from_contacts(
   for (const int contact : contacts_) {
     const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Probabilities that an impulse off the wall causes a speed below u, and that an impulse into
-    // the wall causes a speed above u.
+    // Probabilities of a speed below u after an impulse off the wall, and above u after an impulse
+    // into the wall
     const auto slower_off = [&](double u) {
       return side == WallSide::left ? law.cumulative_probability(u)
                                     : 1 - law.cumulative_probability(-u);
@@ -374,7 +366,7 @@ std::vector<ContactDepartures> Characteristics::departures_from_contacts(
       return side == WallSide::left ? law.cumulative_probability(-u)
                                     : 1 - law.cumulative_probability(u);
     };
-    // P(0 < speed after the impulse < u)
+    // Probability that the speed after the impulse is between 0 and u
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -386,8 +378,8 @@ std::vector<ContactDepartures> Characteristics::departures_from_contacts(
       departures.shares[wall_tracks.tracks[k]] = slower(above) - slower(wall_tracks.below[k]);
     }
     departures.rest_fraction = slower(wall_tracks.below.back());
-    // E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0): integrated by parts between the breakpoints of
-    // the law; for atoms as sums.
+    // The means E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0), are integrated by parts between the
+    // breakpoints of the law, and summed over atoms.
     const double into = side == WallSide::left ? -1 : 1;
     std::vector<double> ends{0};
     for (const double end : law.density_breakpoints()) {

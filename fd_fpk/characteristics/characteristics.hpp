@@ -13,91 +13,86 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The part of a characteristic inside one cell.
+/// Part of a characteristic inside one cell.
 struct CellVisit {
   std::int32_t cell;
-  float ended;  ///< probability of an impulse during the visit: 1 - exp(-lambda duration)
-  float mean_end_probability;  ///< average of `ended` over starting points along the visit
-  double share;                ///< fraction of the cell's area covered by the strip of this visit
-  /// mean displacement and velocity of the visit, relative to the mean of all visits to the cell
+  float ended;  ///< probability of an impulse during the visit, 1 - exp(-lambda duration)
+  float mean_end_probability;  ///< average of `ended` for mass that starts anywhere along the visit
+  double share;                ///< fraction of the cell area that the strip of the visit covers
+  /// Mean displacement and velocity of the visit, relative to the mean of all visits to the cell
   double y, v;
 };
 
-/// Maximum number of cell visits of all characteristics; this number of visits takes 0.8 GB of
-/// memory. The number of visits must be limited because slow motion that circles an equilibrium
-/// without impacts visits cells indefinitely.
+/// Maximum number of cell visits of all characteristics, which take 0.8 GB of memory. Slow motion
+/// that circles an equilibrium without impacts would visit cells indefinitely.
 inline constexpr std::size_t kMaxVisits = 16000000;
 
-/// The end of a characteristic: at a wall, at a rest point, or at a state where the probability
-/// that no impulse has occurred is negligible.
+/// End of a characteristic at a wall, at a rest point, or where an impulse is almost certain.
 struct TrackEnd {
   std::optional<WallSide> wall = {};
-  double speed = 0;  ///< impact speed at the wall
+  double speed = 0;
   /// Indices of the two characteristics from the impact wall on which the mass continues after the
-  /// impact: the start speeds of the two characteristics enclose r times the impact speed.
+  /// impact. The start speeds of the two characteristics enclose r times the impact speed.
   int faster = 0, slower = 0;
   double faster_fraction = 0;
-  std::optional<int> rest = {};          ///< index of the rest point
+  std::optional<int> rest = {};          ///< index in Characteristics::rest_points()
   std::optional<ImpactCascade> cascade;  ///< cascade of impacts that ends at rest in contact
 };
 
-/// A characteristic through the grid, from a wall or from the boundary of the box to the next
-/// impact or to a rest point.
+/// Characteristic from a wall or an edge of the box to the next impact or to a rest point.
 struct Track {
-  std::size_t first, last;  ///< range of the cell visits of the track, [first, last)
+  std::size_t first, last;  ///< indices [first, last) of the cell visits of the track
   TrackEnd track_end = {};
-  double energy = 0;  ///< energy of the state at the start
+  double energy = 0;
 };
 
-/// The fractions in which an impulse distributes the mass at rest in contact with a wall over the
-/// characteristics that start at this wall. An impulse of amplitude Y away from the wall starts the
-/// motion at speed Y. An impulse towards the wall causes an impact at once.
+/// Fractions in which an impulse distributes the mass at rest in contact over the characteristics
+/// that start at the wall. An impulse of amplitude Y away from the wall starts the motion at speed
+/// Y. An impulse towards the wall causes an impact at once.
 struct ContactDepartures {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of tracks_from_walls()
-  /// fraction of the mass that an impulse moves at a lower speed than that of every characteristic
+  /// Fraction of the mass that an impulse moves more slowly than every characteristic
   double rest_fraction = 0;
-  /// Momentum and energy that impacts transfer after impulses into the wall, per impulse.
+  /// Momentum and energy that impacts after impulses into the wall transfer, per impulse
   double momentum = 0, energy = 0;
 };
 
 /// Characteristics that cover the phase plane so densely that at least one characteristic crosses
 /// each cell. Each characteristic represents a strip of the plane, which ends half way to the
 /// neighbouring characteristics. The area of the strip in a cell is the flux of the strip times the
-/// time that the characteristic spends in the cell (the method of characteristics of transport
-/// theory: J. R. Askew, AEEW-M 1108, 1972).
+/// time that the characteristic spends in the cell (J. R. Askew, AEEW-M 1108, 1972).
 class Characteristics {
  public:
   /// @param impulse_rate arrival rate of impulses, per unit time
   /// @param per_cell number of characteristics that start in each cell at the boundary
-  /// @param deadline deadline after which the construction stops, with a failure_reason()
+  /// @param deadline time at which the construction stops with a failure_reason()
   Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
                   int per_cell, const Deadline& deadline = Deadline::unlimited());
 
-  /// Characteristics that start at the boundary of the box, or in a cell that no other
-  /// characteristic crosses. After an impact the mass of these characteristics continues on
+  /// Returns the characteristics that start at the boundary of the box, or in a cell that no other
+  /// characteristic crosses. After an impact the mass of a characteristic from outside continues on
   /// characteristics that start at walls.
   const std::vector<Track>& tracks_from_outside() const { return from_outside_; }
-  /// Characteristics that start at a wall, by decreasing energy. After the impact at its end, the
-  /// mass of a characteristic continues on two characteristics: the slower one comes later in this
-  /// list, the faster one may come earlier.
+  /// Returns the characteristics that start at a wall, by decreasing energy. After an impact the
+  /// mass of a characteristic continues on two characteristics: the slower characteristic is later
+  /// in the list, the faster may be earlier.
   const std::vector<Track>& tracks_from_walls() const { return from_walls_; }
   const std::vector<CellVisit>& visits() const { return visits_; }
-  /// The reason why the characteristics do not cover the plane; empty if they cover the plane.
+  /// Returns the reason why the characteristics do not cover the plane; empty for a covered plane.
   std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
-  /// Indices in rest_points() of the rest points that are in contact.
+  /// Returns the indices in rest_points() of the rest points in contact.
   const std::vector<int>& contact_indices() const { return contacts_; }
   const std::optional<problem::Wall>& wall(WallSide side) const { return flow_.wall(side); }
 
-  /// The distribution of mass after an impulse, for each rest point of contact_indices().
+  /// Returns the distribution of mass after an impulse, for each rest point of contact_indices().
   std::vector<ContactDepartures> departures_from_contacts(const problem::ImpulseLaw& law) const;
 
  private:
-  struct Position;  // state of the tracing of a characteristic
-  // The characteristics that start at one wall: their start speeds in decreasing order; for the
-  // strip of each characteristic the lowest speed, at which the next strip begins; and the indices
-  // of the characteristics.
+  struct Position;  // current state of the tracing of a characteristic
+  // Characteristics that start at one wall, by decreasing start speed. The array `below` contains
+  // the lowest speed of the strip of each characteristic, at which the next strip begins.
   struct WallTracks {
     std::vector<double> speeds, below;
     std::vector<int> tracks;
@@ -128,7 +123,7 @@ class Characteristics {
   double rate_;
   std::vector<RestPoint> rest_;
   std::vector<int> contacts_;
-  std::vector<bool> at_rest_;  // for each cell
+  std::vector<bool> at_rest_;  // whether each cell belongs to a rest point
   std::vector<CellVisit> visits_;
   std::vector<double> durations_;  // durations of the cell visits; used only during construction
   std::vector<Track> from_outside_, from_walls_;

@@ -9,7 +9,6 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The faces of a coarser axis: every `stride`-th face, beginning with the first, and the last face.
 std::vector<double> coarsen(const std::vector<double>& faces, int stride) {
   std::vector<double> kept;
   for (std::size_t f = 0; f + 1 < faces.size(); f += static_cast<std::size_t>(stride)) {
@@ -61,8 +60,7 @@ void Aggregation::set_block_chain(
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // 1 - A is singular. The matrix becomes regular by adding the term start 1^T, here with a start
-  // proportional to the areas of the blocks.
+  // The term start 1^T, with `start` proportional to the block areas, makes 1 - A regular.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.cell_areas() / blocks_.cell_areas().sum();
   system.colwise() += added;
@@ -70,7 +68,7 @@ void Aggregation::set_block_chain(
 }
 
 void Aggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
-  constexpr double kEven = 1e-6;  // mass, relative to the total mass, that is distributed evenly
+  constexpr double kEven = 1e-6;  // fraction of the total mass that is distributed evenly
   const Eigen::VectorXd areas = grid_.cell_areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;
@@ -126,8 +124,7 @@ class Chain {
     return transport_(after, has_slopes_ ? slopes_after_(after) : zero_slopes(), impacts);
   }
 
-  // Applies the velocity jumps: q = J p. The masses in contact are not changed, because the
-  // transport operator treats the impulses on mass at rest in contact.
+  // Applies the velocity jumps, q = J p, except to mass in contact, which transport_ treats.
   Eigen::VectorXd apply_jump(const Eigen::VectorXd& before) const {
     Eigen::VectorXd after = before;
     columns(after).noalias() = jumps_.uniform * columns(before);
@@ -152,7 +149,7 @@ class Chain {
   Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& after) const {
     return transport_(after, zero_slopes());
   }
-  // The masses as a matrix, with one column for each cell of x1.
+  // Returns the masses as a matrix with one column for each cell of x1.
   Eigen::Map<Eigen::MatrixXd> columns(Eigen::VectorXd& masses) const {
     return {masses.data(), grid_.nv(), grid_.nx()};
   }
@@ -168,12 +165,10 @@ class Chain {
   bool has_slopes_ = false;
 };
 
-// Tolerances of the residual. The solution without slopes has a larger tolerance, since it only
-// determines the slope limiter.
+// Tolerances of ||J T q - q||_1; the rough solution only determines the slope limiter.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Corrects q, of mass 1, by the solution d of (1 - J T) d + q (1, d) = J T q - q by GMRES, where d
-// has mass 0.
+// Adds to q, of mass 1, the solution d, of mass 0, of (1 - J T) d + q (1, d) = J T q - q.
 void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double tolerance,
                       const Deadline& deadline, Eigen::VectorXd& after, StationaryMasses& result) {
   const Eigen::VectorXd defect = chain.apply_jump(chain.apply_flow(after)) - after;
@@ -196,8 +191,7 @@ void correct_by_gmres(const Chain& chain, const Aggregation& aggregation, double
   after /= after.sum();
 }
 
-// Number of blocks of the aggregation. If there are many impulses per decay time, the chain
-// converges slowly, and more blocks are required.
+// Under many impulses per decay time the chain converges slowly and requires more blocks.
 int block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -231,7 +225,7 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   StationaryMasses result{.masses = std::nullopt,
                           .rest = points,
                           .visits = static_cast<long>(characteristics.visits().size())};
-  // Initial state: the oscillator at rest.
+  // The initial state is the oscillator at rest.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
     if (point.contact) continue;

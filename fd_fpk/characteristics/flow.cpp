@@ -16,7 +16,7 @@ constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The integral int_0^t exp(s t') dt' = expm1(s t) / s.
+// Returns int_0^t exp(s t') dt' = expm1(s t) / s.
 double integrated_exponential(double s, double time) {
   return s == 0 ? time : std::expm1(s * time) / s;
 }
@@ -55,9 +55,9 @@ double Flow::contraction_rate(const State& at) const {
   return damping_(at.y) + 3 * rayleigh_ * at.v * at.v;
 }
 
-// The exact solution after a time step for forces linearised about the state: exponentials of the
-// roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real whenever a step exceeds the stability
-// limit of explicit methods.
+// Returns the exact solution after a time step for forces linearised about the state. The solution
+// consists of exponentials of the roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real
+// whenever a step exceeds the stability limit of explicit methods.
 State Flow::advance_overdamped(const State& from, double time) const {
   const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
   return {from.y + v_slow * integrated_exponential(slow, time) +
@@ -93,10 +93,10 @@ State Flow::advance(const State& from, double time) const {
 }
 
 double Flow::max_step(const State& from, const AccessibleInterval& accessible_interval) const {
-  // largest relative change of the state in a step, in the energy norm
+  // Largest relative change of the state in a step, in the energy norm
   constexpr double kChange = 0.1;
-  // Near a saddle, and where no force acts, the rate of change of the state is small but increases
-  // quickly, and is therefore no measure for the step.
+  // Near a saddle, and without a force, the rate of change of the state is small but increases
+  // quickly, so that further limits are necessary.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
   const double size =
       std::sqrt(2 * std::max(0.0, energy(from) - accessible_interval.least_potential));
@@ -110,7 +110,7 @@ double Flow::max_step(const State& from, const AccessibleInterval& accessible_in
   const double span = std::min({free, kLongest / accessible_interval.frequency, across});
   const double damping = contraction_rate(from);
   if (damping * span <= kStability) return span;
-  // The fast mode may change the sign of v and curves the path at the beginning of a step.
+  // The fast mode of overdamped motion may change the sign of v and curve the path at first.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const OverdampedModes modes = this->overdamped_modes(from);
   const double smooth =
@@ -118,7 +118,7 @@ double Flow::max_step(const State& from, const AccessibleInterval& accessible_in
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// U is monotone between neighbouring extrema, and increases outwards beyond the outermost extrema.
+// The potential is monotone between its extrema, and increases beyond the outermost extrema.
 double Flow::end_of_accessible_interval(double y, double energy, WallSide side) const {
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
@@ -187,7 +187,7 @@ HalfCycle Flow::half_cycle(double speed) const {
     const double span = max_step(state, accessible_interval);
     const State end = advance(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The turning point, at the apex of the parabola.
+      // The turning point is the apex of the parabola.
       const double until = span * state.v / (state.v - end.v);
       half_cycle.height = std::max(half_cycle.height, advance(state, until).y - wall);
     }
@@ -198,7 +198,7 @@ HalfCycle Flow::half_cycle(double speed) const {
       half_cycle.duration = time + until;
       break;
     }
-    if (hit) {  // the motion meets the right wall
+    if (hit) {  // motion that meets the right wall
       half_cycle.height = system_.right_wall()->position - wall;
       break;
     }
@@ -212,8 +212,8 @@ double Flow::impact_time(const State& from, double time, WallSide side) const {
   assert(distance(advance(from, time).y, side) <= 0);
   double before = 0, until = time;
   const double distance_now = distance(from.y, side);
-  // Initial guess: the time at which the chord of the path meets the wall; half of the time step
-  // for a flight that starts at the wall.
+  // The initial guess is the time at which the chord of the path meets the wall. For a flight that
+  // starts at the wall the guess is half of the time step.
   double guess = distance_now > 0
                      ? time * distance_now / (distance_now - distance(advance(from, time).y, side))
                      : time / 2;

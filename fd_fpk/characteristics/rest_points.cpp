@@ -7,14 +7,13 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The force on the mass at rest, positive towards the wall.
+// Returns the force on the mass at rest, positive towards the wall.
 double force_towards_wall(const Flow& flow, WallSide side) {
   return inward_sign(side) * flow.force(flow.wall(side)->position);
 }
 
-// A half-cycle of small amplitude from the wall, up to the next impact or until the motion is
-// overdamped. The data are the fraction of the time with v < 0, weighted by exp(-impulse_rate t),
-// and the impact rate.
+// Half-cycle of small amplitude from the wall, up to the next impact or until the motion is
+// overdamped. The fraction of the time with v < 0 is weighted by exp(-impulse_rate t).
 struct SmallHalfCycle {
   double fraction_below;
   double impact_rate;
@@ -22,7 +21,7 @@ struct SmallHalfCycle {
 SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
                                 double impulse_rate) {
   constexpr double kAtRest = 1e-6;
-  constexpr int kFiner = 10;  // factor by which steps are shortened
+  constexpr int kFiner = 10;  // factor by which the time steps are shortened
   constexpr long kMostSteps = 20000;
   const double wall = flow.wall(side)->position;
   const SmallHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
@@ -52,8 +51,8 @@ SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
   return creeping;
 }
 
-// Indices of the columns of cells next to y: one column if y is a wall, two columns if y is a face
-// between cells.
+// Returns the columns of cells next to y: one column at a wall, two columns at a face between
+// cells.
 std::vector<int> cell_columns_at(const Axis& axis, double y) {
   std::vector<int> columns;
   for (int i = 0; i < axis.cell_count(); ++i) {
@@ -69,8 +68,8 @@ void assign_cells(const Flow& flow, const Grid& grid, double impulse_rate, RestP
   const double low = grid.x1.face_position(columns.front()),
                high = grid.x1.face_position(columns.back() + 1);
   const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
-  // The escape energy: the smallest energy on the boundary of the innermost cells, without the
-  // parts on walls.
+  // The escape energy is the smallest energy on the boundary of the innermost cells, except on
+  // walls.
   point.escape_energy = flow.potential(point.y) + v * v / 2;
   for (const double end : {low, high}) {
     if (end != point.y) point.escape_energy = std::min(point.escape_energy, flow.potential(end));
@@ -103,8 +102,8 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
   const auto at_wall = [&](WallSide side) {
     if (!flow.wall(side)) return;
     const double wall = flow.wall(side)->position, g = force_towards_wall(flow, side);
-    // For an equilibrium at a wall, the potential half way to the next extremum determines whether
-    // the equilibrium is stable.
+    // The potential half way to the next extremum determines the stability of an equilibrium at a
+    // wall.
     const double beside = side == WallSide::left
                               ? (potential_extrema.empty() ? wall + 1 : potential_extrema.front())
                               : (potential_extrema.empty() ? wall - 1 : potential_extrema.back());
@@ -117,7 +116,7 @@ std::vector<RestPoint> rest_points(const Flow& flow) {
   };
   at_wall(WallSide::left);
   for (const double turn : potential_extrema) {
-    // At a minimum of U the force g changes sign from - to +.
+    // At a minimum of the potential U the force g changes sign from - to +.
     const double next = [&] {
       for (const double other : potential_extrema) {
         if (other > turn) return other;

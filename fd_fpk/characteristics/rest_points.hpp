@@ -8,56 +8,52 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// A cell, and the fraction of the mass at rest that the cell contains.
+/// Cell, and the fraction of the mass at rest that the cell contains.
 struct RestMassShare {
   int cell;
   double share;
 };
 
-/// A rest point of the motion. A rest point is either a stable equilibrium, to which the motion
-/// decays without reaching it in finite time, or contact with a wall against which the force
-/// presses the oscillator. Contact begins after infinitely many impacts in a finite time, and the
-/// stationary law has an atom at the point of contact.
+/// Rest point of the motion: a stable equilibrium, or contact with a wall against which the force
+/// presses the oscillator. Motion decays to an equilibrium without reaching the equilibrium in
+/// finite time. Contact begins after infinitely many impacts in a finite time, and the stationary
+/// law has an atom at the point of contact.
 struct RestPoint {
   double y;
-  std::optional<WallSide> contact = {};  ///< the wall of the contact; empty for an equilibrium
-  /// The innermost cells around the rest point. The mass of the residual motion about an
-  /// equilibrium is distributed over the innermost cells in proportion to the time that the motion
-  /// spends in each cell. Motion that starts in the innermost cells of a contact comes to rest.
+  std::optional<WallSide> contact = {};  ///< wall of the contact; empty for an equilibrium
+  /// Innermost cells around the rest point. The mass of the residual motion about an equilibrium is
+  /// distributed over the innermost cells in proportion to the time spent in each cell. Motion that
+  /// starts in the innermost cells of a contact comes to rest.
   std::vector<RestMassShare> cells = {};
-  /// Energy below which motion does not leave the innermost cells of an equilibrium; unused for
-  /// contact.
+  /// Energy below which motion does not leave the innermost cells of an equilibrium
   double escape_energy = 0;
-  /// Number of impacts per unit time of the residual motion at an equilibrium at a wall.
+  /// Impacts per unit time of the residual motion at an equilibrium at a wall
   double impact_rate = 0;
 };
 
-/// Returns all rest points of the motion, by increasing y, with the innermost cells of each rest
-/// point.
+/// Returns all rest points of the motion, by increasing y, with innermost cells.
 /// @param impulse_rate arrival rate of impulses, per unit time
 std::vector<RestPoint> rest_points(const Flow& flow, const Grid& grid, double impulse_rate);
 
 /// Returns all rest points of the motion, by increasing y, without innermost cells.
 std::vector<RestPoint> rest_points(const Flow& flow);
 
-/// Distance to an equilibrium, relative to the typical amplitude A, below which cells have a
-/// constant width. The innermost cells contain the mass at rest. If only one impulse occurs in
-/// several decay times, most of the mass is at rest, and the standard deviation s and the mean of
-/// the displacement are small compared with A: s / A is proportional to the square root of the
-/// number of impulses per decay time, mean / A to (s / A)^2. The cells of constant width are a
-/// thousandth of the mean displacement wide, and narrower than the narrowest bins next to 0, which
-/// have the width 8e-4 s (compare/comparison_axes.cpp).
+/// Returns the distance to an equilibrium, relative to the typical amplitude A, below which cells
+/// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells,
+/// and the mean displacement divided by A is proportional to (s / A)^2, with the standard deviation
+/// s. The cells of constant width are a thousandth of the mean displacement wide. The narrowest
+/// bins next to 0 are wider, with the width 8e-4 s (compare/comparison_axes.cpp).
 double relative_core_width(double deviation, double typical_amplitude);
 
-/// The cascade of impacts by which a motion that starts at a wall comes to rest in contact. During
-/// the cascade the acceleration a towards the wall is nearly constant. For an initial speed u the
+/// Cascade of impacts by which motion that starts at a wall comes to rest in contact. During the
+/// cascade the acceleration a towards the wall is nearly constant. For an initial speed u the
 /// impact speeds are r^n u, n = 0, 1, .., and the total time is 2 u / (a (1 - r)).
 struct ImpactCascade {
   double rest_probability;  ///< probability that the motion comes to rest before the next impulse
   double momentum;          ///< sum of the impact speeds over all impacts
   double energy;            ///< sum of the squared impact speeds over all impacts
 };
-/// @param force_towards_wall the acceleration towards the wall, > 0
+/// @param force_towards_wall acceleration towards the wall, > 0
 ImpactCascade impact_cascade(double speed, double force_towards_wall, double restitution,
                              double impulse_rate);
 

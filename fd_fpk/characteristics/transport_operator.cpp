@@ -8,8 +8,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-// Weights of the masses m_i in the slope of each cell. The slope is that of the parabola through
-// the densities m_i / h_i at the centres of three cells, at the centre of the middle cell, times h.
+// Returns the weights of the masses m_i in the slope of each cell. The slope of the middle cell is
+// the derivative of the parabola through the densities m_i / h_i of three cells, times the cell
+// width h.
 std::vector<SlopeReconstruction::Weights> SlopeReconstruction::weights(const Axis& axis) {
   std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
   for (int i = 0; i < axis.cell_count(); ++i) {
@@ -84,8 +85,7 @@ void SlopeReconstruction::set_limiter(const Eigen::VectorXd& masses) {
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < grid_.nv(); ++j) {
       const int cell = i * grid_.nv() + j;
-      // Largest decrease of the density from the centre to a corner of the cell, relative to the
-      // mean density of the cell.
+      // Largest decrease of the density from the centre to a corner, times the cell area
       const double dip = (std::abs(y(cell)) * grid_.x1.cell_width(i) +
                           std::abs(v(cell)) * grid_.x2.cell_width(j)) /
                          2;
@@ -97,8 +97,7 @@ void SlopeReconstruction::set_limiter(const Eigen::VectorXd& masses) {
 
 namespace {
 
-// The data of a cell that a visit uses. The data are contiguous in memory, since visits access the
-// cells in no regular order.
+// Data of a cell, contiguous in memory, since visits access the cells in no regular order.
 struct CellMass {
   double mass, slope_y, slope_v;
   double ended = 0;
@@ -144,16 +143,14 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     const CellMass& cell = cells[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   };
-  // Mass that arrives at the end of a track.
   constexpr std::true_type kIncludeSources;
-  // tag: the masses that start in the cells were added in an earlier pass
+  // tag of later passes: the masses that start in the cells were added in an earlier pass
   constexpr std::false_type kExcludeSources;
   const auto mass_at_track_end = [&](const Track& track, double mass, auto with_sources) {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CellVisit& visit = visits[n];
       const double begins = with_sources ? source(visit) : 0;
-      // The two updates are independent, so that the recurrence of `mass` depends only on the
-      // previous value of `mass`.
+      // The two updates are independent: the recurrence of `mass` needs only the previous `mass`.
       cells[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
     }
@@ -165,7 +162,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       at_rest[point] += mass;
       return;
     }
-    // If an impulse occurs during the cascade, the mass is distributed on both sides of v = 0.
+    // Mass that receives an impulse during the cascade is distributed on both sides of v = 0.
     const ImpactCascade& cascade = *track_end.cascade;
     at_rest[point] += cascade.rest_probability * mass;
     for (const auto& [cell, share] : rest[point].cells) {
@@ -196,8 +193,8 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
       const TrackEnd& track_end = track.track_end;
       double mass = std::exchange(entering[n], 0.0);
       if (!with_sources && mass == 0) continue;
-      // Part of the mass may return to the same characteristic after its impact: the masses of all
-      // returns are added as a geometric series.
+      // The masses of all returns to the same characteristic after an impact form a geometric
+      // series.
       double again = 0;
       if (track_end.wall && !track_end.rest) {
         if (track_end.faster == static_cast<int>(n)) again += track_end.faster_fraction;
@@ -220,7 +217,7 @@ Eigen::VectorXd TransportOperator::operator()(const Eigen::VectorXd& masses,
     }
   };
   leave_walls(kIncludeSources);
-  // With two walls, mass may continue on a characteristic that was processed earlier in this pass.
+  // With two walls, mass may continue on a characteristic that the pass has already processed.
   constexpr int kMostRounds = 1000;
   constexpr double kNothing = 1e-15;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -9,18 +9,17 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Slopes of the density inside cells. For a density p + p_y (y - y_c) + p_v (v - v_c) in a cell
-/// the two slopes are the area of the cell times p_y, and the area of the cell times p_v.
+/// Slopes of the density inside cells. For a density p + p_y (y - y_c) + p_v (v - v_c) in a cell,
+/// the slopes are p_y and p_v times the cell area.
 struct CellSlopes {
   Eigen::VectorXd y;
   Eigen::VectorXd v;
 };
 
-/// Reconstructs the slopes of the density inside the cells from the masses of the cells, by central
-/// differences of the densities in the neighbouring cells; at a wall the differences are one-sided.
-/// The reconstruction is linear in the masses. The slopes are zero in the cells of rest points and
-/// at ends of the axes that are not walls. Masses at rest in contact, which the vector stores after
-/// the masses of the cells, have no slopes.
+/// Reconstructs the slopes of the density inside cells from the masses of the cells, by central
+/// differences, or one-sided differences at a wall. The reconstruction is linear in the masses. The
+/// slopes are zero in the cells of rest points and at ends of the axes that are not walls. Masses
+/// at rest in contact, stored after the masses of the cells, have no slopes.
 class SlopeReconstruction {
  public:
   /// @param points rest points, in whose cells the slopes are zero
@@ -30,14 +29,12 @@ class SlopeReconstruction {
   Eigen::VectorXd v_slopes(const Eigen::VectorXd& masses) const;
 
   /// Sets a limiting factor for the slopes of each cell, such that the density reconstructed from
-  /// the given masses is nonnegative inside the cell. The limiting factor is 1 if no limit is
-  /// needed. All later reconstructions use the same limiting factors, so that the reconstruction
-  /// remains linear.
+  /// the given masses is nonnegative. All later reconstructions use the same limiting factors, so
+  /// that the reconstruction remains linear.
   void set_limiter(const Eigen::VectorXd& masses);
 
  private:
-  // Weights by which the masses of the lower neighbour, the cell and the upper neighbour contribute
-  // to a slope.
+  // Weights of the masses of the lower neighbour, the cell and the upper neighbour in a slope.
   struct Weights {
     double below, centre, above;
   };
@@ -45,37 +42,35 @@ class SlopeReconstruction {
 
   const Grid& grid_;
   std::vector<Weights> of_y_, of_v_;
-  std::vector<bool> at_rest_;  // whether the cell belongs to a rest point, for each cell
+  std::vector<bool> at_rest_;  // whether each cell belongs to a rest point
   Eigen::VectorXd limits_y_, limits_v_;
 };
 
 /// Sums of impact quantities over the impacts at one wall, per impulse of the excitation.
 struct ImpactSums {
-  /// Number of impacts. The infinitely many impacts of a cascade that ends at rest do not count.
+  /// Number of impacts, without the infinitely many impacts of a cascade that ends at rest
   double number = 0;
-  double momentum = 0;  ///< sum of the impact speeds
-  double energy = 0;    ///< sum of the squared impact speeds: int |v|^3 p dv
+  double momentum = 0;
+  double energy = 0;  ///< sum of the squared impact speeds, int |v|^3 p dv
 };
 struct WallImpacts {
   ImpactSums left, right;
   ImpactSums& sums_at(WallSide side) { return side == WallSide::left ? left : right; }
 };
 
-/// The transport operator p = T q. T maps the density q of the state after an impulse to the
-/// density p of the state between impulses, which is also the density of the state just before the
-/// next impulse:
+/// Transport operator p = T q, which maps the density q after an impulse to the density p between
+/// impulses. The density p is also the density just before the next impulse:
 ///
 ///     p = lambda int_0^infinity exp(-lambda t) (q transported along the motion for t) dt.
 ///
-/// Along a characteristic, the mass that enters a cell visit is the mass that left the preceding
-/// visit. During the visit, the operator adds the fraction of the mass q of the cell that lies in
-/// the strip of the characteristic, with the slopes of the cell. Mass that receives no impulse
-/// during the visit enters the next visit. The transport operator is exact along the
-/// characteristics and conserves mass.
+/// The mass that enters a cell visit is the mass that left the preceding visit. During the visit
+/// the operator adds that part of the mass of q in the cell that lies in the strip of the
+/// characteristic. Mass that receives no impulse during the visit enters the next visit. The
+/// operator is exact along the characteristics and conserves mass.
 ///
 /// The vectors of p and of q contain the masses on the cells, followed by one mass for each rest
 /// point in contact. In p the last masses are at rest in contact. In q the last masses were at rest
-/// in contact until the impulse set them in motion.
+/// in contact until the impulse.
 class TransportOperator {
  public:
   /// @param characteristics,law must outlive the operator
@@ -83,8 +78,8 @@ class TransportOperator {
       : characteristics_(characteristics),
         departures_from_contacts_(characteristics.departures_from_contacts(law)) {}
 
-  /// @param masses of the density q
-  /// @param slopes of q
+  /// @param masses masses of the density q
+  /// @param slopes slopes of the density q
   Eigen::VectorXd operator()(const Eigen::VectorXd& masses, const CellSlopes& slopes,
                              WallImpacts* impacts = nullptr) const;
 

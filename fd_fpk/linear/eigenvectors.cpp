@@ -61,12 +61,12 @@ constexpr double kTolerance = 1e-9;  // tolerance of the relative residual of a 
 constexpr long kRestarts = 20;
 constexpr long kTestRestarts = 6;
 constexpr int kNearest = 20;
-// number of eigenvalues that a check requests in addition to the known eigenvalues
+// Number of eigenvalues that a check requests in addition to the known eigenvalues
 constexpr int kSpare = 3;
 constexpr int kBasis = 60;
 // Distance, in units of the relevant rate, below which two Ritz values count as the same
 // eigenvalue. A residual of kTolerance determines an eigenvalue of a non-normal matrix only to
-// kTolerance times the condition number of the eigenvalue: the Pade scheme of case 1 gave the
+// kTolerance times the condition number of the eigenvalue. The Pade scheme of case 1 gave the
 // eigenvalue 0 twice, 2e-7 apart.
 constexpr double kSame = 1e-6;
 
@@ -78,7 +78,7 @@ class ShiftedInverse {
   Eigen::Index size() const { return matrix_.rows(); }
 
   void set_shift(double sigma) {
-    // The pattern of nonzeros must not depend on the shift, since KLU reuses the ordering.
+    // The pattern of nonzeros must not depend on the shift sigma, since KLU reuses the ordering.
     ++factorisations_;
     if (!klu_.factorise(scale_and_shift(1, matrix_, -sigma)))
       throw std::runtime_error(klu_.failure_reason());
@@ -140,11 +140,10 @@ class SpectralTransform {
 
 struct EigenPairs {
   std::vector<Complex> values;
-  Eigen::MatrixXcd vectors;  // shape (size, values)
+  Eigen::MatrixXcd vectors;  // one eigenvector per column, shape (size, number of values)
 };
 
-// Those of the `count` eigenpairs of L with the largest eigenvalues of the transform that have
-// converged.
+// Returns the converged eigenpairs of L among the `count` largest eigenvalues of the transform.
 EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<SpectralTransform> solver(transform, count, kBasis);
   solver.init();
@@ -156,8 +155,8 @@ EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long rest
   return pairs;
 }
 
-// Union of both lists of eigenpairs without duplicates, by decreasing real part. A conjugate pair
-// has one entry, the eigenvalue in the upper half-plane.
+// Returns the union of two lists of eigenpairs without duplicates, by decreasing real part. A
+// conjugate pair has one entry, the eigenvalue in the upper half-plane.
 EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double unit) {
   struct Pair {
     Complex value;
@@ -187,7 +186,7 @@ EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double u
   return sorted;
 }
 
-// Number of eigenvalues of L, including conjugates, that the first `count` entries of a list
+// Returns the number of eigenvalues, including conjugates, that the first `count` entries
 // represent.
 int count_with_conjugates(const EigenPairs& pairs, int count) {
   int all = 0;
@@ -207,8 +206,8 @@ RightmostEigenvalues rightmost_eigenvalues(const FokkerPlanckOperator& op, doubl
   RightmostEigenvalues result;
   try {
     const double unit = std::max(growth, frequency);
-    // If sigma - m is as large as the frequencies of the modes, the moduli of the transformed
-    // eigenvalues have the order of the real parts.
+    // If sigma - m is at least the frequency of every mode, sorting transformed eigenvalues by
+    // modulus sorts the eigenvalues of L by real part.
     const double width = std::max(growth, kFastest * frequency);
     inverse.set_shift(std::max(growth, 0.0) + kRightOfGrowth * unit);
     SpectralTransform nearest(inverse);

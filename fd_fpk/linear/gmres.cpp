@@ -59,8 +59,8 @@ GmresResult gmres(const LinearMap& a, const ApproximateSolve& approximate_solve,
                   "SUNLinSolSetScalingVectors");
   require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
-  // A Krylov basis loses its orthogonality before the residual has fallen by much more than
-  // kReduction. Further iterations then give no reduction on fine grids, so the solve restarts.
+  // A Krylov basis loses orthogonality before the residual has fallen by much more than the factor
+  // kReduction. On fine grids only a restart reduces the residual further.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(b).norm();
   GmresResult result{std::nullopt};

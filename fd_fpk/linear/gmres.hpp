@@ -12,29 +12,26 @@
 namespace fpkcheck::fd_fpk {
 
 /// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
-/// the C stack frames of SUNDIALS: the callback returns a flag instead, and the function that
-/// called SUNDIALS rethrows the exception.
+/// the C stack frames of SUNDIALS. The callback returns a flag instead, and the caller of SUNDIALS
+/// rethrows the exception.
 class CallbackException {
  public:
-  /// SUNDIALS treats a negative flag of a callback as an unrecoverable error and returns to its
-  /// caller.
+  /// Negative flag of a callback, which SUNDIALS treats as an unrecoverable error
   static constexpr int kUnrecoverable = -1;
 
-  /// Calls `callback` and returns the flag of the callback, or kUnrecoverable if the callback
-  /// throws.
+  /// Calls `callback` and returns the flag, or kUnrecoverable if the callback throws.
   template <class Callback>
   int invoke(const Callback& callback) noexcept {
     try {
       return callback();
     } catch (...) {
-      // keep the first exception: later exceptions may be its consequences
+      // Only the first exception is kept, since later exceptions may be consequences of the first.
       if (!thrown_) thrown_ = std::current_exception();
       return kUnrecoverable;
     }
   }
 
-  /// Rethrows the first exception that a callback has thrown since the last call of rethrow(), if
-  /// any.
+  /// Rethrows the first stored exception, if a callback has thrown.
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }
@@ -55,11 +52,10 @@ struct GmresResult {
 };
 
 /// Solves A x = b by GMRES of SUNDIALS (SUNLinSol_SPGMR), starting at x = 0. The preconditioner
-/// acts from the right, so that the stopping criterion is the residual of the unpreconditioned
-/// system A x = b.
+/// acts from the right, so that the residual of the unpreconditioned system is the stopping
+/// criterion.
 ///
-/// @param weights weights of the norm: the norm of a vector is the 2-norm of the products of
-/// weights and entries
+/// @param weights weights of the norm, the 2-norm of the products of weights and entries
 /// @param tolerance largest accepted ||A x - b|| / ||b||
 /// @param deadline time limit of the iteration
 /// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception

@@ -14,10 +14,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// METIS uses the random numbers of the C library, one sequence for the whole process. METIS seeds
-// the sequence for each dissection, but concurrent dissections would share the sequence. Then the
-// orderings, and with these the last digits of all solutions, would depend on the timing of the
-// threads.
+// METIS uses one sequence of random numbers of the C library for the whole process. With concurrent
+// dissections the orderings, and the last digits of all solutions, would depend on the timing of
+// the threads.
 std::mutex dissection_mutex;
 
 std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
@@ -26,7 +25,7 @@ std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = n;
   graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
-  // CHOLMOD does not modify these arrays.
+  // CHOLMOD does not modify the index arrays.
   graph.p = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.innerIndexPtr());
   graph.stype = 1;  // a symmetric matrix, of which CHOLMOD reads the upper triangle
@@ -36,8 +35,8 @@ std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
-  // METIS aborts the program when memory is exhausted: CHOLMOD first checks for twice the memory
-  // that METIS needs.
+  // METIS aborts the program when memory is exhausted. CHOLMOD therefore first checks for twice the
+  // memory that METIS needs.
   common.metis_memory = 2;
   std::vector<std::int64_t> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
@@ -48,8 +47,8 @@ std::vector<std::int64_t> nested_dissection(const SparseColumnMatrix& matrix) {
   return order;
 }
 
-/// Key of a sparsity pattern. If two patterns of equal size had the same hash, one of them would
-/// get a less efficient but still valid ordering.
+/// Key of a sparsity pattern. If two patterns of equal size had the same hash, one pattern would
+/// get a less efficient but valid ordering.
 struct SparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
@@ -83,11 +82,11 @@ class OrderingCache {
   }
 
  private:
-  static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB
+  static constexpr std::size_t kMostUnknowns = 4'000'000;  // 32 MB of orderings
 
   using Entry = std::pair<SparsityPattern, std::vector<std::int64_t>>;
   std::mutex mutex_;
-  std::list<Entry> orders_;  // most recent first
+  std::list<Entry> orders_;  // most recently used ordering first
   std::size_t unknowns_ = 0;
 };
 
@@ -95,7 +94,7 @@ class OrderingCache {
 
 std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
   static OrderingCache& cache =
-      *new OrderingCache;  // never destroyed, since threads may still use the cache at exit
+      *new OrderingCache;  // the cache is never destroyed, since threads may use the cache at exit
   const SparsityPattern pattern(matrix);
   auto order = cache.find(pattern);
   if (!order.empty()) return order;
@@ -106,8 +105,8 @@ std::vector<std::int64_t> fill_reducing_ordering(const SparseColumnMatrix& matri
 
 namespace {
 
-// The three arrays of a sparse matrix, as arguments for KLU. The interface of KLU is not
-// const-correct, but KLU does not modify them.
+// The arrays of a sparse matrix as arguments for KLU. The interface of KLU is not const-correct,
+// but KLU does not modify the arrays.
 struct MatrixArrays {
   SparseColumnMatrix::StorageIndex* columns;
   SparseColumnMatrix::StorageIndex* rows;
@@ -160,7 +159,7 @@ bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
   return numeric != nullptr && common.status == KLU_OK;
 }
 
-// Factors the matrix with the pivots of the last factorisation. Returns false if there was no
+// Factors the matrix with the pivots of the last factorisation. Returns false without an earlier
 // factorisation, or if the pivot growth makes the factors inaccurate.
 bool KluFactorisation::refactor(const SparseColumnMatrix& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;

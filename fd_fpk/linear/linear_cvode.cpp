@@ -7,7 +7,6 @@
 
 namespace fpkcheck::fd_fpk {
 
-// Data that the callbacks of CVODE use; a member of LinearCvode::Handles.
 struct CvodeCallbackData {
   LinearOdeSystem system;
   std::string message = {};
@@ -110,7 +109,7 @@ LinearCvode::LinearCvode(LinearOdeSystem system, const Eigen::VectorXd& start,
   require_success(CVodeSetUserData(cvode, data), "CVodeSetUserData");
   if (const auto& of_cells = control.absolute_tolerances) {
     const Owned<N_Vector> tolerances =
-        make_vector(*of_cells, handles_->context);  // CVODE copies it
+        make_vector(*of_cells, handles_->context);  // CVODE copies the tolerances
     require_success(CVodeSVtolerances(cvode, control.relative_tolerance, tolerances.get()),
                     "CVodeSVtolerances");
   } else {

@@ -11,17 +11,16 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Order of the matrix M if the order of L is odd. With lumped weights, each equation of order 3
-// contains only cells of the same row and the same column of the grid. Of all orders with which
-// GMRES converges well, order 3 has the smallest number of nonzeros.
+// contains only cells of the same row and the same column of the grid. Order 3 has the fewest
+// nonzeros of all orders for which GMRES converges well.
 constexpr int kOrder = 3;
 
-// Drift and diffusion that approximate the exchange matrix. On waves of wavenumber q the exchange
-// has the symbol -i a q - D q^2 for long waves, and the constant symbol -exchange_rate for short
-// waves. The diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too strongly;
-// the diffusion coefficient is therefore limited such that these waves decay at about
-// exchange_rate. Impulses of nonzero mean keep the oscillator off the wall by their drift. The
-// approximation therefore reduces the drift only if its rate for these waves is many times
-// exchange_rate.
+// Returns drift and diffusion that approximate the exchange matrix. On waves of wavenumber q the
+// exchange has the symbol -i a q - D q^2 for long waves, and -exchange_rate for short waves. The
+// diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too strongly. The limit
+// of the diffusion coefficient makes the shortest waves decay at about exchange_rate. The drift by
+// impulses of nonzero mean keeps the oscillator off the wall. The drift is therefore reduced only
+// if the rate of the drift for the shortest waves is many times exchange_rate.
 Excitation drift_diffusion_approximation(const Excitation& excitation, const Axis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_cell_width();
@@ -68,7 +67,7 @@ bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
 }
 
 bool Preconditioner::factorise(double gamma) {
-  constexpr double kLong = 3;  // decay times
+  constexpr double kLong = 3;  // in decay times
   if (are_stationary_ && gamma * loss_ >= kLong) {
     matrix_scale_ = -gamma;
     return true;

@@ -12,38 +12,34 @@ class System;
 
 namespace fpkcheck::fd_fpk {
 
-/// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M,
-/// which approximates L in three respects: the differences of M have low order; a weak diffusion
-/// replaces the velocity jumps, whose dense matrix would fill the factors; a small loss of mass
-/// makes the matrix M regular. GMRES corrects the errors of the three approximations. The number of
+/// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M
+/// that approximates L. The matrix M has differences of low order, and a weak diffusion in place of
+/// the dense matrix of the velocity jumps. A small loss of mass makes M regular. The number of
 /// GMRES iterations hardly increases with the number of cells (docs/performance.md).
 class Preconditioner {
  public:
-  /// @param order the order of the operator L. If the order of L is odd, the preconditioner M has
-  /// order 3. If the order of L is even, M has the order of L: centred differences have no upwind
-  /// dissipation, and GMRES would not converge with a dissipative preconditioner.
+  /// @param order order of the operator L. For odd orders the preconditioner M has order 3. For
+  /// even orders M has the order of L: centred differences have no upwind dissipation, and GMRES
+  /// would not converge with a dissipative preconditioner.
   Preconditioner(const problem::Problem& problem, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order = 3);
-  /// @param loss rate of the mass loss that makes M regular:
-  /// problem::MotionScales::slowest_decay_rate, if known
+  /// @param loss rate of the mass loss that makes M regular, such as
+  /// problem::MotionScales::slowest_decay_rate
   Preconditioner(const problem::System& system, double loss, const Excitation& excitation,
                  problem::Impact impact, const Grid& grid, int order);
 
-  /// Factors I - gamma M. Returns false on failure; see failure_reason(). If gamma is much longer
-  /// than the slowest decay time, I - gamma M is nearly -gamma M. For so long a gamma, directly
-  /// after factor_stationary(), the factors of M are reused, and GMRES corrects the difference.
+  /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is much
+  /// longer than the slowest decay time, I - gamma M is nearly -gamma M. For so long a gamma,
+  /// directly after factor_stationary(), the factors of M are reused.
   bool factorise(double gamma);
-  /// Factors M. Returns false on failure; see failure_reason().
+  /// Factors M and returns false on failure; see failure_reason().
   bool factor_stationary();
   std::string failure_reason() const { return klu_.failure_reason(); }
 
-  long factorisation_count() const { return factorisations_; }  ///< number of factorisations so far
-  /// Total time of the factorisations, in seconds.
+  long factorisation_count() const { return factorisations_; }
   double factor_seconds() const { return factor_seconds_; }
-  /// Number of entries of both triangular factors.
   long factor_entry_count() const { return klu_.factor_entry_count(); }
 
-  /// Replaces the right-hand side b by the solution of the factored system.
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
  private:

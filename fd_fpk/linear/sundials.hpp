@@ -11,16 +11,15 @@
 #include <stdexcept>
 #include <sundials/sundials_context.hpp>
 
-/// Owning handles of SUNDIALS objects, and a function that checks the flags that SUNDIALS returns.
-/// The differences between SUNDIALS 6 and 7 are confined to this header.
+/// Owning handles of SUNDIALS objects, and a check of the flags that SUNDIALS returns. Only this
+/// header depends on the differences between SUNDIALS 6 and 7.
 namespace fpkcheck::fd_fpk::sundials_owned {
 
 /// Flag of success: SUN_SUCCESS of SUNDIALS 7, CV_SUCCESS and SUNLS_SUCCESS of SUNDIALS 6.
 inline constexpr int kSuccess = 0;
 
-/// A SUNDIALS context that prints nothing: returned flags report errors, and the handler that
-/// set_error_handler installs receives the messages. By default SUNDIALS 7 prints errors and
-/// warnings to standard error.
+/// SUNDIALS context that prints nothing; SUNDIALS 7 prints errors and warnings to standard error by
+/// default.
 struct QuietContext : sundials::Context {
   QuietContext() {
 #if SUNDIALS_VERSION_MAJOR >= 7
@@ -55,7 +54,7 @@ inline void require_success(int flag, const char* call) {
   if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", call, flag));
 }
 
-/// Makes `cvode` report its errors to `handler(function, text, data)`, which must not throw.
+/// Makes `cvode` report errors to `handler(function, text, data)`, which must not throw.
 template <void (*handler)(const char* function, const char* text, void* data)>
 void set_error_handler([[maybe_unused]] void* cvode, [[maybe_unused]] QuietContext& context,
                        void* data) {
@@ -75,16 +74,16 @@ inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// A SUNDIALS vector with two changed operations. A failed clone throws. Eigen computes the inner
-/// products, which take a tenth of the time of a solution: Eigen uses SIMD, while N_VDotProd_Serial
-/// adds one product at a time.
+/// Returns a SUNDIALS vector with two changed operations: a failed clone throws, and Eigen computes
+/// the inner products. Inner products take a tenth of the time of a solution; Eigen uses SIMD, but
+/// N_VDotProd_Serial does not.
 inline Owned<N_Vector> make_vector(const Eigen::VectorXd& values, QuietContext& context) {
   auto v = make_owned(N_VNew_Serial(static_cast<sunindextype>(values.size()), context), "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {
     return vector_view(a).dot(vector_view(b));
   };
-  // SUNDIALS 6 does not check clones for null. SUNDIALS does not support exceptions, so the
-  // exception of a failed clone leaks the clones that SUNDIALS has made before.
+  // SUNDIALS 6 does not check clones for null. SUNDIALS does not support exceptions: a failed clone
+  // leaks the earlier clones of SUNDIALS.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();

@@ -21,7 +21,7 @@ constexpr double kX1BoxDeviations = 6;
 // Minimum half-width of the box in velocity, in standard deviations of a single impulse.
 constexpr double kImpulseBoxDeviations = 6.5;
 // Distance, in lengths sqrt(b), at which the kernel of the Pade approximant falls below 1e-12 of
-// its peak.
+// the peak.
 constexpr double kPadeReach = 28;
 
 Excitation impulse_excitation(const problem::ImpulseTrain& impulses, const Options& options,
@@ -49,7 +49,8 @@ Excitation excitation(const problem::Problem& problem, const Options& options, c
   return terms;
 }
 
-// Regularisation length l of km4 on these cells. The option value 0 selects the literal scheme.
+// Returns the regularisation length l of km4 on the cells of an axis; the option value 0 selects
+// the literal scheme.
 double regularisation_length(const problem::Problem& problem, const Options& options,
                              const Axis& axis) {
   if (options.equation != Equation::km4 || !problem.impulses.is_present()) return 0;
@@ -66,7 +67,7 @@ LengthScales standard_deviations(const problem::Problem& problem) {
   return {scales.displacement_deviation, scales.velocity_deviation};
 }
 
-// Length of an axis in units of the cell width far from the refinement points.
+// Returns the number of cells of an axis times the cell width far from the refinement points.
 double refined_length(double length, std::span<const RefinementPoint> points) {
   double total = length;
   for (const RefinementPoint& point : points) {
@@ -75,14 +76,15 @@ double refined_length(double length, std::span<const RefinementPoint> points) {
   return total;
 }
 
-// Number of cells of an axis, as a double, since a box may need more cells than an int can
-// represent.
+// Returns the number of cells of an axis as a double, since a box may need more cells than an int
+// can represent.
 double cell_count(double refined_length, double width, double least) {
   return std::max(least, std::ceil(refined_length / width - 1e-9));
 }
 
-// Minimum number of cells of an axis. The number is proportional to the refinement, so that the
-// grids of an error estimate differ. One-sided stencils require kFewest cells.
+// Returns the minimum number of cells of an axis, proportional to the refinement, so that the grids
+// of an error estimate differ. The constant kFewest is the number of cells that one-sided stencils
+// require.
 double fewest_cells(const Options& options) {
   constexpr double kAutomatic = 16, kFewest = 8;
   return std::max(kFewest, std::ceil(kAutomatic * options.refinement - 1e-9));
@@ -96,7 +98,7 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
           .cells = cells};
 }
 
-// The reason why there is no usable grid; empty if there is a usable grid.
+// Returns the reason why there is no usable grid; empty if the grid is usable.
 std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
                                 const Box& box, double nx, double nv) {
   if (options.impact == Impact::map) {
@@ -125,8 +127,7 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
   return "";
 }
 
-// The upper end of an axis with `more` additional cells; without these the axis has `cells` cells
-// and ends at `length`.
+// Returns the end of an axis with `cells` cells up to `length`, after the addition of `more` cells.
 double extended_axis_end(int more, int cells, double length, const Grading& grading) {
   const double present = graded_cell_count(length, 1, grading), added = present * more / cells;
   if (more == 0) return length;
@@ -141,10 +142,9 @@ int additional_cells(int cells, double length, double factor, const Grading& gra
   return static_cast<int>(std::lround((quotient - 1) * cells));
 }
 
-// Faces of x1 between the walls or the ends of the box, graded to the refinement points.
 std::vector<double> x1_faces(const Box& box, int cells, std::span<const RefinementPoint> points) {
   const double length = box.x1_max - box.x1_min;
-  // The margin prevents an additional cell due to rounding errors.
+  // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
   const double step = refined_length(length, points) / cells * (1 + 1e-12);
   return faces_graded_to_points(box.x1_min, box.x1_max, step, points);
 }
@@ -153,10 +153,10 @@ std::vector<double> x1_faces(const Box& box, int cells, std::span<const Refineme
 
 LengthScales fisher_length_scales(const Grid& grid, const Eigen::VectorXd& averages,
                                   const problem::MotionScales& scales) {
-  // fraction of the peak, below which densities may be numerical errors
+  // Fraction of the peak below which densities may be numerical errors
   constexpr double kFaint = 1e-3;
   constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
-  // maximum number of length scales along the axis, since a long tail is smooth
+  // Maximum number of length scales along the axis, since a long tail is smooth
   constexpr double kMost = 25;
   const Eigen::Index nx = grid.nx(), nv = grid.nv();
   const double faint = kFaint * averages.maxCoeff();
@@ -196,7 +196,8 @@ Box initial_box(const problem::Problem& problem, const problem::MotionScales& sc
                 const Options& options) {
   const problem::System& system = problem.system;
   const auto& law = problem.impulses.law();
-  // Without the scales of equivalent linearisation, the scales contain the limits of the box.
+  // For problems without has_linearised_scales(), problem::MotionScales contains the limits of the
+  // box.
   const bool linearised = has_linearised_scales(problem);
   const double y_high =
       linearised ? scales.centre + kX1BoxDeviations * scales.displacement_deviation : scales.y_high;
@@ -235,7 +236,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const double least = fewest_cells(options);
-  // value_or() would convert the double to int
+  // The call value_or() would convert the double to int.
   const double nx = options.nx ? *options.nx
                                : cell_count(refined_length(length, points),
                                             std::min(widths.x1, length / least), least);

@@ -22,8 +22,8 @@ double quadrature_node(const Axis& axis, int cell, int point) {
   return axis.face_position(cell) + kFractions[point] * axis.cell_width(cell);
 }
 
-// A wall and coordinates relative to the wall: the distance d = sign (x - position) >= 0, and the
-// velocity w = sign v away from the wall.
+// Coordinates relative to a wall: distance d = sign (x - position) >= 0, velocity w = sign v away
+// from the wall.
 struct WallCoordinates {
   double position;
   double sign;
@@ -81,7 +81,7 @@ class TestFunctionBalance {
            excitation_.drift;
   }
 
-  // The integral of weight times p over the plane, from the cell averages of p.
+  // Returns the integral of weight times p over the plane, from the cell averages of p.
   template <class Weight>
   double integral(const Eigen::VectorXd& averages, const Weight& weight) const {
     const Eigen::MatrixXd p = of_x2_ * columns(averages) * of_x1_.transpose();
@@ -104,7 +104,7 @@ class TestFunctionBalance {
     return sum;
   }
 
-  // The rate of change of E[h] due to impacts at the other wall.
+  // Returns the rate of change of E[h] due to impacts at the other wall.
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& averages) const {
     const int half = grid_.nv() / 2;
@@ -113,8 +113,9 @@ class TestFunctionBalance {
         point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
         (columns(averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
-    // Under the paper's impact to first order in 1-r, a flux f into the wall leaves the wall as the
-    // flux f(w) + (1-r) d(w f)/dw. The integral of this flux times h is evaluated by parts.
+    // Under the impact condition to first order in 1-r, a flux f into the wall becomes the flux
+    // f(w) + (1-r) d(w f)/dw off the wall. The integral of the flux off the wall times h is
+    // evaluated by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
       return impact_ == problem::Impact::map

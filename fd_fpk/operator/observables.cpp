@@ -13,21 +13,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The polynomial factor times x^power.
 numerics::Polynomial monomial(int power, double factor = 1) {
   numerics::Polynomial::Coefficients a{};
   a[static_cast<std::size_t>(power)] = factor;
   return numerics::Polynomial(a);
 }
 
-// Integral of a polynomial times a marginal density given by cell averages.
+// Returns the integral of the polynomial `weight` times a marginal density given by cell averages.
 double integrate_marginal(const Axis& axis, const Eigen::VectorXd& marginal, int scheme_order,
                           const numerics::Polynomial& weight) {
   return axis.cell_widths().dot(
       weighted_average_operator(axis, averaging_stencil_size(scheme_order), weight) * marginal);
 }
 
-// Integral of a product of polynomials, one of x1 and one of x2, times the joint density.
+// Returns the integral of a polynomial of x1 times a polynomial of x2 times the joint density.
 double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& averages, int scheme_order,
                                const numerics::Polynomial& of_x1,
                                const numerics::Polynomial& of_x2) {
@@ -53,7 +52,7 @@ Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double 
 }  // namespace
 
 Marginals marginals(const Grid& grid, const Eigen::VectorXd& averages) {
-  // Column i of the mapped matrix contains the velocity cells at cell i of x1.
+  // Column i of the matrix p contains the velocity cells at cell i of x1.
   const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
   return {p.transpose() * grid.x2.cell_widths(), p * grid.x1.cell_widths()};
 }
@@ -74,7 +73,7 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
   transform::Moments result = moments(grid, averages, scheme_order);
   if (frame.is_identity()) return result;
   const Eigen::VectorXd y = marginals(grid, averages).y;
-  // The displacement y = frame.origin + sign x as a polynomial of x.
+  // The displacement is y = frame.origin + sign x, a polynomial of x.
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integrate_marginal(
@@ -90,19 +89,19 @@ transform::Moments physical_moments(const problem::Frame& frame, const Grid& gri
 
 namespace {
 
-// Moments n = 0 .. 4 of the missing mass beyond the end x of an axis: int_0^inf |x + t|^n p e^(-s
-// t) dt. The slope and the curvature of the logarithm of the marginal density determine p and s.
-// Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end and the mean,
-// since cells next to the end miss part of their mass. Under noise the missing mass counts twice.
-// For impulses, a path that would have left the box is missing also on its whole way back, with a
-// density of p V / v.
+// Returns the moments n = 0 .. 4 of the missing mass beyond the end x of an axis, int_0^inf |x +
+// t|^n p e^(-s t) dt. The slope and the curvature of the logarithm of the marginal density
+// determine p and s. Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end
+// and the mean. Cells nearer to the end lack mass. Under noise the missing mass counts twice. Under
+// impulses, a path that would have left the box is also missing on the whole way back, with the
+// density p V / v.
 std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
                                                bool last, double x, bool of_impulses) {
   const double end = last ? axis.faces().back() : axis.faces().front();
   const double mean =
       integrate_marginal(axis, marginal, 1, monomial(1)) / axis.cell_widths().dot(marginal);
   struct Sample {
-    double distance, log;  // distance from the end of the axis; logarithm of the density there
+    double distance, log;  // distance from the end of the axis; logarithm of the density
   };
   const auto sample = [&](double part) {
     const double at = end + part * (mean - end);
@@ -185,7 +184,7 @@ double impact_flux(const Grid& grid, const Eigen::VectorXd& averages, int scheme
   const bool left = end == AxisEnd::left;
   const int half = grid.nv() / 2;
   const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
-  // the polynomial that equals |v|^speed_exponent for velocities into the wall
+  // The polynomial `speed` equals |v|^speed_exponent for velocities into the wall.
   const auto speed = monomial(speed_exponent, left && speed_exponent % 2 == 1 ? -1 : 1);
   const AxisOperator weighted =
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order), speed, half);

@@ -8,7 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The Kronecker product A (x) B: A acts on x1, B on x2; cell (i, j) has index i nv + j.
+// Returns the Kronecker product A (x) B, where A acts on x1 and B on x2; cell (i, j) has index i nv
+// + j.
 SparseColumnMatrix kronecker_product(const AxisOperator& a, const AxisOperator& b) {
   const SparseColumnMatrix a_columns(a), b_columns(b);
   SparseColumnMatrix product(a.rows() * b.rows(), a.cols() * b.cols());
@@ -31,21 +32,20 @@ AxisOperator identity_matrix(int n) {
   return matrix;
 }
 
-// The matrix whose only nonzero entry is `value` at (row, column).
 AxisOperator single_entry_matrix(int rows, int columns, int row, int column, double value) {
   AxisOperator matrix(rows, columns);
   matrix.insert(row, column) = value;
   return matrix;
 }
 
-// The matrix with the rows first .. first+count-1 of `matrix` and zeros in all other rows.
+// Returns `matrix` with zeros outside the rows first .. first+count-1.
 AxisOperator zero_other_rows(const AxisOperator& matrix, int first, int count) {
   AxisOperator mask(matrix.rows(), matrix.rows());
   for (int r = first; r < first + count; ++r) mask.insert(r, r) = 1.0;
   return mask * matrix;
 }
 
-// The matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
+// Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
 SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_points) {
   const Axis& x1 = grid.x1;
   const AxisOperator minus_speed =
@@ -59,8 +59,7 @@ SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weig
          kronecker_product(leftwards, zero_other_rows(minus_speed, 0, half));
 }
 
-// The index of the velocity cell for cell b of the speed axis: for motion into the wall at the
-// given end, and for motion away from this wall.
+// Returns the index of the velocity cell of motion into the wall, for cell b of the speed axis.
 int outgoing_cell(const Grid& grid, AxisEnd end, int b) {
   const int half = grid.nv() / 2;
   return end == AxisEnd::left ? half - 1 - b : half + b;
@@ -69,13 +68,13 @@ int returning_cell(const Grid& grid, AxisEnd end, int b) {
   return outgoing_cell(grid, end == AxisEnd::left ? AxisEnd::right : AxisEnd::left, b);
 }
 
-// The matrix of the impacts at a wall. The probability flux into the wall leaves the column of
-// cells at the wall (x2 < 0 at the left end) and enters the same column again with the other sign
-// of x2.
+// Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
+// the wall and enters this column again with the other sign of x2.
 SparseColumnMatrix wall_exchange_matrix(double restitution, problem::Impact impact,
                                         const Grid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.nv() / 2;
-  AxisOperator exchange(grid.nv(), half);  // maps fluxes in speed cells to rates in velocity cells
+  // Matrix from fluxes in speed cells to rates in velocity cells
+  AxisOperator exchange(grid.nv(), half);
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < half; ++b) entries.emplace_back(outgoing_cell(grid, end, b), b, -1.0);
@@ -93,8 +92,8 @@ SparseColumnMatrix wall_exchange_matrix(double restitution, problem::Impact impa
   return kronecker_product(into_column, exchange) * wall_flux_matrix(grid, scheme_order, end);
 }
 
-// The matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. `values`
-// maps cell averages to values of p on the faces.
+// Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. The
+// matrix `values` maps cell averages to values of p on the faces.
 AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperator& values) {
   AxisOperator factor(x2.cell_count() + 1, x2.cell_count() + 1);
   for (int f = 0; f <= x2.cell_count(); ++f)
@@ -102,7 +101,8 @@ AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperat
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
-// The matrix of the term d/dx2 [ (c x2 + g(x1)) p ], by fluxes through the inner faces of x2.
+// Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
+// inner faces of x2.
 SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
                                             int scheme_order, int weight_points) {
   const Axis& x2 = grid.x2;
@@ -125,10 +125,10 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const
   return sum;
 }
 
-// The matrix of the difference between the upwind-biased and the centred transport terms in x2, for
-// an odd order. With the velocity a = -(c x2 + g(x1) + ..) the upwind flux is
-//     a (p_left + p_right)/2 + |a| (p_left - p_right)/2,
-// and its first term is the centred flux of the next even order.
+// Returns the matrix of the difference between the upwind-biased and the centred transport terms in
+// x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
+//     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
+// The first term of the upwind flux is the centred flux of the next even order.
 SparseColumnMatrix upwind_correction_matrix(const problem::System& system, const Grid& grid,
                                             int scheme_order) {
   const Axis& x1 = grid.x1;
@@ -162,7 +162,8 @@ SparseColumnMatrix scale_and_shift(double factor, const SparseColumnMatrix& a, d
 SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.nv() / 2;
   const bool left = end == AxisEnd::left;
-  // The density on the wall jumps at x2 = 0, so a stencil contains only cells with one sign of x2.
+  // The density on the wall is discontinuous at x2 = 0, so that a stencil contains only cells with
+  // one sign of x2.
   const AxisOperator speed =
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
                                 numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
@@ -209,7 +210,8 @@ Eigen::VectorXd FokkerPlanckOperator::operator*(const Eigen::VectorXd& averages)
 
 SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
   if (exchange.size() == 0) return local;
-  // Jumps by a whole number of cells cause rounding errors in entries whose exact value is zero.
+  // Jumps by a whole number of cells cause rounding errors in matrix entries whose exact value is
+  // zero.
   constexpr double kRounding = 1e-14;
   const int nx = static_cast<int>(areas.size() / exchange.rows());
   return local + kronecker_product(identity_matrix(nx),

@@ -11,9 +11,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Table of phi, phi', theta and chi' (chi' -> 0 for s -> inf) on equidistant s, with cubic Hermite
-// interpolation. The differential equations give the derivatives that this interpolation requires.
-// The interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
+// Table of phi, phi', theta and chi' on equidistant s, with cubic Hermite interpolation. The
+// differential equations give the derivatives for the interpolation. The interpolation error is
+// step^4 / 384 times a fourth derivative, below 1e-10.
 class ProfileTable {
  public:
   static const ProfileTable& table() {
@@ -37,12 +37,12 @@ class ProfileTable {
     if (std::abs(s) > kEnd) return asymptotics_.chi_slope(s) + (s < 0 ? limit_below_.chi_slope : 0);
     return interpolate(s, &Node::chi_slope, chi_curvature);
   }
-  /// chi' for s -> -inf.
+  /// Returns the limit of chi' for s -> -inf.
   double chi_slope_below() const { return limit_below_.chi_slope; }
 
  private:
   static constexpr double kEnd = 14, kStep = 0.02;
-  static constexpr std::size_t kLast = 1400;  // 2 kEnd / kStep
+  static constexpr std::size_t kLast = 1400;  // number of table intervals, 2 kEnd / kStep
 
   struct Node {
     double phi = 0, phi_slope = 0, theta = 0, chi_slope = 0;
@@ -58,8 +58,8 @@ class ProfileTable {
             n.chi_slope + h * d.chi_slope};
   }
 
-  // Asymptotic series for large |s| in powers of s^-3, with coefficients by recursion from the
-  // equations: phi' = sum a_n s^(-1-3n), theta = sum t_n s^(-2-3n). At kEnd the truncation error is
+  // Asymptotic series for large |s| in powers of s^-3: phi' = sum a_n s^(-1-3n), theta = sum t_n
+  // s^(-2-3n). The equations give the coefficients by recursion. At kEnd the truncation error is
   // below 1e-11.
   class AsymptoticSeries {
    public:
@@ -111,8 +111,8 @@ class ProfileTable {
   ProfileTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
-    // Runge-Kutta steps go towards smaller s, because homogeneous solutions decay in this
-    // direction.
+    // Runge-Kutta steps go towards smaller s, because homogeneous solutions decay towards smaller
+    // s.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {
@@ -135,7 +135,7 @@ class ProfileTable {
 
   AsymptoticSeries asymptotics_;
   std::vector<Node> nodes_;
-  Node limit_below_;  ///< limits of the functions for s -> -inf
+  Node limit_below_;  ///< limits of phi, phi', theta and chi' for s -> -inf
 };
 
 }  // namespace

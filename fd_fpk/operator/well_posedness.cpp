@@ -8,20 +8,20 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// The length rounded up to three digits, so that the printed length is long enough.
+// Returns the length rounded up to three digits, so that the printed length is long enough.
 double round_up(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
 }
 
-// The fastest growing wave over all cell widths of the axis. All widths are checked, since the
-// excitation may be unstable on wide cells and stable on narrow cells.
+// Returns the fastest growing wave over all cell widths of the axis. The excitation may be unstable
+// on wide cells and stable on narrow cells.
 FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
                                         const Discretisation& on) {
   const Axis& x2 = on.grid.x2;
   Options as_used = options;
   std::vector<double> widths;
-  // the only excitation that may be unstable; the Pade approximant is always stable
+  // Only the excitation of km4 may be unstable; the Pade approximant is always stable.
   if (options.equation == Equation::km4) {
     as_used.regularisation_length = on.regularisation_length;
     widths = critical_cell_widths(x2, problem.impulses.law(), on.regularisation_length);
@@ -34,7 +34,6 @@ FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const O
   return largest;
 }
 
-// Text that advises a regularisation length for the cells of an axis.
 std::string regularisation_advice(const problem::ImpulseTrain& impulses, const Axis& axis,
                                   int points) {
   constexpr double kNearly = 0.99;

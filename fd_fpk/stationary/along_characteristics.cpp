@@ -19,8 +19,7 @@ namespace {
 
 using transform::Status;
 
-// Order of accuracy with which functionals of cell averages are computed: by parabolas. The
-// transport along characteristics itself has no order.
+// Order of accuracy of moments and fluxes, computed from cell averages by parabolas.
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
@@ -37,7 +36,7 @@ GridSolution solve_in_box(const problem::Problem& problem, const problem::Motion
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
-// Masses of the marginal densities: on the cells of y, and on the cells of speed.
+// Masses of the marginal densities, on the cells of y and on the cells of speed.
 struct MarginalMasses {
   Eigen::VectorXd of_y, of_speed;
 };
@@ -49,8 +48,7 @@ MarginalMasses marginal_masses(const GridSolution& on) {
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
-// Largest accepted mass in the cells at the ends of a box. Mass that would leave the box
-// accumulates in these cells.
+// Largest accepted mass in the end cells of a box, where mass that would leave the box accumulates.
 constexpr double kMaxMassAtEnd = 1e-6;
 double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses) {
   const double in_y = on.grid.x1.right_end_condition() == EndCondition::vacuum
@@ -59,9 +57,9 @@ double mass_at_end(const GridSolution& on, const MarginalMasses& marginal_masses
   return std::max(in_y, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1));
 }
 
-// The smallest face position beyond which the mass is at most `negligible`. The absolute values of
-// the masses are added, since the masses of wide cells oscillate in a steep tail. The last face if
-// the cells at the end contain more than `negligible`.
+// Returns the smallest face position beyond which the mass is at most `negligible`. The function
+// adds absolute values, since the masses of wide cells oscillate in a steep tail. The result is the
+// last face if the last cell contains more than `negligible`.
 double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = axis.cell_count();
@@ -73,15 +71,15 @@ double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double ne
   return axis.face_position(last);
 }
 
-// A box that contains all but a negligible part of the mass, determined on wide cells. After the
-// deadline, a box that contains all but kMaxMassAtEnd suffices; with more mass at its ends a box
-// would be rejected.
+// Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
+// After the deadline the mass kMaxMassAtEnd at the ends is acceptable; a box with more mass at its
+// ends would be rejected.
 Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
                         const Options& options, const Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
-  // approximate ratio of the times in the wider and the narrower box
+  // Approximate ratio of the computing times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
   Box box = initial_characteristic_box(problem, scales, options);
@@ -113,8 +111,7 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   return box;
 }
 
-// Adds the atoms in contact to the solution, with their contributions to the moments of the
-// physical displacement.
+// Adds the atoms in contact, and their contributions to the moments, to the solution.
 void add_atoms(const problem::Problem& problem, const GridSolution& on,
                transform::Solution& solution) {
   auto& moments = solution.moments;
@@ -152,7 +149,7 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
       displacement_at_rest += mass * point.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
     } else {
-      // At an equilibrium small oscillations continue, with impacts of negligible speed.
+      // Small oscillations continue at an equilibrium, with impacts of negligible speed.
       summary.rest_mass += mass;
       summary.impact_rate += mass * point.impact_rate;
     }

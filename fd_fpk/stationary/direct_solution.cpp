@@ -11,7 +11,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Factor by which GMRES must reduce the residual.
+// Largest accepted ratio of the residual after GMRES to the residual of the initial density.
 constexpr double kLeastReduction = 1e-4;
 
 DirectSolution solve_on_grid(const problem::Problem& problem, const problem::MotionScales& scales,
@@ -46,14 +46,14 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
           .krylov_seconds = krylov_seconds};
 }
 
-// Solves in `box`, and moves the ends of the box that the options leave free outwards until the
-// density at these ends is negligible. After the deadline, an acceptable density suffices.
+// Solves in `box`, whose free ends move outwards until the density at the free ends is negligible.
+// After the deadline, an acceptable density at the ends suffices.
 DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
                                         const problem::MotionScales& scales, const Options& options,
                                         const Deadline& deadline, Box& box) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  // approximate ratio of the times in the wider and the narrower box
+  // Approximate ratio of the computing times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
   WallDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
@@ -62,8 +62,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (!direct.averages || !direct.converged) return direct;
     const WallDensity wall =
         relative_wall_density(scales, direct.discretisation.grid, *direct.averages);
-    // If the density at an end does not decrease when the end moves outwards, the density is a
-    // discretisation error and no tail.
+    // A density that does not decrease when the end moves outwards is a discretisation error.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
     const bool widen_x2 =
@@ -76,7 +75,7 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     if (is_acceptable && !deadline.has_time_for(kTimeRatio * stopwatch.seconds())) return direct;
     if (problem.system.left_wall()) {
       if (widen_x1) box.x1_max *= kWidening;
-    } else {  // without an impact wall the box widens about its middle
+    } else {  // a box without an impact wall widens about the middle
       const double by = (kWidening - 1) * (box.x1_max - box.x1_min) / 2;
       if (widen_x1) box.x1_max += by;
       if (widen_x1_low) box.x1_min -= by;
@@ -86,11 +85,9 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   }
 }
 
-// Finds the box and the length scales of the density. For a density of
-// several wells or of a ring, standard deviations overestimate the length scales. A grid based on
-// standard deviations then smooths the density and causes ripples at the ends of the box. The
-// function therefore solves again on grids based on the computed length scales, until these
-// converge.
+// Standard deviations overestimate the length scales of a density of several wells or of a ring.
+// The function therefore repeats the solution on grids based on the computed length scales, until
+// the length scales converge.
 void find_box_and_lengths(const problem::Problem& problem, const problem::MotionScales& scales,
                           const Options& coarse, const Deadline& deadline, Box& box) {
   constexpr int kMostTimes = 4;
@@ -128,7 +125,7 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
     Options coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
     coarse.refinement = kCoarse * kHighOrderWidthFactor;
-    coarse.order = kHighOrder;  // schemes of lower order smooth the tails on such a coarse grid
+    coarse.order = kHighOrder;  // schemes of lower order smooth the tails on a coarse grid
     coarse.origin_refinement = 1;
     if (are_lengths_needed) {
       find_box_and_lengths(problem, scales, coarse, deadline, box);
@@ -142,10 +139,10 @@ Box stationary_box(const problem::Problem& problem, const problem::MotionScales&
 DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
                               const Options& options, const Deadline& deadline) {
   constexpr int kRefinements = 2;
-  // largest number of cells of a grid that is refined; refining a larger grid takes minutes
+  // Largest number of cells of a grid that is refined; refining a larger grid takes minutes
   constexpr int kMostCellsRefined = 8000;
   constexpr double kRefinement = 1.5;
-  // approximate ratio of the times on the refined and the previous grid
+  // Approximate ratio of the computing times on the refined and the previous grid
   constexpr double kTimeRatio = 5;
   const problem::MotionScales& scales = scales_and_box.scales;
   Box box =
@@ -163,7 +160,7 @@ DirectSolution solve_directly(const problem::Problem& problem, const ScalesAndBo
         is_resolved(problem, options, direct)) {
       return direct;
     }
-    // The first refinement refines the cells at a spike at the origin, if there is a spike.
+    // The first refinement refines only the cells at a spike at the origin, if there is a spike.
     if (is_unbounded_at_origin(problem) && direct.origin_refinement < kOriginRefinement) {
       on_grid.origin_refinement = kOriginRefinement;
     } else {

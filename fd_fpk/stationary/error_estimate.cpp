@@ -24,7 +24,7 @@ const transform::GridDensity& grid_density_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// Merges bins narrower than `width`. A bin next to 0 or at the end may remain narrower.
+// Merges bins narrower than `width`; a bin next to 0 or at the end may remain narrower.
 std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double width) {
   std::vector<double> kept;
   for (const double edge : edges) {
@@ -39,11 +39,11 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
   return kept;
 }
 
-// The differences of moments and marginal densities between two solutions, on the cells of the
-// finer grid. Cells narrower than kNarrowest are merged, because in the narrow cells of a spike the
-// densities of two grids never agree.
+// Returns the differences of moments and marginal densities between two solutions, on the cells of
+// the finer grid. Cells narrower than kNarrowest are merged, because the densities of two grids
+// never agree in the narrow cells of a spike.
 transform::LevelDifference level_difference(const Result& coarser, const Result& finer) {
-  constexpr double kNarrowest = 0.02;  // smallest width of a bin, in units of the root mean square
+  constexpr double kNarrowest = 0.02;  // smallest bin width, in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_density_of(finer.solution);
   const auto& moments = finer.solution.moments;
   // The root mean square of y may exceed the extent of the grid, if the motion is far from y = 0.
@@ -58,8 +58,7 @@ transform::LevelDifference level_difference(const Result& coarser, const Result&
   return transform::level_difference(of(coarser), of(finer));
 }
 
-// The options for a grid whose cells are narrower by `factor`. The solver does not refine this grid
-// automatically.
+// Returns the options for a grid with cells narrower by `factor`, without automatic refinement.
 Options with_refined_cells(Options options, double factor) {
   options.refine_unresolved = false;
   options.refinement *= factor;
@@ -79,9 +78,9 @@ Options with_box_of(Options options, const Summary& summary) {
   return options;
 }
 
-// The options with the box and the refinement that the solution used after automatic changes. All
-// grids of an error estimate use these values. If the grids had different boxes, the differences of
-// their solutions would include more than the discretisation error.
+// Returns the options with the box and the refinement that the solution used after automatic
+// changes. All grids of an error estimate use the same box, since different boxes would add to the
+// differences of the solutions.
 Options with_used_grid(Options options, const Summary& summary) {
   options.refinement = summary.refinement;
   if (options.transport != TransportScheme::characteristics) {
@@ -90,15 +89,13 @@ Options with_used_grid(Options options, const Summary& summary) {
   return with_box_of(options, summary);
 }
 
-// Order of convergence that is expected of the scheme. Along characteristics the order is 2, since
-// the density is linear inside each cell.
+// Along characteristics the order is 2, since the density is linear inside each cell.
 int order_of_convergence(const Options& options) {
   constexpr int kAlongCharacteristics = 2;
   return options.transport == TransportScheme::characteristics ? kAlongCharacteristics
                                                                : transport_order(options);
 }
 
-// Largest relative error of the second moments.
 double second_moment_error(const Moments& error, const Moments& moments) {
   return std::max(error.y2 / moments.y2, error.v2 / moments.v2);
 }
@@ -119,9 +116,7 @@ void add_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& er
   }
 }
 
-// Truncation error of the moments due to the finite box: the differences from the moments in a
-// larger box with the same cells. A refinement of the cells does not reveal this error. Zero if
-// there is no density in the larger box.
+// Returns the changes of the moments in a larger box; zero without a density in the larger box.
 Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cells,
                              const Result& in_box) {
   Moments moved;
@@ -142,10 +137,9 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
 }
 
 // Raises the error estimates of the moments to the residuals of the balances, for solutions along
-// characteristics. Along characteristics the order of convergence is unknown, and the order
-// observed on three grids may be too high for the next grid. A relative error estimate below the
-// residual of a balance would contradict the balance, because the dissipated power is proportional
-// to E[v^2], and so to E[y^2], and the mean force to E[y].
+// characteristics. The observed order of convergence along characteristics may be too high. A
+// relative error below the residual of a balance would contradict the balance. The dissipated power
+// is proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
 Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   const auto& [solution, summary] = fine;
   if (summary.transport != TransportScheme::characteristics) return error;
@@ -162,7 +156,6 @@ Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   return error;
 }
 
-// The error estimate from solutions on three grids, plus the truncation error of the box.
 ErrorEstimate estimate_with_box_truncation(const Options& options, const Result& coarse,
                                            const Result& middle, const Result& fine,
                                            const Moments& box_truncation) {
@@ -176,8 +169,7 @@ ErrorEstimate estimate_with_box_truncation(const Options& options, const Result&
   return error;
 }
 
-// The most accurate result so far with the status `not_converged`, for the case that there is no
-// solution on the next finer grid.
+// Returns the most accurate result so far, with the status `not_converged`.
 Result not_converged_result(Result best, const Options& options, const std::string& reason) {
   best.solution.status = Status::not_converged;
   const std::string reached =
@@ -190,27 +182,24 @@ Result not_converged_result(Result best, const Options& options, const std::stri
   return best;
 }
 
-// Minimum ratio of the times on successive grids. If the observed ratio is larger, the observed
-// ratio is used.
+// Minimum ratio of the computing times on successive grids
 constexpr double kTimeRatio = 2.5;
 
-// Whether two solutions have grids with equal numbers of cells, as for the minimum number of cells.
-// The difference of two such solutions does not measure an error.
+// The difference of solutions on grids with equal numbers of cells does not measure an error.
 bool have_same_cells(const Summary& first, const Summary& second) {
   return first.nx > 0 && first.nx == second.nx && first.nv == second.nv;
 }
 
-// Expected time of a solution in seconds, from the number of cells alone. The expected time does
-// not depend on machine and load, so that the choice of the grid is reproducible.
+// Returns a computing time that does not depend on the machine, for a reproducible choice of grids.
 double expected_seconds(const Summary& on) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
   return on.nx * on.nv *
          (on.transport == TransportScheme::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
-// Whether the solutions on all further grids up to the requested accuracy are expected to take at
-// most an eighth of the time limit. The number of further grids is extrapolated from the error
-// estimate of the last three grids.
+// Returns whether all further grids up to the requested accuracy are expected to take at most an
+// eighth of the time limit. The number of further grids is extrapolated from the error estimate of
+// the last three grids.
 bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, const Options& options,
                             double accuracy, const Deadline& deadline) {
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
@@ -218,7 +207,7 @@ bool is_accuracy_attainable(const ErrorEstimate& error, const Summary& last, con
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
   const double missing = std::max(1.0, std::ceil(std::log(largest_l1_error(error) / accuracy) /
                                                  (order * std::log(kRefinementRatio))));
-  // Time of all further grids in units of the time of the last grid: the sum of a geometric series.
+  // The time of all further grids, in units of the time of the last grid, is a geometric series.
   const double levels = kTimeRatio * (std::pow(kTimeRatio, missing) - 1) / (kTimeRatio - 1);
   return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
 }
@@ -255,8 +244,7 @@ Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& opt
   Result fine = solve(options);
   if (!fine.solution.density) return fine;
   const Options used = with_used_grid(options, fine.summary);
-  // The solutions on the coarser grids are always computed: each takes less time than the first
-  // solution, and no solution may lack an error estimate.
+  // The coarser grids are always solved, since no solution may lack an error estimate.
   const Result middle = solve(with_direct_solver(with_refined_cells(used, 1 / kRefinementRatio)));
   const Options coarsest =
       with_direct_solver(with_refined_cells(used, 1 / (kRefinementRatio * kRefinementRatio)));
@@ -278,20 +266,19 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   const Stopwatch stopwatch;
   Result best = solve_with_error_estimate(solve, options);
   if (!best.summary.error) return best;
-  // Solutions on the three grids together take about 1 + 1/2.5 + 1/6 times as long as that on the
-  // finest grid. A solution in the larger box takes twice as long as that on the finest grid.
+  // The three grids together take about 1 + 1/2.5 + 1/6 times as long as the finest grid. The
+  // solution in the larger box takes twice as long as the coarsest grid.
   double seconds = stopwatch.seconds() / (best.summary.enlarged_box ? 1.9 : 1.6);
   Options level = with_direct_solver(with_used_grid(options, best.summary));
-  // The solutions on the two coarser of the last three grids.
+  // The results `middle` and `coarse` are on the two coarser of the last three grids.
   const Options before = with_refined_cells(level, 1 / kRefinementRatio);
   Result middle = best;
   std::optional<Result> coarse;
-  // If the box is too small, finer cells do not help.
+  // Finer cells do not correct a box that is too small, the cause of the status `failed`.
   while (best.solution.status != Status::failed &&
          (largest_l1_error(*best.summary.error) > goal.accuracy ||
           (goal.until_ok && !best.solution.is_ok()))) {
-    // If the requested accuracy is not attainable in time, the grid is refined only while the
-    // solution is not `ok`.
+    // If the accuracy is not attainable in time, the grid is refined only until the status is `ok`.
     if (best.solution.is_ok() && !is_accuracy_attainable(*best.summary.error, middle.summary,
                                                          options, goal.accuracy, deadline)) {
       break;
@@ -317,26 +304,23 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
 
 Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                           const Deadline& deadline) {
-  constexpr double kFirst = 0.5;  // Options::refinement of the coarsest grid
-  // Difference of expected and observed order above which the density at the origin is taken to
-  // limit the order.
+  constexpr double kFirst = 0.5;  // value of Options::refinement for the coarsest grid
+  // Lack of observed order that indicates a limit by the density at the origin
   constexpr double kOrdersMissing = 1.5;
-  // Fraction of the tolerance that the truncation error of the box may take. Only a larger box
-  // reduces this error.
+  // Fraction of the tolerance for the truncation error of the box, which only a larger box reduces
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   Options level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
-  std::array<std::optional<Result>, 3> last;  // results on the coarse, the middle and the fine grid
-  std::optional<Result> estimated;  // result on the finest grid before the cells were graded
+  std::array<std::optional<Result>, 3> last;  // results on the last three grids, coarsest first
+  std::optional<Result> estimated;            // result on the finest ungraded grid
   Moments box_truncation;
   bool box_found = false;
   const auto stop = [&](const std::string& reason) {
-    // A result on a graded grid without an error estimate does not replace a result on a uniform
-    // grid with an estimate.
+    // A result without an error estimate does not replace a result with an error estimate.
     const bool newer = last[2] && (last[2]->summary.error || !estimated);
     return not_converged_result(newer ? *last[2] : *estimated, options, reason);
   };
-  // time on the last grid; ratio of the times on the next and the last grid
+  // Computing time on the last grid; ratio of the computing times on the next and the last grid
   double seconds = 0, slower = kTimeRatio;
   while (true) {
     if ((last[2] || estimated) && !deadline.has_time_for(slower * seconds)) {
@@ -359,7 +343,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
       box_found = excess <= 1 || !free || level.wall_density <= kLeastOnWall;
       if (!box_found) {
         level.wall_density *= std::min(0.1, 1 / excess);
-        continue;  // solve again with the same cells in a larger box
+        continue;  // the next solution has the same cells in a larger box
       }
       level = with_box_of(level, last[2]->summary);
     } else {
@@ -388,7 +372,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
         level.origin_refinement = kOriginRefinement;
         estimated = std::move(last[2]);
         last = {};
-        continue;  // the same cell widths far from the origin; three new grids
+        continue;  // three new grids follow, with the same cell widths far from the origin
       }
     }
     level = with_refined_cells(level, kRefinementRatio);

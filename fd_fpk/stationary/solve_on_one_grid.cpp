@@ -25,19 +25,18 @@ PseudoTransientResult march_to_stationarity(const FokkerPlanckOperator& op,
   // Limits of the time step, in decay times. The upper limit is necessary because rounding errors
   // in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
   constexpr double kFirstStep = 10, kLongestStep = 500;
-  // Tolerances with which CVODE does not limit steps by local errors: a step may change the density
-  // by many times its own size.
+  // With tolerances above the size of the density, local errors do not limit the steps of CVODE.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
   const double absolute_tolerance = kPeakMultiple * start.maxCoeff();
-  // Tolerances refer to the mass of a cell. Tolerances for densities would shorten the steps,
-  // because the density varies strongly in the narrow cells at a singularity, whose mass is
-  // negligible: for white noise at r = 0.6 GMRES took 860 iterations instead of 372.
+  // The tolerances refer to the mass of a cell. Tolerances of densities would shorten the steps,
+  // because the density varies strongly in the narrow cells at a singularity. Under white noise at
+  // r = 0.6 GMRES took 860 iterations with tolerances of densities, instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of this
-  // residual to L P. The tolerance is a hundredth of the residual expected from the step, about
-  // 1/gamma of the preceding residual in decay times. The residual of the last step remains in the
-  // solution.
+  // residual to L P. The tolerance of GMRES is a hundredth of the residual expected after the step,
+  // about 1/gamma of the preceding residual in decay times. The residual of GMRES in the last step
+  // remains in the solution.
   constexpr double kPart = 1e-2, kLastStepTolerance = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const bool is_last = residual <= kLongestStep * tolerance;
@@ -95,8 +94,8 @@ namespace {
 
 using transform::Status;
 
-// The stationary density by the method of Options::stepper; empty if there is no density. Sets the
-// status of the result.
+// Returns the stationary density by the method of Options::stepper, and sets the status of the
+// result; empty without a density.
 std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const Options& options,
                                                   const Deadline& deadline, Result& result) {
   auto& [solution, summary] = result;
@@ -106,8 +105,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const 
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // Number of CVODE steps for which time must remain. CVODE solves linear systems with the same
-  // solver as the direct solution, so each step may take as long as the direct solution.
+  // Number of CVODE steps, as long as the direct solution, for which time must remain
   constexpr double kStepsInFull = 20;
   std::optional<PseudoTransientResult> march;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
@@ -167,10 +165,9 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
                         wall_momentum_transfer(problem.system, grid, averages, order));
 }
 
-// A box enlarged by half in each direction in which the density at the end of the box is
-// significant; empty if the density is negligible in both directions. Example of a significant
-// density: for rare impulses, with 1e-6 of the peak at an end 8 standard deviations away, the mass
-// beyond this end contributes 4e-4 of E[y^4].
+// Returns a box that is longer by half in each direction with a significant density at the end;
+// empty if both densities are negligible. For rare impulses, with 1e-6 of the peak at an end 8
+// standard deviations away, the mass beyond the end contributes 4e-4 of E[y^4].
 std::optional<BoxExtension> make_enlarged_box(const problem::Problem& problem,
                                               const Options& options, const Grid& grid,
                                               const WallDensity& wall) {
@@ -196,7 +193,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
                          const Options& options, const Deadline& deadline) {
   Result result;
   auto& [solution, summary] = result;
-  // Growth rates depend only on the velocity step, so the stability check precedes the solution.
+  // The stability check needs only the velocity step and therefore precedes the solution.
   const auto first =
       discretise(problem, options, initial_box(problem, scales_and_box.scales, options));
   set_grid_data(first, summary);

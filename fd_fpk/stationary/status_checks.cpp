@@ -9,8 +9,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Text of the ends of y that are not impact walls: "-2 <= y <= 3, ", "y <= 3, " or "y >= -2, ";
-// empty if both ends are impact walls.
+// Returns the text of the ends of y that are not impact walls, such as "-2 <= y <= 3, " or "y <= 3,
+// "; empty if both ends are impact walls.
 std::string box_ends_text(const problem::Frame& frame, const Axis& x1) {
   bool low = x1.left_end_condition() == EndCondition::vacuum,
        high = x1.right_end_condition() == EndCondition::vacuum;
